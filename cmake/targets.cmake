@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# One object library per part, all of them in one shared library, and a thin executable.
+
+add_library(softgrain_options INTERFACE)
+target_include_directories(softgrain_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/bpm/include>
+  $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+target_compile_options(softgrain_options INTERFACE -Wall -Wextra -Wpedantic
+  $<$<CONFIG:Release>:-O3>)
+if(SOFTGRAIN_NATIVE)
+  target_compile_options(softgrain_options INTERFACE -march=native)
+endif()
+if(SOFTGRAIN_WARNINGS_AS_ERRORS)
+  target_compile_options(softgrain_options INTERFACE -Werror)
+endif()
+if(SOFTGRAIN_SANITIZE)
+  target_compile_options(softgrain_options INTERFACE
+    -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(softgrain_options INTERFACE -fsanitize=address,undefined)
+endif()
+target_link_libraries(softgrain_options INTERFACE
+  Eigen3::Eigen CLI11::CLI11 nlohmann_json::nlohmann_json ${HDF5_C_LIBRARIES} ${CMAKE_DL_LIBS})
+# Headers of packages are not ours to mend: their warnings stay quiet.
+target_include_directories(softgrain_options SYSTEM INTERFACE
+  ${HDF5_C_INCLUDE_DIRS} ${DEAL_II_INCLUDE_DIRS})
+
+configure_file(${PROJECT_SOURCE_DIR}/cmake/config.h.in
+  ${PROJECT_BINARY_DIR}/include/softgrain/base/config.h @ONLY)
+
+function(softgrain_setup_target target)
+  deal_ii_setup_target(${target})
+  target_link_libraries(${target} softgrain_options)
+endfunction()
+
+set(SOFTGRAIN_PARTS base contact constitutive analysis scene output mpm bpm app)
+add_library(softgrain SHARED)
+foreach(part ${SOFTGRAIN_PARTS})
+  if(part STREQUAL "bpm")
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bpm/source/*.cc)
+  else()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/source/${part}/*.cc)
+    list(FILTER sources EXCLUDE REGEX "/main\\.cc$")
+  endif()
+  if(sources)
+    add_library(softgrain_${part} OBJECT ${sources})
+    softgrain_setup_target(softgrain_${part})
+    # contact/ and base/ are mostly free of deal.II, so a heavy header would only slow them down.
+    if(SOFTGRAIN_PRECOMPILE_HEADERS AND NOT part MATCHES "^(base|contact)$")
+      target_precompile_headers(softgrain_${part} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    endif()
+    target_sources(softgrain PRIVATE $<TARGET_OBJECTS:softgrain_${part}>)
+  endif()
+endforeach()
+softgrain_setup_target(softgrain)
+set_target_properties(softgrain PROPERTIES LINKER_LANGUAGE CXX)
+
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/app/main.cc)
+  add_executable(softgrain_executable source/app/main.cc)
+  set_target_properties(softgrain_executable PROPERTIES OUTPUT_NAME softgrain)
+  softgrain_setup_target(softgrain_executable)
+  target_link_libraries(softgrain_executable softgrain)
+endif()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Runs PROGRAM in its own folder, keeps what it prints in `output`, and compares it with EXPECTED by numdiff.
+# The line "# tolerance: ABSOLUTE RELATIVE" at the head of EXPECTED sets the tolerances (default 1e-9 1e-7).
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+execute_process(COMMAND ${CMAKE_COMMAND} -E env DEAL_II_NUM_THREADS=${THREADS} OMP_NUM_THREADS=1
+    ${PROGRAM} ${ARGUMENTS}
+  WORKING_DIRECTORY ${WORK} OUTPUT_FILE ${WORK}/output ERROR_FILE ${WORK}/errors RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  file(READ ${WORK}/output printed)
+  file(READ ${WORK}/errors errors)
+  message(FATAL_ERROR "the program ended with ${status}\n${printed}\n${errors}")
+endif()
+set(absolute 1e-9)
+set(relative 1e-7)
+file(STRINGS ${EXPECTED} head LIMIT_COUNT 1)
+if(head MATCHES "^# tolerance: ([^ ]+) ([^ ]+)")
+  set(absolute ${CMAKE_MATCH_1})
+  set(relative ${CMAKE_MATCH_2})
+endif()
+file(STRINGS ${EXPECTED} lines)
+file(WRITE ${WORK}/expected "")
+foreach(line IN LISTS lines)
+  if(NOT line MATCHES "^# tolerance:")
+    file(APPEND ${WORK}/expected "${line}\n")
+  endif()
+endforeach()
+execute_process(COMMAND ${NUMDIFF} -a ${absolute} -r ${relative} -s "' \\t\\n=,:;<>[](){}^'" ${WORK}/expected ${WORK}/output
+  RESULT_VARIABLE differs OUTPUT_VARIABLE report ERROR_VARIABLE report_errors)
+if(NOT differs EQUAL 0)
+  message(FATAL_ERROR "differs from ${EXPECTED}:\n${report}${report_errors}")
+endif()
