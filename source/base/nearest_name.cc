@@ -26,11 +26,11 @@ unsigned int edit_distance(const std::string &first, const std::string &second)
     d[0][j] = j;
   for (unsigned int i = 1; i <= a.size(); ++i)
     for (unsigned int j = 1; j <= b.size(); ++j)
-      {
-        d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-        if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-          d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
+    {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
   return d[a.size()][b.size()];
 }
 
@@ -39,14 +39,14 @@ std::string nearest_name(const std::string &word, const std::vector<std::string>
   std::string best;
   unsigned int best_distance = std::max<unsigned int>(2, word.size() / 3) + 1;
   for (const std::string &name : names)
+  {
+    const unsigned int distance = edit_distance(word, name);
+    if (distance < best_distance)
     {
-      const unsigned int distance = edit_distance(word, name);
-      if (distance < best_distance)
-        {
-          best = name;
-          best_distance = distance;
-        }
+      best = name;
+      best_distance = distance;
     }
+  }
   return best;
 }
 

@@ -19,16 +19,18 @@ void set_n_threads(const unsigned int n)
   dealii::MultithreadInfo::set_thread_limit(n == 0 ? dealii::MultithreadInfo::n_cores() : n);
 }
 
-void parallel_for(const std::size_t n, const std::size_t grain,
+void parallel_for(const std::size_t n,
+                  const std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)> &work)
 {
   if (n <= grain || n_threads() == 1)
-    {
-      if (n > 0)
-        work(0, n);
-      return;
-    }
+  {
+    if (n > 0)
+      work(0, n);
+    return;
+  }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                    [&work](const tbb::blocked_range<std::size_t> &range) { work(range.begin(), range.end()); });
+                    [&work](const tbb::blocked_range<std::size_t> &range)
+                    { work(range.begin(), range.end()); });
 }
 } // namespace softgrain

@@ -7,7 +7,8 @@
 
 namespace softgrain
 {
-/// Number of insertions, deletions, replacements and swaps of neighbours that turn @p a into @p b, ignoring case.
+/// Number of insertions, deletions, replacements and swaps of neighbours that turn @p a into @p b, ignoring
+/// case.
 unsigned int edit_distance(const std::string &a, const std::string &b);
 
 /// The name of @p names closest to @p word, or an empty string when none is near enough to be meant.

@@ -16,10 +16,13 @@ void set_n_threads(unsigned int n);
 /**
  * @brief Calls @p work(begin, end) on pieces of [0, n), at least @p grain long, on all threads.
  *
- * Pieces may be cut differently from run to run, so @p work must write only to what belongs to its own indices:
- * then the result does not depend on the number of threads. An exception thrown by a piece is rethrown here.
+ * Pieces may be cut differently from run to run, so @p work must write only to what belongs to its own
+ * indices: then the result does not depend on the number of threads. An exception thrown by a piece is
+ * rethrown here.
  */
-void parallel_for(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)> &work);
+void parallel_for(std::size_t n,
+                  std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)> &work);
 } // namespace softgrain
 
 #endif

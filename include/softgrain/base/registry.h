@@ -31,7 +31,7 @@ public:
   struct Entry
   {
     std::string description;
-    Factory     factory;
+    Factory factory;
   };
 
   /// The one table of this family.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_scene_scene_h
+#define softgrain_scene_scene_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/// A material as the scene names it; the law itself is created by the model from `law` and the law's own
+/// subsection.
+struct MaterialDescription
+{
+  std::string name;
+  std::string law;      ///< name in the registry of laws
+  double density = 0.0; ///< at rest [kg/m^3]
+};
+
+/// How a body looks at the start.
+enum class BodyShape
+{
+  disk,      ///< centre, radius, and an inner radius when it is a ring
+  rectangle, ///< centre, size, angle
+  polygon    ///< vertices, counter-clockwise
+};
+
+/// One body of the scene.
+template <int dim>
+struct BodyDescription
+{
+  std::string name;
+  unsigned int material = 0; ///< index into Scene::materials
+  BodyShape shape = BodyShape::disk;
+  dealii::Point<dim> center;
+  double radius = 0;                        ///< [m]
+  double inner_radius = 0;                  ///< [m], 0: no hole
+  dealii::Tensor<1, dim> size;              ///< edge lengths of a rectangle [m]
+  double angle = 0;                         ///< rotation of a rectangle, counter-clockwise [rad]
+  std::vector<dealii::Point<dim>> vertices; ///< of a polygon [m]
+  std::string velocity;                     ///< initial velocity, expressions of x, y: "vx; vy" [m/s]
+  double angular_velocity = 0;              ///< added about the centre, counter-clockwise [rad/s]
+  std::string body_force;                   ///< expressions of x, y (now), X, Y (at rest), t: "bx; by" [N/kg]
+  bool driven = false;                      ///< moves rigidly with its initial velocity, whatever it meets
+};
+
+/// A straight rigid wall; the domain lies on the side its normal points to.
+template <int dim>
+struct WallDescription
+{
+  enum class Type
+  {
+    plane,          ///< exact plane
+    material_points ///< a slab of material points that moves rigidly, as in the thesis
+  };
+
+  std::string name;
+  Type type = Type::plane;
+  dealii::Point<dim> point;      ///< a point of the plane at the start [m]
+  dealii::Tensor<1, dim> normal; ///< unit, into the domain
+  std::string velocity;          ///< along the normal, an expression of t [m/s]
+  double friction = 0;
+};
+
+/// When a run ends, whichever comes first.
+struct StopConditions
+{
+  double end_time = 0;          ///< [s]
+  double axial_strain = -1;     ///< ln(h0/h) of the bottom-top distance; negative: no condition
+  double packing_fraction = -1; ///< negative: no condition
+};
+
+/// What a parameter file says of the world: bodies, walls, loads and when to stop. Nothing of how it is
+/// solved.
+template <int dim>
+struct Scene
+{
+  std::vector<MaterialDescription> materials;
+  std::vector<BodyDescription<dim>> bodies;
+  std::vector<WallDescription<dim>> walls;
+  dealii::Tensor<1, dim> gravity; ///< [m/s^2]
+  double friction = 0;            ///< between bodies
+  StopConditions stop;
+};
+} // namespace softgrain
+
+#endif
