@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body_field.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -182,10 +184,6 @@ void BodyField<dim>::collect_cells(const Places &places)
   }
   for (unsigned int c = 0; c < cell_index.size(); ++c)
     cell_point_start[c + 1] += cell_point_start[c];
-  std::vector<unsigned int> next(cell_point_start.begin(), cell_point_start.end() - 1);
-  cell_point_list.resize(of_point.size());
-  for (unsigned int p = 0; p < of_point.size(); ++p)
-    cell_point_list[next[point_cell[p]]++] = p;
 }
 
 template <int dim>
@@ -225,6 +223,16 @@ void BodyField<dim>::number_nodes()
   for (unsigned int c = 0; c < cell_index.size(); ++c)
     for (unsigned int k = 0; k < n_cell_nodes; ++k)
       cell_nodes[c * n_cell_nodes + k] = node_box(node_index(cell_index[c], k));
+
+  node_cell_start.assign(node_position.size() + 1, 0);
+  for (const unsigned int i : cell_nodes)
+    ++node_cell_start[i + 1];
+  for (unsigned int i = 0; i < node_position.size(); ++i)
+    node_cell_start[i + 1] += node_cell_start[i];
+  std::vector<unsigned int> next(node_cell_start.begin(), node_cell_start.end() - 1);
+  node_cell.resize(cell_nodes.size());
+  for (unsigned int e = 0; e < cell_nodes.size(); ++e)
+    node_cell[next[cell_nodes[e]]++] = e;
 }
 
 template <int dim>
@@ -431,33 +439,58 @@ template <int dim>
 void BodyField<dim>::color_cells()
 {
   cell_colors.clear();
-  std::vector<std::vector<bool>> used_node, used_independent;
+  std::vector<std::vector<bool>> used;
   for (unsigned int c = 0; c < n_cells(); ++c)
   {
     if (cell_point_start[c] == cell_point_start[c + 1])
       continue; // nothing to integrate there
-    const unsigned int *nodes = &cell_nodes[c * n_cell_nodes];
+    const std::vector<unsigned int> &list = cell_dependence[c];
     unsigned int color = 0;
-    for (;; ++color)
+    while (color < cell_colors.size() && std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
+      ++color;
+    if (color == cell_colors.size())
     {
-      if (color == cell_colors.size())
-      {
-        cell_colors.emplace_back();
-        used_node.emplace_back(n_nodes(), false);
-        used_independent.emplace_back(n_independent(), false);
-      }
-      const bool free_nodes = std::none_of(nodes, nodes + n_cell_nodes,
-                                           [&](const unsigned int i) { return used_node[color][i]; });
-      if (free_nodes && std::none_of(cell_dependence[c].begin(), cell_dependence[c].end(),
-                                     [&](const unsigned int j) { return used_independent[color][j]; }))
-        break;
+      cell_colors.emplace_back();
+      used.emplace_back(n_independent(), false);
     }
     cell_colors[color].push_back(c);
-    for (unsigned int k = 0; k < n_cell_nodes; ++k)
-      used_node[color][nodes[k]] = true;
-    for (const unsigned int j : cell_dependence[c])
-      used_independent[color][j] = true;
+    for (const unsigned int j : list)
+      used[color][j] = true;
   }
+}
+
+template <int dim>
+std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places)
+{
+  std::vector<std::int64_t> key(places.size());
+  for (unsigned int p = 0; p < places.size(); ++p)
+  {
+    const Index c = lattice.cell_of(places[p]);
+    for (int d = dim - 1; d >= 0; --d)
+      key[p] = key[p] * (lattice.n_cells()[d] + 8) + (c[d] + 4);
+  }
+  std::vector<unsigned int> order(places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (!std::is_sorted(key.begin(), key.end()))
+    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
+  return order;
+}
+
+template <int dim>
+void BodyField<dim>::gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const
+{
+  all.resize(dim * n_nodes());
+  parallel_for(n_nodes(), 1024, [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      double sum[dim] = {};
+      for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
+        for (unsigned int d = 0; d < dim; ++d)
+          sum[d] += of_cells[dim * node_cell[e] + d];
+      for (unsigned int d = 0; d < dim; ++d)
+        all[dim * i + d] = sum[d];
+    }
+  });
 }
 
 template <int dim>

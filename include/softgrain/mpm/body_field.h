@@ -45,7 +45,7 @@ public:
   /// Inputs of build(): where the body is on the lattice.
   struct Places
   {
-    const std::vector<dealii::Point<dim>> &points;  ///< material points [m]
+    const std::vector<dealii::Point<dim>> &points;  ///< material points, sorted by cell_order() [m]
     const std::vector<double> &volumes;             ///< their volumes, to tell how full a cell is [m^dim]
     const std::vector<double> &half_extent;         ///< half edge of their domains [m], GIMP only
     const std::vector<dealii::Point<dim>> &markers; ///< boundary markers, where the field must exist too [m]
@@ -81,16 +81,19 @@ public:
   /// Slopes in the configuration in which the field was built [1/m].
   const dealii::Tensor<1, dim> *slopes(const unsigned int p) const { return &point_slopes[p * n_cell_nodes]; }
 
-  /// Points of cell @p c.
-  const unsigned int *cell_points_begin(const unsigned int c) const
-  {
-    return cell_point_list.data() + cell_point_start[c];
-  }
-  const unsigned int *cell_points_end(const unsigned int c) const
-  {
-    return cell_point_list.data() + cell_point_start[c + 1];
-  }
-  unsigned int cell_of_point(const unsigned int p) const { return point_cell[p]; }
+  /// Points are sorted by cell: those of cell @p c are first_point(c) ... first_point(c + 1) - 1.
+  unsigned int        first_point(const unsigned int c) const { return cell_point_start[c]; }
+  const unsigned int *nodes_of_cell(const unsigned int c) const { return &cell_nodes[c * n_cell_nodes]; }
+
+  /// Order in which points at @p places must stand for build(): by cell, and within a cell as they are.
+  static std::vector<unsigned int> cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places);
+
+  /**
+   * @brief Sums what cells give to their nodes, in an order that does not depend on the number of threads.
+   * @param[in]  of_cells dim values per node of every cell
+   * @param[out] all      dim values per node
+   */
+  void gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const;
 
   /// T q: values at all nodes from those at the independent nodes. Vectors hold dim components per node.
   void prolongate(const Eigen::VectorXd &independent, Eigen::VectorXd &all) const;
@@ -153,7 +156,7 @@ private:
   std::vector<Index> cell_index, node_lattice_index;
   std::vector<dealii::Point<dim>> node_position;
   std::vector<std::int64_t> lattice_number;
-  std::vector<unsigned int> point_cell, cell_nodes, cell_point_start, cell_point_list;
+  std::vector<unsigned int> point_cell, cell_nodes, cell_point_start, node_cell_start, node_cell;
   std::vector<double> point_values;
   std::vector<dealii::Tensor<1, dim>> point_slopes;
 
