@@ -8,12 +8,6 @@
 namespace softgrain::constitutive
 {
 template <int dim>
-std::string NeoHookean<dim>::title() const
-{
-  return "Neo-Hookean";
-}
-
-template <int dim>
 std::size_t NeoHookean<dim>::update(const Inputs<dim> &in, const Outputs<dim> &out) const
 {
   for (std::size_t q = 0; q < in.n_points; ++q)

@@ -16,14 +16,14 @@ namespace softgrain::constitutive
  *   c   = lambda I x I + 2 (mu - lambda ln J) II_s,
  *
  * Bonet and Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed., section 6.4.3.
- * psi grows without bound as J tends to 0. Above ln J = mu / lambda the shear part of c is negative: a solid that
- * stretched point may soften.
+ * psi grows without bound as J tends to 0 or infinity. Where ln J > mu / lambda the shear part of c is
+ * negative, and only the geometric part of the stiffness holds a shear.
  */
 template <int dim>
 class NeoHookean final : public ElasticLaw<dim>
 {
 public:
-  std::string title() const override;
+  std::string title() const override { return "Neo-Hookean"; }
   std::size_t update(const Inputs<dim> &inputs, const Outputs<dim> &outputs) const override;
 };
 } // namespace softgrain::constitutive
