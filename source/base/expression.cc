@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/expression.h>
+#include <softgrain/base/nearest_name.h>
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace softgrain
+{
+struct Expression::Parser
+{
+  Parser(const std::string &text, const std::vector<std::string> &variables)
+      : text(text), variables(variables), values(variables.size(), 0.)
+  {
+    try
+    {
+      parser.DefineConst("pi", 3.14159265358979323846);
+      // muParser keeps the addresses, so `values` must never grow after this.
+      for (std::size_t i = 0; i < variables.size(); ++i)
+        parser.DefineVar(variables[i], &values[i]);
+      parser.SetExpr(text);
+      parser.Eval();
+    }
+    catch (const mu::Parser::exception_type &error)
+    {
+      std::string message = error.GetMsg();
+      std::replace(message.begin(), message.end(), '\n', ' ');
+      throw InputError("'" + text + "' is not a formula of " + join(variables, "constants") + ": " + message);
+    }
+  }
+
+  std::string text;
+  std::vector<std::string> variables;
+  std::vector<double> values;
+  mu::Parser parser;
+};
+
+Expression::Expression(const std::string &text, const std::vector<std::string> &variables)
+    : parser(std::make_unique<Parser>(text, variables))
+{
+}
+
+Expression::Expression(const Expression &other)
+    : parser(std::make_unique<Parser>(other.parser->text, other.parser->variables))
+{
+}
+
+Expression::Expression(Expression &&) noexcept = default;
+
+Expression &Expression::operator=(const Expression &other)
+{
+  if (this != &other)
+    parser = std::make_unique<Parser>(other.parser->text, other.parser->variables);
+  return *this;
+}
+
+Expression &Expression::operator=(Expression &&) noexcept = default;
+
+Expression::~Expression() = default;
+
+double Expression::operator()(const std::vector<double> &values) const
+{
+  if (values.size() != parser->values.size())
+    throw std::logic_error("wrong number of variables for '" + parser->text + "'");
+  std::copy(values.begin(), values.end(), parser->values.begin());
+  return parser->parser.Eval();
+}
+
+const std::string &Expression::text() const
+{
+  return parser->text;
+}
+
+std::vector<Expression> vector_expression(const std::string &text,
+                                          const std::vector<std::string> &variables,
+                                          const unsigned int n_components)
+{
+  std::vector<Expression> components;
+  std::istringstream stream(text);
+  std::string part;
+  while (std::getline(stream, part, ';'))
+    components.emplace_back(part, variables);
+  if (components.size() != n_components)
+    throw InputError("'" + text + "' must be " + std::to_string(n_components) +
+                     " formulas separated by ';', not " + std::to_string(components.size()));
+  return components;
+}
+} // namespace softgrain
