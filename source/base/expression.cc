@@ -6,62 +6,87 @@
 #include <muParser.h>
 
 #include <algorithm>
-#include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 namespace softgrain
 {
-struct Expression::Parsers
+struct Expression::Parser
 {
-  std::string text;
-  std::vector<double> variables;
-  std::vector<mu::Parser> formulas;
-};
-
-Expression::Expression(const std::string &text,
-                       const std::vector<std::string> &variables,
-                       const unsigned int n_components)
-    : parsers(std::make_unique<Parsers>())
-{
-  parsers->text = text;
-  parsers->variables.assign(variables.size(), 0.);
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == ';')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  if (parts.size() != n_components)
-    throw InputError("'" + text + "' has " + std::to_string(parts.size()) +
-                     " formulas separated by ';', but " + std::to_string(n_components) + " are needed");
-  for (const std::string &part : parts)
+  Parser(const std::string &text, const std::vector<std::string> &variables)
+      : text(text), variables(variables), values(variables.size(), 0.)
+  {
     try
     {
-      mu::Parser parser;
-      for (std::size_t v = 0; v < variables.size(); ++v)
-        parser.DefineVar(variables[v], &parsers->variables[v]);
-      parser.DefineConst("pi", M_PI);
-      parser.SetExpr(part);
+      parser.DefineConst("pi", 3.14159265358979323846);
+      // muParser keeps the addresses, so `values` must never grow after this.
+      for (std::size_t i = 0; i < variables.size(); ++i)
+        parser.DefineVar(variables[i], &values[i]);
+      parser.SetExpr(text);
       parser.Eval();
-      parsers->formulas.push_back(parser);
     }
     catch (const mu::Parser::exception_type &error)
     {
       std::string message = error.GetMsg();
       std::replace(message.begin(), message.end(), '\n', ' ');
-      throw InputError("'" + part + "' is not a formula of " + join(variables, "numbers") + ": " + message);
+      throw InputError("'" + text + "' is not a formula of " + join(variables, "constants") + ": " + message);
     }
+  }
+
+  std::string text;
+  std::vector<std::string> variables;
+  std::vector<double> values;
+  mu::Parser parser;
+};
+
+Expression::Expression(const std::string &text, const std::vector<std::string> &variables)
+    : parser(std::make_unique<Parser>(text, variables))
+{
 }
 
-Expression::~Expression() = default;
+Expression::Expression(const Expression &other)
+    : parser(std::make_unique<Parser>(other.parser->text, other.parser->variables))
+{
+}
+
 Expression::Expression(Expression &&) noexcept = default;
+
+Expression &Expression::operator=(const Expression &other)
+{
+  if (this != &other)
+    parser = std::make_unique<Parser>(other.parser->text, other.parser->variables);
+  return *this;
+}
+
 Expression &Expression::operator=(Expression &&) noexcept = default;
 
-double Expression::operator()(const std::vector<double> &values, const unsigned int component) const
+Expression::~Expression() = default;
+
+double Expression::operator()(const std::vector<double> &values) const
 {
-  std::copy(values.begin(), values.end(), parsers->variables.begin());
-  const double value = parsers->formulas[component].Eval();
-  if (!std::isfinite(value))
-    throw ComputationError("the formula '" + parsers->text + "' gives a value that is not finite");
-  return value;
+  if (values.size() != parser->values.size())
+    throw std::logic_error("wrong number of variables for '" + parser->text + "'");
+  std::copy(values.begin(), values.end(), parser->values.begin());
+  return parser->parser.Eval();
+}
+
+const std::string &Expression::text() const
+{
+  return parser->text;
+}
+
+std::vector<Expression> vector_expression(const std::string &text,
+                                          const std::vector<std::string> &variables,
+                                          const unsigned int n_components)
+{
+  std::vector<Expression> components;
+  std::istringstream stream(text);
+  std::string part;
+  while (std::getline(stream, part, ';'))
+    components.emplace_back(part, variables);
+  if (components.size() != n_components)
+    throw InputError("'" + text + "' must be " + std::to_string(n_components) +
+                     " formulas separated by ';', not " + std::to_string(components.size()));
+  return components;
 }
 } // namespace softgrain

@@ -9,31 +9,37 @@
 namespace softgrain
 {
 /**
- * @brief One or more formulas of named variables, "vx; vy", evaluated by muParser.
+ * @brief A formula the user wrote, in muParser's language (+ - * / ^ ?: sin cos exp sqrt abs min max … and
+ * pi).
  *
- * `pi` is known besides muParser's own functions. Evaluation changes the object: use one per thread.
+ * One object must not be evaluated by two threads at once; copies are independent and may.
  */
 class Expression
 {
 public:
-  /**
-   * @param text         formulas separated by semicolons
-   * @param variables    their names, in the order in which operator() takes the values
-   * @param n_components number of formulas wanted
-   * @throw InputError with muParser's message when the text cannot be understood
-   */
-  Expression(const std::string &text, const std::vector<std::string> &variables, unsigned int n_components = 1);
-  ~Expression();
+  /// @throw InputError with muParser's message when @p text is not a formula of @p variables.
+  Expression(const std::string &text, const std::vector<std::string> &variables);
+  Expression(const Expression &);
   Expression(Expression &&) noexcept;
+  Expression &operator=(const Expression &);
   Expression &operator=(Expression &&) noexcept;
+  ~Expression();
 
-  /// Value of formula @p component; @throw ComputationError when it is not a finite number.
-  double operator()(const std::vector<double> &values, unsigned int component = 0) const;
+  /// The value with the variables in the order of the constructor; may be infinite or NaN.
+  double operator()(const std::vector<double> &values) const;
+
+  const std::string &text() const;
 
 private:
-  struct Parsers;
-  std::unique_ptr<Parsers> parsers;
+  struct Parser;
+  std::unique_ptr<Parser> parser;
 };
+
+/// The components of a vector formula, "fx; fy".
+/// @throw InputError when there are not @p n_components of them or one is not a formula.
+std::vector<Expression> vector_expression(const std::string &text,
+                                          const std::vector<std::string> &variables,
+                                          unsigned int n_components = 2);
 } // namespace softgrain
 
 #endif

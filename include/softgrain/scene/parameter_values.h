@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_scene_parameter_values_h
+#define softgrain_scene_parameter_values_h
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/// "a, b" as numbers; the pattern of the parameter has checked the form.
+dealii::Tensor<1, 2> pair_of_numbers(const std::string &text);
+
+/// "a, b; c, d; …" as numbers; the pattern of the parameter has checked the form.
+std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text);
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_scene_scene_parameters_h
+#define softgrain_scene_scene_parameters_h
+
+#include <softgrain/scene/body_parameters.h>
+#include <softgrain/scene/law_catalogue.h>
+#include <softgrain/scene/material_parameters.h>
+#include <softgrain/scene/scene.h>
+#include <softgrain/scene/wall_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/// The lists `Names` of a parameter file, which say what else it may contain.
+struct SceneNames
+{
+  std::vector<std::string> materials;
+  std::vector<std::string> bodies;
+  std::vector<std::string> walls;
+};
+
+/**
+ * @brief All sections that make a Scene: Materials, Bodies, Walls, Contact (friction), Loads, Stop.
+ */
+class SceneParameters
+{
+public:
+  SceneParameters(const SceneNames &names, const LawCatalogue &laws);
+
+  void declare_parameters(dealii::ParameterHandler &prm) const;
+
+  /// The scene, not yet checked as a whole; see check_scene().
+  /// @throw InputError naming section, value and what is allowed.
+  Scene<2> parse_parameters(dealii::ParameterHandler &prm) const;
+
+private:
+  const MaterialParameters materials;
+  const BodyParameters bodies;
+  const WallParameters walls;
+};
+} // namespace softgrain
+
+#endif

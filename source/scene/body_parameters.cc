@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/nearest_name.h>
+#include <softgrain/scene/body_parameters.h>
+#include <softgrain/scene/parameter_values.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+
+namespace softgrain
+{
+namespace
+{
+void declare_shape(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  const List pair(Double(), 2, 2, ",");
+  prm.declare_entry("Shape", "disk", Selection("disk|rectangle|polygon"),
+                    "disk: Center, Radius, and Inner radius for a ring; rectangle: Center, Size, Angle; "
+                    "polygon: Vertices.");
+  prm.declare_entry("Center", "0, 0", pair, "Center of a disk or rectangle, \"x, y\". Units: m.");
+  prm.declare_entry("Radius", "0", Double(0), "Radius of a disk. Units: m.");
+  prm.declare_entry("Inner radius", "0", Double(0), "Radius of the hole of a ring; 0: no hole. Units: m.");
+  prm.declare_entry("Size", "0, 0", List(Double(0), 2, 2, ","),
+                    "Edge lengths of a rectangle, \"width, height\". Units: m.");
+  prm.declare_entry("Angle", "0", Double(-360, 360),
+                    "Rotation of a rectangle, counter-clockwise. Units: degrees.");
+  prm.declare_entry("Vertices", "", List(pair, 0, List::max_int_value, ";"),
+                    "Corners of a polygon in order, \"x1, y1; x2, y2; …\". Units: m.");
+}
+
+void declare_motion(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.declare_entry("Velocity", "0; 0", Anything(),
+                    "Velocity at the start, formulas of x and y: \"vx; vy\". Units: m/s.");
+  prm.declare_entry("Angular velocity", "0", Double(),
+                    "Added to Velocity at the start, about the center, counter-clockwise. Units: rad/s.");
+  prm.declare_entry(
+      "Body force", "0; 0", Anything(),
+      "Force per mass besides gravity, formulas of x, y (place now), X, Y (place at rest) and t: "
+      "\"bx; by\". Units: N/kg.");
+  prm.declare_entry("Driven", "false", Bool(),
+                    "Whether the body moves rigidly with its velocity at the start, whatever it meets.");
+}
+
+BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler &prm)
+{
+  BodyDescription<2> body;
+  body.name = name;
+  const std::string shape = prm.get("Shape");
+  body.shape = shape == "disk"        ? BodyShape::disk
+               : shape == "rectangle" ? BodyShape::rectangle
+                                      : BodyShape::polygon;
+  body.center = dealii::Point<2>(pair_of_numbers(prm.get("Center")));
+  body.radius = prm.get_double("Radius");
+  body.inner_radius = prm.get_double("Inner radius");
+  body.size = pair_of_numbers(prm.get("Size"));
+  body.angle = prm.get_double("Angle") * dealii::numbers::PI / 180.;
+  for (const dealii::Tensor<1, 2> &vertex : list_of_pairs(prm.get("Vertices")))
+    body.vertices.emplace_back(vertex);
+  body.velocity = prm.get("Velocity");
+  body.angular_velocity = prm.get_double("Angular velocity");
+  body.body_force = prm.get("Body force");
+  body.driven = prm.get_bool("Driven");
+  return body;
+}
+} // namespace
+
+BodyParameters::BodyParameters(const std::vector<std::string> &names) : names(names) {}
+
+void BodyParameters::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Bodies");
+  prm.declare_entry("Names", "", List(Anything()), "Names of the bodies; each has a subsection of its name.");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    prm.declare_entry("Material", "", Anything(),
+                      "One of Materials/Names; may be left out when there is only one.");
+    declare_shape(prm);
+    declare_motion(prm);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+}
+
+std::vector<BodyDescription<2>>
+BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
+                                 const std::vector<MaterialDescription> &materials) const
+{
+  std::vector<std::string> material_names;
+  for (const MaterialDescription &material : materials)
+    material_names.push_back(material.name);
+
+  std::vector<BodyDescription<2>> bodies;
+  prm.enter_subsection("Bodies");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    bodies.push_back(parse_body(name, prm));
+    const std::string material = prm.get("Material");
+    prm.leave_subsection();
+    if (material.empty() && materials.size() == 1)
+      continue;
+    const auto found = std::find(material_names.begin(), material_names.end(), material);
+    if (found == material_names.end())
+    {
+      const std::string near = nearest_name(material, material_names);
+      throw InputError("'Bodies/" + name + "/Material' = '" + material +
+                       "' is not the name of a material; Materials/Names are: " + join(material_names) +
+                       (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+    }
+    bodies.back().material = found - material_names.begin();
+  }
+  prm.leave_subsection();
+  return bodies;
+}
+} // namespace softgrain

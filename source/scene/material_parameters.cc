@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/nearest_name.h>
+#include <softgrain/scene/material_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace softgrain
+{
+MaterialParameters::MaterialParameters(const std::vector<std::string> &names, const LawCatalogue &laws)
+    : names(names), laws(laws)
+{
+}
+
+void MaterialParameters::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Materials");
+  prm.declare_entry("Names", "", List(Anything()),
+                    "Names of the materials; each has a subsection of its name.");
+  std::string law_choice;
+  for (const std::string &law : laws.names)
+    law_choice += (law_choice.empty() ? "" : "|") + law;
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    prm.declare_entry("Law", laws.names.empty() ? "" : laws.names.front(), Selection(law_choice),
+                      "Constitutive law; its parameters stand in the subsection of the law.");
+    prm.declare_entry("Density", "1000", Double(1e-300), "Density at rest. Units: kg/m^3.");
+    if (laws.declare_law_subsections)
+      laws.declare_law_subsections(prm);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+}
+
+std::vector<MaterialDescription> MaterialParameters::parse_parameters(dealii::ParameterHandler &prm) const
+{
+  std::vector<MaterialDescription> materials;
+  prm.enter_subsection("Materials");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    materials.push_back({name, prm.get("Law"), prm.get_double("Density")});
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+  return materials;
+}
+} // namespace softgrain

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/scene/parameter_values.h>
+#include <softgrain/scene/wall_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace softgrain
+{
+namespace
+{
+/// Inward normal of a wall of the usual box.
+std::string usual_normal(const std::string &name)
+{
+  return name == "bottom"  ? "0, 1"
+         : name == "top"   ? "0, -1"
+         : name == "left"  ? "1, 0"
+         : name == "right" ? "-1, 0"
+                           : "";
+}
+} // namespace
+
+WallParameters::WallParameters(const std::vector<std::string> &names) : names(names) {}
+
+void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Walls");
+  prm.declare_entry(
+      "Names", "", List(Anything()),
+      "Names of the walls; each has a subsection of its name. The names bottom, top, left and right "
+      "make the usual box and carry axial strain and packing fraction.");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    prm.declare_entry("Type", "plane", Selection("plane|material points"),
+                      "plane: an exact plane; material points: a slab that moves rigidly, as in the thesis.");
+    prm.declare_entry("Point", "0, 0", List(Double(), 2, 2, ","),
+                      "A point of the plane at the start. Units: m.");
+    prm.declare_entry(
+        "Normal", usual_normal(name), List(Double(), 0, 2, ","),
+        "Normal into the domain, of any length; empty is allowed for bottom, top, left and right. "
+        "Units: none.");
+    prm.declare_entry("Velocity", "0", Anything(),
+                      "Velocity along the normal, positive into the domain, a formula of t. Units: m/s.");
+    prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction against bodies. Units: none.");
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+}
+
+std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::ParameterHandler &prm) const
+{
+  std::vector<WallDescription<2>> walls;
+  prm.enter_subsection("Walls");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    WallDescription<2> wall;
+    wall.name = name;
+    wall.type = prm.get("Type") == "plane" ? WallDescription<2>::Type::plane
+                                           : WallDescription<2>::Type::material_points;
+    wall.point = dealii::Point<2>(pair_of_numbers(prm.get("Point")));
+    const std::string written = prm.get("Normal");
+    const std::string normal = written.empty() ? usual_normal(name) : written;
+    if (normal.empty())
+      throw InputError("'Walls/" + name +
+                       "/Normal' is missing; only bottom, top, left and right know theirs");
+    if (normal.find(',') == std::string::npos)
+      throw InputError("'Walls/" + name + "/Normal' = '" + normal +
+                       "' is not allowed: it must be two numbers \"x, y\"");
+    wall.normal = pair_of_numbers(normal);
+    if (wall.normal.norm() == 0)
+      throw InputError("'Walls/" + name + "/Normal' = '" + normal + "' is not allowed: it must not be zero");
+    wall.normal /= wall.normal.norm();
+    wall.velocity = prm.get("Velocity");
+    wall.friction = prm.get_double("Friction");
+    walls.push_back(wall);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+  return walls;
+}
+} // namespace softgrain
