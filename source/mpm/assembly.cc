@@ -363,7 +363,7 @@ bool external_force(Body<dim> &body, const dealii::Tensor<1, dim> &gravity, cons
     for (unsigned int i = 0; i < body.field.n_independent(); ++i)
       for (unsigned int d = 0; d < dim; ++d)
         force[dim * i + d] = body.mass[i] * gravity[d];
-  if (!body.body_force)
+  if (body.body_force.empty())
     return gravity.norm_square() > 0.;
 
   const unsigned int n = body.field.nodes_per_cell();
@@ -384,7 +384,7 @@ bool external_force(Body<dim> &body, const dealii::Tensor<1, dim> &gravity, cons
     }
     for (unsigned int d = 0; d < dim; ++d)
     {
-      const double b = body.points.mass[p] * (*body.body_force)(place, d);
+      const double b = body.points.mass[p] * body.body_force[d](place);
       for (unsigned int k = 0; k < n; ++k)
         all[dim * nodes[k] + d] += b * value[k];
     }

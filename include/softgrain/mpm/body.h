@@ -14,7 +14,6 @@
 #include <Eigen/Core>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,7 +100,7 @@ struct Body
   bool                                             driven  = false; ///< moves rigidly with `drive`
   dealii::Tensor<1, dim>                           drive;          ///< velocity of a driven body [m/s]
   unsigned int                                     wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
-  std::optional<Expression>                        body_force;     ///< of x, y, X, Y, t [N/kg]
+  std::vector<Expression>                          body_force;     ///< components, of x, y, X, Y, t [N/kg]; empty: none
   std::vector<dealii::Point<dim>>                  rest_position;  ///< of the points, when a load needs it [m]
 
   PointData<dim> points;
