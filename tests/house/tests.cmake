@@ -24,6 +24,6 @@ softgrain_add_house_test(self_contained_headers nightly
 
 find_program(SOFTGRAIN_DOXYGEN doxygen)
 if(SOFTGRAIN_DOXYGEN)
-  softgrain_add_house_test(reference_manual nightly ${SOFTGRAIN_PYTHON}
+  softgrain_add_house_test(reference_manual quick ${SOFTGRAIN_PYTHON}
     ${PROJECT_SOURCE_DIR}/contrib/checks/reference_manual.py --output ${CMAKE_BINARY_DIR}/doc)
 endif()
