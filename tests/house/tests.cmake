@@ -21,6 +21,7 @@ softgrain_add_house_test(quickstart quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_D
 
 softgrain_add_house_test(self_contained_headers nightly
   ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/self_contained.py --build ${CMAKE_BINARY_DIR})
+set_tests_properties(house/self_contained_headers PROPERTIES TIMEOUT 1200)
 
 find_program(SOFTGRAIN_DOXYGEN doxygen)
 if(SOFTGRAIN_DOXYGEN)
