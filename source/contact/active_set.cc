@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/contact/active_set.h>
+#include <softgrain/contact/active_system.h>
 #include <softgrain/contact/block_delassus.h>
 #include <softgrain/contact/diagonal_delassus.h>
 #include <softgrain/contact/frictional_newton.h>
@@ -11,6 +12,86 @@
 
 namespace softgrain::contact
 {
+namespace
+{
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Solution without friction, the start of friction_continuation(): tangents 0.
+std::vector<double> without_friction(const Matrix &W,
+                                     const Problem &problem,
+                                     const SolverSettings &settings,
+                                     SolverReport &report)
+{
+  const unsigned int n = problem.n_components, n_contacts = problem.n_contacts();
+  Problem normal{1, std::vector<double>(n_contacts), {}};
+  std::vector<double> compliance(n_contacts), P(n_contacts, 0.), result(n * n_contacts, 0.);
+  std::vector<Eigen::Triplet<double>> entries;
+  double largest = 0.;
+  for (unsigned int i = 0; i < n_contacts; ++i)
+  {
+    normal.free_velocity[i] = problem.free_velocity[i * n];
+    for (Matrix::InnerIterator entry(W, i * n); entry; ++entry)
+      if (entry.col() % n == 0)
+        entries.emplace_back(i, entry.col() / n, entry.value());
+    compliance[i] = W.coeff(i * n, i * n);
+    largest = std::max(largest, compliance[i]);
+  }
+  for (double &value : compliance)
+    value = value > 1e-20 * largest ? value : 0.;
+  Matrix W_normal(n_contacts, n_contacts);
+  W_normal.setFromTriplets(entries.begin(), entries.end());
+  FrictionlessNewton(W_normal, normal, compliance, settings).solve(P, report);
+  for (unsigned int i = 0; i < n_contacts; ++i)
+    result[i * n] = P[i];
+  return result;
+}
+
+/**
+ * From the solution without friction, which is always found, to the full friction coefficients, as fast as
+ * Newton follows. Where rigid modes dominate, Newton from a few sweeps has no chance: its first active set is
+ * far from balance.
+ */
+double friction_continuation(const Matrix &W,
+                             const Problem &problem,
+                             const std::vector<double> &compliance,
+                             const SolverSettings &settings,
+                             std::vector<double> &impulses,
+                             SolverReport &report)
+{
+  const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
+  SolverReport own; // its iterations are counted apart, so that the attempt before has not used up the limit
+  impulses = without_friction(W, problem, settings, own);
+  Problem eased = problem;
+  double reached = 0., step = 0.25, residual = 0.;
+  while (reached < 1. && step > 1e-3 && own.newton_iterations < 4 * settings.max_newton_iterations)
+  {
+    const double target = std::min(1., reached + step);
+    for (unsigned int i = 0; i < eased.friction.size(); ++i)
+      eased.friction[i] = target * problem.friction[i];
+    std::vector<double> trial = impulses;
+    SolverReport attempt;
+    residual = newton(W, eased, compliance, settings, trial, attempt);
+    own.newton_iterations += attempt.newton_iterations;
+    own.regularised += attempt.regularised;
+    // on the way a rough solution is enough
+    if (residual <= (target < 1. ? std::max(1e-4, settings.tolerance) : settings.tolerance))
+    {
+      impulses.swap(trial);
+      reached = target;
+      step *= 2.;
+    }
+    else
+      step *= 0.25;
+  }
+  report.newton_iterations += own.newton_iterations;
+  report.regularised += own.regularised;
+  const Eigen::Map<const Eigen::VectorXd> P(impulses.data(), impulses.size());
+  const Eigen::VectorXd w =
+      W * P + Eigen::Map<const Eigen::VectorXd>(problem.free_velocity.data(), problem.free_velocity.size());
+  return natural_residual(problem, compliance, impulses, std::vector<double>(w.data(), w.data() + w.size()));
+}
+} // namespace
+
 double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
                          const Problem &problem,
                          const std::vector<double> &compliance,
@@ -20,9 +101,16 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
 {
   if (problem.n_components == 1)
     return FrictionlessNewton(W, problem, compliance, settings).solve(impulses, report);
-  if (problem.n_components == 2)
-    return frictional_newton<2>(W, problem, compliance, settings, impulses, report);
-  return frictional_newton<3>(W, problem, compliance, settings, impulses, report);
+  const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
+  const double start = newton(W, problem, compliance, settings, impulses, report);
+  if (start <= settings.tolerance)
+    return start;
+  std::vector<double> trial;
+  const double end = friction_continuation(W, problem, compliance, settings, trial, report);
+  if (!(end < start))
+    return start;
+  impulses.swap(trial);
+  return end;
 }
 
 template <class Operator>
@@ -45,13 +133,31 @@ SolverReport solve(Operator &op,
 
   const auto W = op.assemble();
   const std::vector<double> compliance = contact_compliance(op);
+  const double speed = approach_speed(problem, compliance);
+  std::vector<double> best = impulses, trial;
+  double lowest = report.residual;
   unsigned int chunk = 50;
-  std::vector<double> trial;
-  while (!report.converged)
+
+  const auto evaluate = [&]
   {
-    // Each round has the whole budget of iterations, but there are few rounds: chunk doubles when Newton
-    // fails.
-    SolverReport newton;
+    compute_velocities(op, problem, impulses, velocities);
+    report.residual = natural_residual(problem, compliance, impulses, velocities);
+    report.converged = report.residual <= settings.tolerance;
+    report.limited_by_rounding = !report.converged && report.residual <= rounding_floor(W, impulses, speed);
+    report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
+  };
+  const auto remember = [&]
+  {
+    if (report.residual < lowest)
+    {
+      lowest = report.residual;
+      best = impulses;
+    }
+  };
+
+  for (;;)
+  {
+    SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
     trial = impulses;
     const double before = report.residual;
     const double after = newton_active_set(W, problem, compliance, settings, trial, newton);
@@ -60,31 +166,27 @@ SolverReport solve(Operator &op,
     if (after < before)
     {
       report.accelerated = true;
-      impulses = trial;
-      compute_velocities(op, problem, impulses, velocities);
-      report.residual = natural_residual(problem, compliance, impulses, velocities);
-      report.converged = report.residual <= settings.tolerance;
-      report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
+      impulses.swap(trial);
+      evaluate();
+      remember();
     }
-    if (report.converged || report.sweeps >= settings.max_sweeps)
+    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps)
       break;
     if (!(after < 0.1 * before))
       chunk *= 2;
-    // Polishing, or a better start for the next round. Sweeps may leave a good iterate of an ill-conditioned
-    // problem, so the better one of both ends is kept.
+    // polishing, or a better start for the next round
     sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
-    const double reached = report.residual;
-    std::vector<double> polished = impulses, polished_velocities;
-    const SolverReport more = gauss_seidel(op, problem, sweeping, polished, polished_velocities);
+    const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);
     report.sweeps += more.sweeps;
-    if (more.residual <= reached || !report.accelerated || report.sweeps < settings.max_sweeps)
-    {
-      impulses = std::move(polished);
-      velocities = std::move(polished_velocities);
-      report.residual = more.residual;
-      report.converged = more.converged;
-      report.prescribed_approach = more.prescribed_approach;
-    }
+    evaluate();
+    remember();
+    if (report.converged || report.limited_by_rounding)
+      break;
+  }
+  if (lowest < report.residual) // sweeps can leave a good iterate of an ill-conditioned problem
+  {
+    impulses = best;
+    evaluate();
   }
   return report;
 }

@@ -6,6 +6,10 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace softgrain::contact
 {
 ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries)
@@ -62,5 +66,18 @@ bool ActiveSystem::solve_general(const Eigen::VectorXd &right_hand_side, Eigen::
     solution = factor.solve(right_hand_side);
   }
   return solution.allFinite();
+}
+
+double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, const double speed)
+{
+  double largest = 0.;
+  for (int i = 0; i < W.rows(); ++i)
+  {
+    double sum = 0.;
+    for (ActiveSystem::Matrix::InnerIterator entry(W, i); entry; ++entry)
+      sum += std::abs(entry.value() * impulses[entry.col()]);
+    largest = std::max(largest, sum);
+  }
+  return std::numeric_limits<double>::epsilon() * largest / speed;
 }
 } // namespace softgrain::contact

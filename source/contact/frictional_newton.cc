@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace softgrain::contact
 {
@@ -156,6 +157,7 @@ double frictional_newton(const Matrix &W,
   Eigen::VectorXd P = Eigen::Map<const Eigen::VectorXd>(impulses.data(), impulses.size()), step;
   Eigen::VectorXd w = W * P + q;
   double here = residual(P, w), best = here, epsilon = 1e-10;
+  const double speed = approach_speed(problem, compliance);
   unsigned int uphill = 0;
   while (best > settings.tolerance && report.newton_iterations < settings.max_newton_iterations)
   {
@@ -184,7 +186,7 @@ double frictional_newton(const Matrix &W,
     // A few steps may go uphill: the sets of stick and slip often change in between before they settle.
     if (!(lowest < here))
     {
-      if (++uphill > 3)
+      if (++uphill > 3 || best <= rounding_floor(W, impulses, speed))
         break;
       chosen = 1.;
     }

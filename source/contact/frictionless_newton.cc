@@ -174,6 +174,7 @@ double FrictionlessNewton::solve(std::vector<double> &impulses, SolverReport &re
       descend(epsilon, next, report);
       here = residual(next);
     }
+    const bool stalled = !(here < 0.5 * last);
     last = here;
     P = next;
     if (here < best)
@@ -181,6 +182,8 @@ double FrictionlessNewton::solve(std::vector<double> &impulses, SolverReport &re
       best = here;
       impulses = to_vector(P);
     }
+    if (stalled && best <= rounding_floor(W, impulses, speed))
+      break;
   }
   return best;
 }

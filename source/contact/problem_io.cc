@@ -331,7 +331,12 @@ SavedProblem load_problem(const std::string &path)
     const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     return read_all(file);
   }
-  catch (const std::runtime_error &error)
+  catch (const ComputationError &)
+  {
+    throw InputError("cannot read the contact problem " + path +
+                     ": missing, cut short or no HDF5 file of this kind");
+  }
+  catch (const InputError &error)
   {
     throw InputError("cannot read the contact problem " + path + ": " + error.what());
   }

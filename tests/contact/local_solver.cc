@@ -32,7 +32,8 @@ void show(const char *title, const double (&W)[n * n], const double (&q)[n], con
   std::cout << '\n';
 }
 
-/// Worst violation of Signorini and Coulomb, each as a velocity over |q|, written out condition by condition.
+/// Worst violation of Signorini and Coulomb, condition by condition, as a velocity over |q| + trace |P|: what
+/// rounding of W P alone makes is proportional to that.
 template <unsigned int n>
 double violation(const double (&W)[n * n], const double (&q)[n], const double mu, const double (&P)[n])
 {
@@ -51,9 +52,10 @@ double violation(const double (&W)[n * n], const double (&q)[n], const double mu
     friction += P[c] * P[c];
     power += w[c] * P[c];
   }
-  speed = std::sqrt(speed);
+  ::sqrt(speed);
   slip = std::sqrt(slip);
   friction = std::sqrt(friction);
+  speed = std::sqrt(speed) + trace * std::sqrt(P[0] * P[0] + friction * friction);
   double worst = std::max({-w[0] / speed, -P[0] * trace / speed, (friction - mu * P[0]) * trace / speed});
   worst = std::max(worst, std::min(std::abs(w[0]), P[0] * trace) / speed);
   // sliding: the friction is mu P_n and its power is -mu P_n |w_t|; min() because a stick has slip = 0
@@ -104,14 +106,16 @@ void random_blocks(const unsigned int number, const bool singular)
         w[c] += W[c * n + d] * P[d];
       trace += W[c * n + c] / n;
     }
-    worst_map = std::max(worst_map, natural_map<n>(P, w, mu, trace));
+    double size = 1.;
+    for (const double value : P)
+      size += trace * std::abs(value);
+    worst_map = std::max(worst_map, natural_map<n>(P, w, mu, trace) / size);
   }
   std::cout << n << " components, " << (singular ? "singular" : "regular")
             << ": worst violation below 1e-9: " << (worst < 1e-9 ? "yes" : "NO")
             << ", natural map below 1e-9: " << (worst_map < 1e-9 ? "yes" : "NO")
             << ", separated stick slip prescribed " << count[0] << ' ' << count[1] << ' ' << count[2] << ' '
             << count[3] << '\n';
-  std::cerr << worst << ' ' << worst_map << '\n';
 }
 } // namespace
 

@@ -45,6 +45,13 @@ private:
   Eigen::MatrixXd matrix;
   std::vector<Eigen::Triplet<double>> entries;
 };
+
+/**
+ * @brief Below this, natural_residual() of @p impulses is rounding: machine epsilon times the largest Σ_j
+ * |W_ij P_j| over the approach speed @p speed. An upper estimate; large where W has a rigid mode far above
+ * its elastic part.
+ */
+double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, double speed);
 } // namespace softgrain::contact
 
 #endif

@@ -55,6 +55,9 @@ struct SolverReport
   /// Of the solution returned, recomputed from its impulses: natural_residual().
   double residual = 0.;
   bool converged = true;
+  /// Not converged, but the residual is below what rounding leaves of W P (rigid modes far above the elastic
+  /// part): no better solution can be found in double precision. Set by solve() only.
+  bool limited_by_rounding = false;
   /// Newton was used, and gave the solution that is returned or polished.
   bool accelerated = false;
   unsigned int newton_iterations = 0;
