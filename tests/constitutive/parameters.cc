@@ -21,7 +21,9 @@ int main()
     }
     catch (const InputError &error)
     {
-      std::cout << error.what() << '\n';
+      // without the list of all laws, which grows
+      std::cout << std::regex_replace(error.what(), std::regex("known are: [a-z_, ]*[a-z]"), "known are: ...")
+                << '\n';
     }
     catch (const dealii::ExceptionBase &)
     {
