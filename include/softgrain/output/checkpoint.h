@@ -62,8 +62,6 @@ public:
   bool contains(const std::string &name) const override;
 
 private:
-  void require(const std::string &name) const;
-
   std::string path;
   std::unique_ptr<Hdf5File> file;
 };

@@ -45,7 +45,8 @@ public:
    */
   void resume(double time);
 
-  /// Adds one frame. @throw ComputationError when the disk refuses.
+  /// Adds one frame; frames at this time or later are replaced by it. @throw ComputationError when the disk
+  /// refuses.
   void write(const Snapshot<2> &snapshot);
 
   /// Frames in `fields.pvd`.
@@ -55,7 +56,7 @@ private:
   struct Frame
   {
     double time = 0;
-    std::vector<std::pair<std::string, std::string>> parts; ///< name and file
+    std::vector<std::pair<std::string, std::string>> parts; ///< name; file, relative to the folder
   };
 
   void write_index() const;
@@ -64,7 +65,6 @@ private:
   std::string directory;
   FieldOptions options;
   std::vector<Frame> frames;
-  unsigned int next_number = 0;
   bool stale_files_removed = false;
 };
 } // namespace softgrain

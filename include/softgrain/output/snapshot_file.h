@@ -34,7 +34,8 @@ public:
   /// Goes on with the series in the folder: keeps snapshots up to @p time [s], drops later ones.
   void resume(double time);
 
-  /// @throw ComputationError when the disk refuses.
+  /// Adds one; snapshots at this time or later are replaced by it. @throw ComputationError when the disk
+  /// refuses.
   void append(const Snapshot<2> &snapshot);
 
   std::size_t n_snapshots() const { return entries.size(); }
@@ -44,7 +45,6 @@ private:
   {
     double time = 0;
     std::uint64_t step = 0;
-    std::string name; ///< NNNNNN
   };
 
   void write_index() const;
@@ -53,7 +53,6 @@ private:
   std::string directory;
   SnapshotOptions options;
   std::vector<Entry> entries;
-  unsigned int next_number = 0;
   bool stale_files_removed = false;
 };
 
