@@ -30,6 +30,9 @@ public:
   Hdf5File(const Hdf5File &) = delete;
   Hdf5File &operator=(const Hdf5File &) = delete;
 
+  /// The path it was opened with.
+  const std::string &name() const { return path; }
+
   /// @name Arrays of @p n_columns numbers per row; one column makes a one-dimensional array.
   ///@{
   void write(const std::string &name, const std::vector<double> &values, unsigned int n_columns = 1);
