@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_output_checkpoint_h
+#define softgrain_output_checkpoint_h
+
+#include <softgrain/output/atomic_file.h>
+#include <softgrain/scene/state_file.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+class Hdf5File;
+
+/**
+ * @brief Writes a model's state to an HDF5 file that is whole or absent.
+ *
+ * Nothing is seen under the final name before commit(); destroying the writer without it discards everything,
+ * and a file of that name from earlier stays as it was. Numbers are kept bit for bit.
+ */
+class CheckpointWriter : public StateWriter
+{
+public:
+  /// @param final_path for example checkpoint_path(directory, step)
+  explicit CheckpointWriter(const std::string &final_path);
+  ~CheckpointWriter() override;
+
+  void write(const std::string &name, const std::vector<double> &values) override;
+  void write(const std::string &name, const std::vector<std::uint64_t> &values) override;
+  void write(const std::string &name, const std::string &text) override;
+
+  /**
+   * @brief Writes the checksum, closes the file, brings it to the disk and renames it.
+   * @throw ComputationError when the disk refuses.
+   */
+  void commit();
+
+private:
+  AtomicFile target;
+  std::unique_ptr<Hdf5File> file;
+  std::uint64_t sum_of_checksums = 0; ///< independent of the order of the arrays
+  std::uint64_t n_arrays = 0;
+};
+
+/**
+ * @brief Reads what a CheckpointWriter wrote. The constructor verifies the whole file, so that a model never
+ * starts from half a state.
+ */
+class CheckpointReader : public StateReader
+{
+public:
+  /// @throw InputError that names the file: absent, not a checkpoint, incomplete or damaged.
+  explicit CheckpointReader(const std::string &path);
+  ~CheckpointReader() override;
+
+  /// @throw InputError that names file and array when it is missing or of another type.
+  std::vector<double> read_doubles(const std::string &name) const override;
+  std::vector<std::uint64_t> read_integers(const std::string &name) const override;
+  std::string read_text(const std::string &name) const override;
+  bool contains(const std::string &name) const override;
+
+private:
+  std::string path;
+  std::unique_ptr<Hdf5File> file;
+};
+
+/// `DIRECTORY/state-000001234.h5`
+std::string checkpoint_path(const std::string &directory, std::uint64_t step);
+
+/**
+ * @brief The newest whole checkpoint of a folder; damaged ones are passed over.
+ * @throw InputError when there is none.
+ */
+std::string latest_checkpoint(const std::string &directory);
+
+/// Removes all but the newest @p keep checkpoints of a folder.
+void remove_old_checkpoints(const std::string &directory, unsigned int keep);
+} // namespace softgrain
+
+#endif

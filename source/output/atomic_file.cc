@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/output/atomic_file.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace softgrain
+{
+namespace
+{
+[[noreturn]] void fail(const std::string &what, const std::string &path)
+{
+  throw ComputationError("cannot " + what + " " + path + ": " + std::strerror(errno));
+}
+
+void bring_to_disk(const std::string &path, const int flags)
+{
+  const int descriptor = ::open(path.c_str(), flags);
+  if (descriptor < 0)
+    fail("open", path);
+  const int status = ::fsync(descriptor);
+  const int reason = errno;
+  ::close(descriptor);
+  // Some file systems know no fsync of a folder; the rename is still in order there.
+  if (status != 0 && reason != EINVAL)
+  {
+    errno = reason;
+    fail("bring to the disk", path);
+  }
+}
+
+std::string folder_of(const std::string &path)
+{
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+} // namespace
+
+AtomicFile::AtomicFile(const std::string &final_path)
+    : whole_path(final_path), part_path(final_path + ".part")
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder_of(whole_path), error);
+  if (error)
+    throw ComputationError("cannot make the folder " + folder_of(whole_path) + ": " + error.message());
+}
+
+AtomicFile::~AtomicFile()
+{
+  if (!committed)
+    ::unlink(part_path.c_str());
+}
+
+void AtomicFile::write(const std::string &content)
+{
+  std::FILE *const file = std::fopen(part_path.c_str(), "wb");
+  if (file == nullptr)
+    fail("write", part_path);
+  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  const int reason = errno;
+  // fclose writes what is still buffered, so a full disk may show only here.
+  if (std::fclose(file) != 0)
+    fail("write", part_path);
+  if (!whole)
+  {
+    errno = reason;
+    fail("write", part_path);
+  }
+}
+
+void AtomicFile::commit()
+{
+  bring_to_disk(part_path, O_RDONLY);
+  if (std::rename(part_path.c_str(), whole_path.c_str()) != 0)
+    fail("rename " + part_path + " to", whole_path);
+  committed = true;
+  bring_to_disk(folder_of(whole_path), O_RDONLY | O_DIRECTORY);
+}
+
+void write_file_atomically(const std::string &path, const std::string &content)
+{
+  AtomicFile file(path);
+  file.write(content);
+  file.commit();
+}
+} // namespace softgrain

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/snapshot_layout.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace softgrain
+{
+namespace
+{
+const std::string file_format = "softgrain snapshot 1";
+
+// Every type of the snapshot as a row of numbers, both ways.
+void put(std::vector<double> &row, const double value)
+{
+  row.push_back(value);
+}
+void put(std::vector<double> &row, const dealii::Tensor<1, 2> &value)
+{
+  row.insert(row.end(), {value[0], value[1]});
+}
+void put(std::vector<double> &row, const dealii::SymmetricTensor<2, 2> &value)
+{
+  row.insert(row.end(), {value[0][0], value[1][1], value[0][1]});
+}
+void put(std::vector<double> &row, const dealii::Tensor<2, 2> &value)
+{
+  row.insert(row.end(), {value[0][0], value[0][1], value[1][0], value[1][1]});
+}
+void take(const double *row, double &value)
+{
+  value = row[0];
+}
+void take(const double *row, dealii::Tensor<1, 2> &value)
+{
+  value[0] = row[0];
+  value[1] = row[1];
+}
+void take(const double *row, dealii::SymmetricTensor<2, 2> &value)
+{
+  value[0][0] = row[0];
+  value[1][1] = row[1];
+  value[0][1] = row[2];
+}
+void take(const double *row, dealii::Tensor<2, 2> &value)
+{
+  for (unsigned int i = 0; i < 4; ++i)
+    value[i / 2][i % 2] = row[i];
+}
+
+/// Numbers per row of a type.
+template <typename Value>
+unsigned int width()
+{
+  std::vector<double> row;
+  put(row, Value());
+  return row.size();
+}
+
+/// One array of an HDF5 file, a row for what @p value gives of every item; read_rows() is the way back.
+template <typename Item, typename Function>
+void write_rows(Hdf5File &file,
+                const std::string &name,
+                const std::vector<Item> &items,
+                const Function &value)
+{
+  std::vector<double> rows;
+  for (const Item &item : items)
+    put(rows, value(item));
+  file.write(name, rows, width<std::decay_t<decltype(value(std::declval<const Item &>()))>>());
+}
+
+template <typename Item>
+void write_rows(Hdf5File &file, const std::string &name, const std::vector<Item> &items)
+{
+  write_rows(file, name, items, [](const Item &item) { return item; });
+}
+
+template <typename Item, typename Function>
+void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items, const Function &place)
+{
+  using Value = std::decay_t<decltype(place(items[0]))>;
+  const std::vector<double> rows = file.read_doubles(name);
+  const unsigned int columns = width<Value>();
+  items.resize(rows.size() / columns);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    take(rows.data() + i * columns, place(items[i]));
+}
+
+template <typename Item>
+void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items)
+{
+  read_rows(file, name, items, [](Item &item) -> Item & { return item; });
+}
+
+template <typename Item, typename Function>
+void write_indices(Hdf5File &file,
+                   const std::string &name,
+                   const std::vector<Item> &items,
+                   const Function &value)
+{
+  std::vector<std::uint64_t> indices;
+  for (const Item &item : items)
+    indices.push_back(value(item));
+  file.write(name, indices);
+}
+
+template <typename Item, typename Function>
+void read_indices(const Hdf5File &file,
+                  const std::string &name,
+                  std::vector<Item> &items,
+                  const Function &place)
+{
+  const std::vector<std::uint64_t> indices = file.read_integers(name);
+  items.resize(indices.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    place(items[i]) = static_cast<unsigned int>(indices[i]);
+}
+
+/// Pairs of array name and member: one list serves writing and reading, so that they cannot differ.
+template <typename Action>
+void for_each_body_array(const Action &action)
+{
+  action(
+      "bodies/area_m2", [](auto &body) -> auto & { return body.area; });
+  action(
+      "bodies/reference_area_m2", [](auto &body) -> auto & { return body.reference_area; });
+  action(
+      "bodies/mass_kg_per_m", [](auto &body) -> auto & { return body.mass; });
+  action(
+      "bodies/center_m", [](auto &body) -> auto & { return body.center; });
+  action(
+      "bodies/velocity_m_per_s", [](auto &body) -> auto & { return body.velocity; });
+  action(
+      "bodies/angular_momentum_kg_m_per_s", [](auto &body) -> auto & { return body.angular_momentum; });
+  action(
+      "bodies/mean_stress_Pa", [](auto &body) -> auto & { return body.mean_stress; });
+}
+
+template <typename Action>
+void for_each_contact_array(const Action &action)
+{
+  action(
+      "contacts/place_m", [](auto &contact) -> auto & { return contact.place; });
+  action(
+      "contacts/normal", [](auto &contact) -> auto & { return contact.normal; });
+  action(
+      "contacts/force_N_per_m", [](auto &contact) -> auto & { return contact.force; });
+  action(
+      "contacts/length_m", [](auto &contact) -> auto & { return contact.length; });
+  action(
+      "contacts/gap_m", [](auto &contact) -> auto & { return contact.gap; });
+}
+
+template <typename Action>
+void for_each_contact_index(const Action &action)
+{
+  action(
+      "contacts/body_a", [](auto &contact) -> auto & { return contact.body_a; });
+  action(
+      "contacts/body_b", [](auto &contact) -> auto & { return contact.body_b; });
+  action(
+      "contacts/wall", [](auto &contact) -> auto & { return contact.wall; });
+}
+
+template <typename Action>
+void for_each_wall_array(const Action &action)
+{
+  action(
+      "walls/point_m", [](auto &wall) -> auto & { return wall.point; });
+  action(
+      "walls/normal", [](auto &wall) -> auto & { return wall.normal; });
+  action(
+      "walls/position_m", [](auto &wall) -> auto & { return wall.position; });
+  action(
+      "walls/velocity_m_per_s", [](auto &wall) -> auto & { return wall.velocity; });
+  action(
+      "walls/normal_force_N_per_m", [](auto &wall) -> auto & { return wall.normal_force; });
+  action(
+      "walls/tangential_force_N_per_m", [](auto &wall) -> auto & { return wall.tangential_force; });
+}
+
+/// Points, by their member vectors.
+template <typename Points, typename Action>
+void for_each_point_array(Points &points, const Action &action)
+{
+  action("points/position_m", points.position);
+  action("points/size_m2", points.size);
+  action("points/velocity_m_per_s", points.velocity);
+  action("points/stress_Pa", points.stress);
+  action("points/out_of_plane_stress_Pa", points.out_of_plane_stress);
+  action("points/deformation_gradient", points.deformation_gradient);
+}
+
+void write_points(Hdf5File &file, const PointStates<2> &points)
+{
+  for_each_point_array(points,
+                       [&](const std::string &name, const auto &values) { write_rows(file, name, values); });
+  write_indices(file, "points/body", points.body, [](const unsigned int body) { return body; });
+  std::vector<std::string> names;
+  for (const NamedField &field : points.extra)
+  {
+    names.push_back(field.name);
+    file.write("points/extra/" + field.name, field.values);
+  }
+  file.write("points/extra_names", names);
+}
+
+void read_points(const Hdf5File &file, const std::string &group, PointStates<2> &points)
+{
+  if (!file.contains(group + "points"))
+    return;
+  for_each_point_array(points,
+                       [&](const std::string &name, auto &values) { read_rows(file, group + name, values); });
+  read_indices(
+      file, group + "points/body", points.body, [](unsigned int &body) -> auto & { return body; });
+  for (const std::string &name : file.read_texts(group + "points/extra_names"))
+    points.extra.push_back({name, file.read_doubles(group + "points/extra/" + name)});
+}
+
+void write_outlines(Hdf5File &file, const std::vector<BodyState<2>> &bodies)
+{
+  std::vector<std::uint64_t> ring_offsets{0}, point_offsets{0};
+  std::vector<double> rows;
+  for (const BodyState<2> &body : bodies)
+  {
+    for (const std::vector<dealii::Point<2>> &ring : body.outline)
+    {
+      for (const dealii::Point<2> &point : ring)
+        put(rows, point);
+      point_offsets.push_back(rows.size() / 2);
+    }
+    ring_offsets.push_back(point_offsets.size() - 1);
+  }
+  file.write("outlines/body_offsets", ring_offsets);
+  file.write("outlines/ring_offsets", point_offsets);
+  file.write("outlines/points_m", rows, 2);
+}
+
+void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<2>> &bodies)
+{
+  const std::vector<std::uint64_t> rings = file.read_integers(group + "outlines/body_offsets");
+  const std::vector<std::uint64_t> offsets = file.read_integers(group + "outlines/ring_offsets");
+  std::vector<dealii::Point<2>> points;
+  read_rows(file, group + "outlines/points_m", points);
+  const auto rising = [](const std::vector<std::uint64_t> &list, const std::size_t end)
+  {
+    return !list.empty() && list.front() == 0 && list.back() == end &&
+           std::is_sorted(list.begin(), list.end());
+  };
+  if (rings.size() != bodies.size() + 1 || !rising(offsets, points.size()) ||
+      !rising(rings, offsets.size() - 1))
+    throw InputError("cannot read '" + group + "outlines' from " + file.name() + ": the offsets do not fit");
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (std::size_t r = rings[b]; r < rings[b + 1]; ++r)
+      bodies[b].outline.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(offsets[r]),
+                                     points.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
+}
+
+template <typename Item>
+std::vector<std::string> names_of(const std::vector<Item> &items)
+{
+  std::vector<std::string> names;
+  for (const Item &item : items)
+    names.push_back(item.name);
+  return names;
+}
+} // namespace
+
+void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool points)
+{
+  file.write_attribute("/", "format", file_format);
+  file.write_attribute("/", "time_s", snapshot.time);
+  file.write_attribute("/", "step", snapshot.step);
+  if (points)
+    write_points(file, snapshot.points);
+  file.write("bodies/name", names_of(snapshot.bodies));
+  for_each_body_array([&](const std::string &name, const auto &member)
+                      { write_rows(file, name, snapshot.bodies, member); });
+  write_outlines(file, snapshot.bodies);
+  for_each_contact_array([&](const std::string &name, const auto &member)
+                         { write_rows(file, name, snapshot.contacts, member); });
+  for_each_contact_index([&](const std::string &name, const auto &member)
+                         { write_indices(file, name, snapshot.contacts, member); });
+  file.write("walls/name", names_of(snapshot.walls));
+  for_each_wall_array([&](const std::string &name, const auto &member)
+                      { write_rows(file, name, snapshot.walls, member); });
+  const Energies &energies = snapshot.energies;
+  file.write("energies/kinetic_J_per_m", std::vector<double>{energies.kinetic});
+  file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
+  file.write("energies/dissipated_J_per_m", std::vector<double>{energies.dissipated});
+  file.write("energies/external_work_J_per_m", std::vector<double>{energies.external_work});
+}
+
+Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)
+{
+  Snapshot<2> snapshot;
+  snapshot.time = file.read_double_attribute(group, "time_s");
+  snapshot.step = file.read_integer_attribute(group, "step");
+  read_points(file, group, snapshot.points);
+  const auto read_into = [&](auto &items)
+  {
+    return [&](const std::string &name, const auto &member) { read_rows(file, group + name, items, member); };
+  };
+  for_each_body_array(read_into(snapshot.bodies));
+  read_outlines(file, group, snapshot.bodies);
+  for_each_contact_array(read_into(snapshot.contacts));
+  for_each_contact_index([&](const std::string &name, const auto &member)
+                         { read_indices(file, group + name, snapshot.contacts, member); });
+  for_each_wall_array(read_into(snapshot.walls));
+  const auto read_names = [&](const std::string &name, auto &items)
+  {
+    const std::vector<std::string> names = file.read_texts(group + name);
+    for (std::size_t i = 0; i < names.size() && i < items.size(); ++i)
+      items[i].name = names[i];
+  };
+  read_names("bodies/name", snapshot.bodies);
+  read_names("walls/name", snapshot.walls);
+  const auto energy = [&](const std::string &name)
+  {
+    const std::vector<double> values = file.read_doubles(group + "energies/" + name);
+    return values.empty() ? 0. : values[0];
+  };
+  snapshot.energies = {energy("kinetic_J_per_m"), energy("elastic_J_per_m"), energy("dissipated_J_per_m"),
+                       energy("external_work_J_per_m")};
+  return snapshot;
+}
+} // namespace softgrain
