@@ -6,6 +6,7 @@
 #include <softgrain/output/field_writer.h>
 #include <softgrain/output/snapshot_file.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -37,6 +38,7 @@ int main(const int argc, const char **argv)
 {
   using namespace softgrain;
   const unsigned int n = argc > 1 ? std::stoi(argv[1]) : 6;
+  std::filesystem::create_directories("disk");
   FieldWriter pictures("disk");
   SnapshotFile snapshots("disk");
   std::ofstream history("disk/history.csv");
