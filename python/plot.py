@@ -6,7 +6,7 @@ import argparse
 import os
 import sys
 
-from reading import (InputError, describe, find_number, need, read_grid, read_history, read_parameters, read_series,
+from reading import (InputError, Parser, describe, find_number, need, read_grid, read_history, read_parameters, read_series,
                      run_tool, scaled_unit, split_unit, with_unit)
 
 try:
@@ -27,7 +27,7 @@ DIAMETRAL = "mean_stress_F_over_L_Pa"
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="plot", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="examples:\n"
                "  plot.py out                                        force on the bottom wall against strain\n"

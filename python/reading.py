@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads what softgrain writes: history.csv, parameters.prm, fields.pvd with its VTU files."""
 
+import argparse
 import csv
 import os
 import re
@@ -11,6 +12,13 @@ from dataclasses import dataclass, field
 
 class InputError(Exception):
     """What the user asked for cannot be done: one clear line, exit code 2."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Its errors are one line, as all others, without the list of options."""
+
+    def error(self, message):
+        raise InputError(f"{message} (--help lists the options)")
 
 
 def need(package, error):

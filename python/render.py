@@ -6,7 +6,7 @@ import argparse
 import os
 import sys
 
-from reading import (InputError, axial_strain, describe, need, read_grid, read_series, run_tool, scaled_unit,
+from reading import (InputError, Parser, axial_strain, describe, need, read_grid, read_series, run_tool, scaled_unit,
                      split_unit, with_unit)
 
 try:
@@ -21,7 +21,7 @@ except ImportError as missing:
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="render", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="examples:\n"
                "  render.py out                              the last frame, von Mises stress\n"
