@@ -64,7 +64,9 @@ public:
   /// Saves the problem last given to solve(), for replay.
   void save_problem(const std::string &file, const std::string &description, const contact::SolverSettings &settings) const;
 
-  std::unordered_map<std::uint64_t, std::array<double, dim>> &memory() { return remembered; }
+  /// Impulses kept for the next step, by key of the row.
+  std::unordered_map<std::uint64_t, std::array<double, dim>>       &memory() { return remembered; }
+  const std::unordered_map<std::uint64_t, std::array<double, dim>> &memory() const { return remembered; }
 
 private:
   struct Operator;
