@@ -187,7 +187,7 @@ def draw_chains(axes, contacts, centers, full_width):
         axes.add_collection(collection)
 
 
-def thinned(contacts, most=20):
+def thinned(contacts, most=14):
     """Places, forces and whether there is a partner; a longer row of places becomes means of neighbours."""
     data = contacts.point_data
     keys = np.stack([data["body_a"], data["body_b"], data["wall"]], axis=1)
@@ -214,7 +214,7 @@ def draw_arrows(axes, contacts, length, thickness):
     if len(places) > 1:  # close places get slender arrows
         apart = np.linalg.norm(places[:, None] - places, axis=2)
         np.fill_diagonal(apart, np.inf)
-        thickness = np.clip(0.2 * np.median(apart.min(axis=1)), 0.3 * thickness, thickness)
+        thickness = np.clip(0.27 * np.median(apart.min(axis=1)), 0.3 * thickness, thickness)
     # The partner feels the opposite.
     places, arrows = np.concatenate([places, places[both]]), np.concatenate([arrows, -arrows[both]])
     axes.quiver(places[:, 0], places[:, 1], arrows[:, 0], arrows[:, 1], angles="xy", scale_units="xy", scale=1,
