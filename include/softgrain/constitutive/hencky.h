@@ -18,9 +18,9 @@ namespace softgrain::constitutive
  *           + sum_{a<b} g_ab (n_a n_b + n_b n_a) x (n_a n_b + n_b n_a),
  *   g_ab  = (tau_a b_b - tau_b b_a) / (b_a - b_b),
  *
- * de Souza Neto, Peric and Owen, Computational Methods for Plasticity, appendix A. Volume and shape are uncoupled, and the answer to tension
- * and compression is symmetric in the logarithm. A stretch beyond about e softens (the energy is not
- * polyconvex).
+ * de Souza Neto, Peric and Owen, Computational Methods for Plasticity, appendix A. Volume and shape are
+ * uncoupled, and the answer to tension and compression is symmetric in the logarithm. A stretch beyond about
+ * e softens (the energy is not polyconvex).
  */
 template <int dim>
 class Hencky final : public ElasticLaw<dim>

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""render.py and plot.py on synthetic output: what they read, draw and refuse. Arguments: PYTHON_DIR SOURCE WORK."""
+
+import contextlib
+import importlib
+import io
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+TOOLS, SOURCE, WORK = map(os.path.abspath, sys.argv[1:4])
+sys.path.insert(0, TOOLS)
+sys.dont_write_bytecode = True
+
+import h5py  # noqa: E402
+import matplotlib  # noqa: E402
+matplotlib.use("Agg")
+import matplotlib.image  # noqa: E402
+import numpy as np  # noqa: E402
+
+import drawing  # noqa: E402
+import reading  # noqa: E402
+import theory  # noqa: E402
+
+
+class Done:
+    """What a tool printed and how it ended."""
+
+    def __init__(self, returncode, stdout, stderr):
+        self.returncode, self.stdout, self.stderr = returncode, stdout, stderr
+
+
+def run(tool, *arguments):
+    """Runs a tool within this process: loading its libraries anew for every case would take most of the time."""
+    module = importlib.import_module(tool[:-3])
+    out, errors, code = io.StringIO(), io.StringIO(), 0
+    old_arguments, sys.argv = sys.argv, [tool, *arguments]
+    try:
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+            reading.run_tool(module.main)
+    except SystemExit as end:
+        code = end.code
+    finally:
+        sys.argv = old_arguments
+    return Done(code, out.getvalue(), errors.getvalue())
+
+
+def run_alone(tool, *arguments, path=""):
+    """Runs a tool as a user does, without a display; @path comes first in the search for libraries."""
+    environment = dict(os.environ, PYTHONPATH=path, PYTHONDONTWRITEBYTECODE="1")
+    environment.pop("DISPLAY", None)
+    return subprocess.run([sys.executable, os.path.join(TOOLS, tool), *arguments], cwd=WORK, env=environment,
+                          capture_output=True, text=True, check=False)
+
+
+class Tools(unittest.TestCase):
+    def picture(self, tool, *arguments):
+        """Runs a tool and returns the last picture it names as an array."""
+        done = run(tool, *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        path = done.stdout.splitlines()[-1]
+        self.assertFalse([name for name in os.listdir(os.path.dirname(path) or ".") if name.startswith(".part")])
+        if not path.endswith(".png"):
+            with open(path, "rb") as file:
+                return file.read()
+        image = matplotlib.image.imread(path)
+        self.assertGreater(min(image.shape[:2]), 100)
+        self.assertGreater(image[..., :3].std(), 0.05, "the picture is blank")
+        return image
+
+    def refused(self, tool, *arguments, words=(), done=None):
+        done = done or run(tool, *arguments)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_fields_are_read_by_vtk(self):
+        series = reading.read_series(os.path.join(WORK, "disk"))
+        self.assertEqual([round(frame.time, 9) for frame in series], [0, 0.005, 0.01, 0.015])
+        self.assertEqual(set(series[0].files), {"points", "outlines", "contacts", "walls"})
+        points = reading.read_grid(series[-1].files["points"])
+        data = points.point_data
+        self.assertEqual(len(points.cells), len(points.points))
+        self.assertEqual(data["deformation_gradient"].shape, (len(points.points), 4))
+        self.assertEqual(data["velocity_m_per_s"].shape, (len(points.points), 3))
+        self.assertIn("strain_energy_J_per_m3", data)
+        np.testing.assert_allclose(data["stress_zz_Pa"], 0.45 * (data["stress_xx_Pa"] + data["stress_yy_Pa"]),
+                                   rtol=1e-4, atol=1)
+        mean = -(data["stress_xx_Pa"] + data["stress_yy_Pa"] + data["stress_zz_Pa"]) / 3
+        np.testing.assert_allclose(data["pressure_Pa"], mean, rtol=1e-4, atol=1)
+        self.assertTrue((data["von_mises_Pa"] > 0).all())
+        outlines = reading.read_grid(series[-1].files["outlines"])
+        self.assertEqual([len(cell) for cell in outlines.cells], [240])
+        x, y = outlines.points.T
+        inside = 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
+        np.testing.assert_allclose(data["area_m2"].sum(), inside, rtol=0.01)
+        np.testing.assert_allclose(np.ptp(outlines.points[:, 1]), 7e-3, rtol=0.01)
+        contacts = reading.read_grid(series[-1].files["contacts"])
+        self.assertTrue((contacts.point_data["body_b"] == -1).all())
+        on_bottom = contacts.point_data["wall"] == 0
+        walls = reading.read_grid(series[-1].files["walls"])
+        np.testing.assert_allclose(contacts.point_data["normal_force_N_per_m"][on_bottom].sum(),
+                                   walls.cell_data["normal_force_N_per_m"][0], rtol=0.05)
+        self.assertEqual(len(reading.read_grid(series[0].files["contacts"]).points), 0)
+
+    def test_snapshots_are_read_by_h5py(self):
+        with h5py.File(os.path.join(WORK, "disk", "snapshots.h5")) as file:
+            np.testing.assert_allclose(file["time_s"], [0, 0.005, 0.01, 0.015])
+            last = file["steps/000003"]
+            self.assertEqual(last.attrs["time_s"], file["time_s"][3])
+            self.assertEqual(last["points/position_m"].shape[1], 2)
+            self.assertEqual(last["bodies/name"][0], b"disk")
+            begin, end = last["outlines/ring_offsets"][:2]
+            self.assertEqual(last["outlines/points_m"][begin:end].shape, (240, 2))
+
+    def test_render(self):
+        self.picture("render.py", "disk")
+        self.assertTrue(os.path.exists(os.path.join(WORK, "disk/pictures/von_mises_Pa-000003.png")))
+        self.picture("render.py", "packing", "--dpi", "110")
+        self.picture("render.py", "packing", "--style", "disks", "--contacts", "none", "--dpi", "60", "--width", "6",
+                     "--output", "pictures/disks.png")
+        self.picture("render.py", "disk", "--field", "velocity_m_per_s:y", "--frame", "0", "--contacts", "chains")
+        self.assertIn(b"<svg", self.picture("render.py", "disk", "--field", "none", "--output", "pictures/disk.svg"))
+        done = run("render.py", "disk", "--frame", "all", "--dpi", "60", "--output", "pictures/film.png")
+        self.assertEqual(done.stdout.split(), [f"pictures/film-{i:06d}.png" for i in range(4)])
+        self.assertIn("pressure_Pa", run("render.py", "disk", "--list").stdout)
+
+    def test_plot(self):
+        self.picture("plot.py", "disk")
+        self.picture("plot.py", "disk", "--preset", "diametral")
+        self.picture("plot.py", "disk", "disk2", "--x", "time_s", "--y", "top_force_N_per_m", "axial_strain")
+        svg = self.picture("plot.py", "disk", "--preset", "diametral", "--output", "pictures/curve.svg").decode()
+        self.assertIn("Johnson", svg)
+        self.assertIn("thesis (3.31)", svg)
+
+    def test_alone(self):
+        for tool in ("render.py", "plot.py"):
+            done = run_alone(tool, "disk", "--output", f"pictures/alone-{tool}.png")
+            self.assertEqual((done.returncode, done.stdout), (0, f"pictures/alone-{tool}.png\n"), done)
+            self.refused(tool, words=("absent",), done=run_alone(tool, "absent"))
+
+    def test_errors(self):
+        for tool in ("render.py", "plot.py"):
+            self.refused(tool, "absent", words=("absent",))
+            self.refused(tool, "disk", "--output", "picture.nonsense", words=("picture.nonsense",))
+            self.refused(tool, "disk", "--nonsense", words=("--nonsense",))
+            self.refused(tool, words=("DIR",))
+        self.refused("render.py", "disk", "--field", "presure_Pa", words=("presure_Pa", "pressure_Pa"))
+        self.refused("render.py", "disk", "--field", "velocity_m_per_s:q", words=("q",))
+        self.refused("render.py", "disk", "--frame", "9", words=("0 to 3",))
+        self.refused("render.py", "disk", "--frame", "first", words=("first",))
+        self.refused("render.py", "disk", "--colours", "grue", words=("grue",))
+        self.refused("render.py", "damaged", words=("points-000003.vtu",))
+        self.refused("plot.py", "packing", words=("history.csv",))
+        self.refused("plot.py", "disk", "--y", "force", words=("'force'", "bottom_force_N_per_m"))
+        self.refused("plot.py", "disk", "--theory", "newton", words=("newton", "johnson"))
+        self.refused("plot.py", "damaged", words=("line 5",))
+
+    def test_missing_package(self):
+        fake = os.path.join(WORK, "fake")
+        os.makedirs(fake)
+        with open(os.path.join(fake, "vtkmodules.py"), "w", encoding="ascii") as file:
+            file.write("raise ImportError('no VTK here')\n")
+        self.refused("render.py", words=("python3-vtk9", "apt install"),
+                     done=run_alone("render.py", "disk", path=fake))
+
+    def test_smoothing_keeps_linear_fields(self):
+        random = np.random.default_rng(1)
+        x, y = np.meshgrid(np.arange(20) + 0.5, np.arange(10) + 0.5)
+        points = np.stack([x.ravel(), y.ravel()], axis=1) + random.uniform(-0.2, 0.2, (200, 2))
+        image = drawing.smooth_field(points, 3 + 2 * points[:, 0] - points[:, 1], np.ones(200), (1, 19, 1, 9))
+        px = 1 + (np.arange(image.shape[1]) + 0.5) * 18 / image.shape[1]
+        py = 1 + (np.arange(image.shape[0]) + 0.5) * 8 / image.shape[0]
+        np.testing.assert_allclose(image, 3 + 2 * px - py[:, None], atol=0.02)
+
+    def test_theory(self):
+        constants = {"young": 10e6, "poisson": 0.45, "radius": 5e-3}
+        self.assertAlmostEqual(theory.hertz(0.1, **constants), np.pi / 4 * 10e6 / 0.7975 * 5e-3 * 0.1, places=6)
+        # Johnson's approach at the force found is that of the strain.
+        force = theory.johnson(0.1, **constants)
+        compliance = force * 0.7975 / (np.pi * 10e6)
+        a = np.sqrt(4 * compliance * 5e-3)
+        approach = compliance * (2 * np.log(4 * 5e-3 / a) - 1)
+        self.assertAlmostEqual(-np.log(1 - approach / 5e-3), 0.1, places=5)
+        parameters = reading.read_parameters(os.path.join(WORK, "disk"))
+        self.assertEqual(reading.find_number(parameters, "Young's modulus", "Materials"), 10e6)
+        self.assertEqual(reading.find_number(parameters, "Radius", "Bodies"), 5e-3)
+        self.assertEqual(reading.split_unit("kinetic_energy_J_per_m"), ("kinetic_energy", "J/m"))
+
+
+def prepare():
+    shutil.rmtree(WORK, ignore_errors=True)
+    for name in ("disk", "packing"):
+        shutil.copytree(os.path.join(SOURCE, name), os.path.join(WORK, name))
+    for name in ("disk2", "damaged"):
+        shutil.copytree(os.path.join(SOURCE, "disk"), os.path.join(WORK, name))
+    with open(os.path.join(WORK, "damaged/fields/points-000003.vtu"), "r+b") as file:
+        file.truncate(3000)
+    with open(os.path.join(WORK, "damaged/history.csv"), "r+", encoding="ascii") as file:
+        lines = file.readlines()
+        lines[4] = "what,is,this\n"
+        file.seek(0)
+        file.writelines(lines)
+        file.truncate()
+
+
+prepare()
+os.chdir(WORK)
+unittest.main(argv=sys.argv[:1], verbosity=1)
