@@ -27,6 +27,7 @@ target_link_libraries(softgrain_options INTERFACE
 target_include_directories(softgrain_options SYSTEM INTERFACE
   ${HDF5_C_INCLUDE_DIRS} ${DEAL_II_INCLUDE_DIRS})
 
+include(GNUInstallDirs)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/config.h.in
   ${PROJECT_BINARY_DIR}/include/softgrain/base/config.h @ONLY)
 

@@ -187,19 +187,39 @@ def draw_chains(axes, contacts, centers, full_width):
         axes.add_collection(collection)
 
 
+def thinned(contacts, most=14):
+    """Places, forces and whether there is a partner; a longer row of places becomes means of neighbours."""
+    data = contacts.point_data
+    keys = np.stack([data["body_a"], data["body_b"], data["wall"]], axis=1)
+    forces, normals = data["force_N_per_m"][:, :2], data["normal"][:, :2]
+    groups = []
+    for key in np.unique(keys, axis=0):
+        rows = np.flatnonzero((keys == key).all(axis=1))
+        normal = normals[rows].mean(axis=0)
+        along = contacts.points[rows] @ [normal[1], -normal[0]]
+        rows = rows[np.argsort(along, kind="stable")]
+        size = -(-len(rows) // most)
+        groups += [rows[begin:begin + size] for begin in range(0, len(rows), size)]
+    places, means = (np.array([array[group].mean(axis=0) for group in groups]) for array in (contacts.points, forces))
+    return places, means, np.array([data["body_b"][group[0]] >= 0 for group in groups])
+
+
 def draw_arrows(axes, contacts, length, thickness):
     """Forces on the bodies as arrows from the contact place into the body."""
-    forces = contacts.point_data["force_N_per_m"][:, :2]
-    strongest = np.linalg.norm(forces, axis=1).max(initial=0)
+    places, forces, both = thinned(contacts)
+    strongest = np.linalg.norm(forces, axis=1).max()
     if strongest <= 0:
         return
     arrows = forces / strongest * length
-    places = contacts.points
-    both = contacts.point_data["body_b"] >= 0  # the partner feels the opposite
+    if len(places) > 1:  # close places get slender arrows
+        apart = np.linalg.norm(places[:, None] - places, axis=2)
+        np.fill_diagonal(apart, np.inf)
+        thickness = np.clip(0.27 * np.median(apart.min(axis=1)), 0.3 * thickness, thickness)
+    # The partner feels the opposite.
     places, arrows = np.concatenate([places, places[both]]), np.concatenate([arrows, -arrows[both]])
     axes.quiver(places[:, 0], places[:, 1], arrows[:, 0], arrows[:, 1], angles="xy", scale_units="xy", scale=1,
                 units="xy", width=thickness, headwidth=3.6, headlength=4.4, headaxislength=4.0, minlength=0.3,
-                color="white", edgecolor=INK, linewidth=0.6, zorder=6)
+                color="white", edgecolor=INK, linewidth=0.5, zorder=6)
 
 
 def round_length(length):

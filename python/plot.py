@@ -6,8 +6,8 @@ import argparse
 import os
 import sys
 
-from reading import (InputError, Parser, describe, find_number, need, read_grid, read_history, read_parameters, read_series,
-                     run_tool, scaled_unit, split_unit, with_unit)
+from reading import (InputError, Parser, describe, find_number, need, read_grid, read_history, read_parameters,
+                     read_series, run_tool, scaled_unit, split_unit, with_unit)
 
 try:
     import matplotlib

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_command_line_h
+#define softgrain_app_command_line_h
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief What the user typed after `softgrain`.
+ *
+ * Exit codes: 0 done, 1 the computation failed, 2 bad input. Errors are one line on stderr.
+ */
+class CommandLine
+{
+public:
+  /// @return the exit code when there is nothing left to do: help, version, a mistake.
+  std::optional<int> parse(int argc, const char *const *argv);
+
+  /// Whether the command computes or at least builds a model, for which main() prepares MPI.
+  bool builds_model() const { return command == Command::run || command == Command::check; }
+
+  /// Does what the user asked for.
+  /// @return the exit code
+  int execute();
+
+private:
+  enum class Command
+  {
+    run,
+    check,
+    parameters,
+    script
+  };
+
+  void run() const;
+  void check() const;
+  void print_parameters() const;
+
+  Command command = Command::run;
+  std::string parameter_file;
+  std::vector<std::string> assignments; ///< those of --output and --threads included
+  bool restart = false;
+  std::string checkpoint; ///< empty: the newest
+  std::string model;
+  std::string format = "prm";
+  std::string script;
+  std::vector<std::string> script_arguments;
+};
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_input_h
+#define softgrain_app_input_h
+
+#include <softgrain/app/run_parameters.h>
+#include <softgrain/scene/model.h>
+#include <softgrain/scene/scene.h>
+#include <softgrain/scene/scene_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief A parameter file together with the words of the command line, read, checked and understood.
+ */
+class Input
+{
+public:
+  /**
+   * @param file_name the parameter file
+   * @param assignments "Section/Sub/Key=value", which count more than the file
+   * @throw InputError with file and line, for whatever is wrong
+   */
+  Input(const std::string &file_name, const std::vector<std::string> &assignments);
+
+  const RunParameters &run() const { return run_parameters; }
+  const Scene<2> &scene() const { return described_scene; }
+
+  /// @throw InputError when the scene does not suit the model.
+  std::unique_ptr<Model<2>> create_model();
+
+  /// Every parameter with its value, in the form of a parameter file.
+  std::string effective_parameters() const;
+
+private:
+  dealii::ParameterHandler prm;
+  RunParameters run_parameters;
+  Scene<2> described_scene;
+};
+
+/// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these
+/// names.
+void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &model, const SceneNames &names);
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_run_statistics_h
+#define softgrain_app_run_statistics_h
+
+#include <softgrain/output/summary.h>
+#include <softgrain/scene/model.h>
+
+#include <chrono>
+
+namespace softgrain
+{
+class StateReader;
+class StateWriter;
+
+/**
+ * @brief What is watched over a whole run, parts before a restart included: extremes, energy balance, times.
+ */
+class RunStatistics
+{
+public:
+  /// Takes the energies of the start from @p model.
+  explicit RunStatistics(const Model<2> &model);
+
+  void add_step(const StepReport &report, const Energies &energies);
+
+  /// Counts @p seconds as spent on output.
+  void add_output_seconds(double seconds) { output_seconds += seconds; }
+
+  /// |stored + dissipated - work done - stored at the start| over the largest of these terms so far.
+  double energy_balance_error() const;
+
+  double wall_seconds() const;
+
+  Summary summary(const std::string &status, const Model<2> &model) const;
+
+  void save(StateWriter &writer) const;
+  void load(const StateReader &reader);
+
+private:
+  const std::chrono::steady_clock::time_point begin;
+  double earlier_wall_seconds = 0;
+  double output_seconds = 0;
+  double max_contact_residual = 0;
+  double max_penetration = 0;
+  double energy_at_start;
+  double largest_energy;
+  double energy_error = 0; ///< now [J/m]
+};
+} // namespace softgrain
+
+#endif

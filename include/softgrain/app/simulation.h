@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_simulation_h
+#define softgrain_app_simulation_h
+
+#include <softgrain/app/interrupt.h>
+#include <softgrain/app/output_schedule.h>
+#include <softgrain/app/progress.h>
+#include <softgrain/app/run_parameters.h>
+#include <softgrain/app/run_statistics.h>
+#include <softgrain/output/history.h>
+#include <softgrain/output/snapshot_file.h>
+#include <softgrain/scene/model.h>
+#include <softgrain/scene/scene.h>
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief Drives a model from step to step until the scene's stop conditions, and writes what the run leaves.
+ */
+class Simulation
+{
+public:
+  Simulation(const Scene<2> &scene,
+             Model<2> &model,
+             const RunParameters &parameters,
+             const std::string &effective_parameters,
+             std::ostream &log);
+
+  /**
+   * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
+   * @param checkpoint file name; empty: the newest one of the output folder
+   * @throw InputError when it cannot be read
+   */
+  void restart(const std::string &checkpoint);
+
+  /**
+   * @brief Computes to the end, or until Ctrl-C or SIGTERM.
+   * @return "completed" or "interrupted"
+   * @throw ComputationError after the last good state has been saved
+   */
+  std::string run();
+
+private:
+  void print_head();
+  void start_files();
+  std::string loop(const InterruptGuard &interrupt);
+  bool finished() const;
+  /// Part of the way to the nearest stop condition.
+  double fraction_done() const;
+  double next_target() const;
+  void write_due_output(const StepReport &report);
+  void write_history(const StepReport &report);
+  void write_pictures(bool fields, bool snapshots);
+  void write_checkpoint();
+  void write_summary(const std::string &status);
+  void print_end(const std::string &status) const;
+
+  const Scene<2> &scene;
+  Model<2> &model;
+  const RunParameters &parameters;
+  const std::string effective_parameters;
+  std::ostream &log;
+
+  const std::vector<WallState<2>> walls_at_start;
+  RunStatistics statistics;
+  Progress progress;
+  HistoryWriter history;
+  FieldWriter fields;
+  SnapshotFile snapshots;
+  OutputSchedule field_schedule;
+  OutputSchedule snapshot_schedule;
+  bool restarted = false;
+  double last_dt = 0; ///< of the step before [s]
+  std::optional<std::uint64_t> last_history_step;
+  std::optional<std::uint64_t> last_picture_step;
+};
+
+/// Prints names and values in two columns.
+void print_size_report(std::ostream &out, const SizeReport &report);
+} // namespace softgrain
+
+#endif

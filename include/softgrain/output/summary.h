@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_output_summary_h
+#define softgrain_output_summary_h
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace softgrain
+{
+/// What `summary.json` says of a run, for scripts that compare many.
+struct Summary
+{
+  std::string status; ///< "running", "completed", "interrupted" or "failed"
+  std::string model;
+  std::string points_name; ///< "material_points" or "primaries"
+  std::uint64_t steps = 0;
+  double simulated_time = 0; ///< [s]
+  double wall_seconds = 0;   ///< of all parts of a run that was restarted
+  unsigned int threads = 1;
+  std::uint64_t bodies = 0;
+  std::uint64_t points = 0;
+  double max_contact_residual = 0;
+  double max_penetration = 0; ///< [m]
+  double momentum_error = 0;
+  double energy_balance_error = 0;
+  std::uint64_t peak_memory = 0;        ///< [bytes]
+  std::map<std::string, double> phases; ///< seconds
+  std::string version;
+
+  /// Wall time over points and steps [µs]; 0 before the first step.
+  double microseconds_per_point_step() const;
+};
+
+/// Writes `summary.json` into the folder, whole; a number that is not finite becomes null.
+void write_summary(const std::string &directory, const Summary &summary);
+
+/// Largest memory this process has held so far [bytes].
+std::uint64_t peak_memory();
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/check_report.h>
+#include <softgrain/app/command_line.h>
+#include <softgrain/app/input.h>
+#include <softgrain/app/output_folder.h>
+#include <softgrain/app/python_script.h>
+#include <softgrain/app/simulation.h>
+#include <softgrain/base/config.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/scene/model_factory.h>
+#include <softgrain/scene/parameter_listing.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+namespace softgrain
+{
+namespace
+{
+constexpr int failed = 1;
+constexpr int bad_input = 2;
+
+/// One line, whatever the message holds.
+int report_error(std::string message, const int exit_code)
+{
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cout << std::flush;
+  std::cerr << "softgrain: error: " << message << std::endl;
+  return exit_code;
+}
+
+/// deal.II's exceptions carry a banner and a stack; what a user needs is the additional information.
+std::string short_message(const std::exception &error)
+{
+  const std::string message = error.what(), mark = "Additional information:";
+  const auto begin = message.find(mark);
+  if (begin == std::string::npos)
+    return message;
+  const auto end = message.find("\n\n", begin);
+  return message.substr(begin + mark.size(), end == std::string::npos ? end : end - begin - mark.size());
+}
+} // namespace
+
+std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
+{
+  CLI::App app("softgrain computes assemblies of soft particles: material point method and bonded particles.",
+               "softgrain");
+  app.set_version_flag("--version", std::string("softgrain ") + SOFTGRAIN_VERSION);
+  app.require_subcommand(1);
+
+  std::string output, threads;
+  const auto add_input = [&](CLI::App *sub)
+  {
+    sub->add_option("FILE", parameter_file, "parameter file, .prm or .json")->required();
+    sub->add_option("--set", assignments, "\"Section/Sub/Key=value\": counts more than the file")
+        ->allow_extra_args(false);
+    sub->add_option("--output", output, "folder of the results");
+    sub->add_option("--threads", threads, "threads to compute with, 0: one per core");
+  };
+  CLI::App *run_command = app.add_subcommand("run", "computes what a parameter file describes");
+  add_input(run_command);
+  CLI::Option *restart_option =
+      run_command
+          ->add_option("--restart", checkpoint, "goes on from a checkpoint; without a name: the newest one")
+          ->expected(0, 1);
+  CLI::App *check_command =
+      app.add_subcommand("check", "reads and builds, prints sizes and an estimate of cost, runs nothing");
+  add_input(check_command);
+  CLI::App *parameters_command = app.add_subcommand("parameters", "prints every parameter");
+  parameters_command->add_option("--model", model, "whose parameters: mpm or bpm");
+  parameters_command->add_option("--format", format, "prm, json or md")
+      ->check(CLI::IsMember({"prm", "json", "md"}));
+  // The scripts have options of their own, --help too.
+  for (const auto &[name, help] :
+       {std::pair("render", "draws pictures of a run: softgrain render DIR"),
+        std::pair("plot", "draws curves of the history of runs: softgrain plot DIR…")})
+  {
+    CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
+    sub->set_help_flag();
+  }
+
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success &done)
+  {
+    return app.exit(done);
+  }
+  catch (const CLI::ParseError &error)
+  {
+    return report_error(std::string(error.what()) + " (softgrain --help tells what can be written)",
+                        bad_input);
+  }
+  if (!output.empty())
+    assignments.push_back("Output directory=" + output);
+  if (!threads.empty())
+    assignments.push_back("Threads=" + threads);
+  restart = !restart_option->empty();
+  const CLI::App *chosen = app.get_subcommands().front();
+  if (chosen == run_command)
+    command = Command::run;
+  else if (chosen == check_command)
+    command = Command::check;
+  else if (chosen == parameters_command)
+    command = Command::parameters;
+  else
+  {
+    command = Command::script;
+    script = chosen->get_name();
+    script_arguments = chosen->remaining();
+  }
+  return std::nullopt;
+}
+
+int CommandLine::execute()
+{
+  try
+  {
+    switch (command)
+    {
+    case Command::run:
+      run();
+      break;
+    case Command::check:
+      check();
+      break;
+    case Command::parameters:
+      print_parameters();
+      break;
+    case Command::script:
+      run_python_script(script, script_arguments);
+    }
+    return 0;
+  }
+  catch (const InputError &error)
+  {
+    return report_error(error.what(), bad_input);
+  }
+  catch (const std::bad_alloc &)
+  {
+    return report_error("out of memory; use fewer points or a coarser grid", failed);
+  }
+  catch (const std::exception &error)
+  {
+    return report_error(short_message(error), failed);
+  }
+}
+
+void CommandLine::run() const
+{
+  Input input(parameter_file, assignments);
+  check_output_folder(input.run().output_directory);
+  set_n_threads(input.run().threads);
+  const std::unique_ptr<Model<2>> created = input.create_model();
+  Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), std::cout);
+  if (restart)
+    simulation.restart(checkpoint);
+  simulation.run();
+}
+
+void CommandLine::check() const
+{
+  Input input(parameter_file, assignments);
+  check_output_folder(input.run().output_directory);
+  set_n_threads(input.run().threads);
+  print_check_report(std::cout, input, *input.create_model());
+}
+
+void CommandLine::print_parameters() const
+{
+  // A name in capitals stands for each name of the user's lists.
+  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}};
+  dealii::ParameterHandler prm;
+  const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
+  if (models.empty())
+    throw InputError("this program was built without any model");
+  const bool has_mpm = std::find(models.begin(), models.end(), "mpm") != models.end();
+  const std::string shown = !model.empty() ? model : has_mpm ? "mpm" : models.front();
+  declare_all_parameters(prm, shown, names);
+  prm.set("Model", shown);
+  for (const std::string section : {"Materials", "Bodies", "Walls"})
+  {
+    prm.enter_subsection(section);
+    prm.set("Names", "NAME");
+    prm.leave_subsection();
+  }
+  const ParameterSection tree = parameter_tree(prm);
+  if (format == "json")
+    print_json(std::cout, tree);
+  else if (format == "md")
+    print_markdown(std::cout, tree);
+  else
+    print_prm(std::cout, tree, true);
+}
+} // namespace softgrain

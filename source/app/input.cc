@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/input.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/nearest_name.h>
+#include <softgrain/constitutive/load_libraries.h>
+#include <softgrain/scene/model_factory.h>
+#include <softgrain/scene/parameter_file.h>
+#include <softgrain/scene/parameter_listing.h>
+#include <softgrain/scene/parameter_tree.h>
+#include <softgrain/scene/scene_checks.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace softgrain
+{
+namespace
+{
+/// The model decides what else the file may contain, so it is looked up before anything is declared.
+std::string model_of(const ParameterFile &file)
+{
+  const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
+  dealii::ParameterHandler top;
+  RunParameters::declare_parameters(top, models);
+  const std::string model = file.value({}, "Model", top.get("Model"));
+  if (std::find(models.begin(), models.end(), model) == models.end())
+  {
+    const std::string near = nearest_name(model, models);
+    throw InputError(file.where({}, "Model") + ": 'Model' = '" + model +
+                     "' is not allowed: it must be one of " + join(models) +
+                     (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+  }
+  return model;
+}
+} // namespace
+
+Input::Input(const std::string &file_name, const std::vector<std::string> &assignments)
+{
+  ParameterFile file(file_name);
+  for (const std::string &assignment : assignments)
+    file.set(assignment);
+
+  constitutive::load_libraries(
+      dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", "")));
+  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls")};
+  const std::string model = model_of(file);
+  declare_all_parameters(prm, model, names);
+  file.apply(prm);
+
+  described_scene =
+      SceneParameters(names, Registry<ModelFactory>::instance().create(model)->laws()).parse_parameters(prm);
+  check_scene(described_scene);
+  run_parameters.parse_parameters(prm, file_name, described_scene.stop.end_time);
+}
+
+std::unique_ptr<Model<2>> Input::create_model()
+{
+  return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);
+}
+
+std::string Input::effective_parameters() const
+{
+  std::ostringstream text;
+  print_prm(text, parameter_tree(prm), false);
+  return text.str();
+}
+
+void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &model, const SceneNames &names)
+{
+  const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
+  RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
+  SceneParameters(names, factory->laws()).declare_parameters(prm);
+  factory->declare_parameters(prm);
+}
+} // namespace softgrain

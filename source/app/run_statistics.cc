@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/run_statistics.h>
+#include <softgrain/base/config.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/scene/state_file.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain
+{
+namespace
+{
+const char *const state_name = "driver/statistics";
+} // namespace
+
+RunStatistics::RunStatistics(const Model<2> &model) : begin(std::chrono::steady_clock::now())
+{
+  const Energies energies = model.energies();
+  energy_at_start = energies.kinetic + energies.elastic;
+  largest_energy = std::max(std::abs(energies.kinetic), std::abs(energies.elastic));
+}
+
+void RunStatistics::add_step(const StepReport &report, const Energies &energies)
+{
+  max_contact_residual = std::max(max_contact_residual, report.contact_residual);
+  max_penetration = std::max(max_penetration, report.max_penetration);
+  for (const double term : {energies.kinetic, energies.elastic, energies.dissipated, energies.external_work})
+    largest_energy = std::max(largest_energy, std::abs(term));
+  energy_error =
+      energies.kinetic + energies.elastic + energies.dissipated - energies.external_work - energy_at_start;
+}
+
+double RunStatistics::energy_balance_error() const
+{
+  return largest_energy > 0 ? std::abs(energy_error) / largest_energy : 0.;
+}
+
+double RunStatistics::wall_seconds() const
+{
+  return earlier_wall_seconds +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Summary RunStatistics::summary(const std::string &status, const Model<2> &model) const
+{
+  Summary summary;
+  summary.status = status;
+  summary.model = model.name();
+  summary.points_name = model.name() == "bpm" ? "primaries" : "material_points";
+  summary.steps = model.step();
+  summary.simulated_time = model.time();
+  summary.wall_seconds = wall_seconds();
+  summary.threads = n_threads();
+  summary.bodies = model.n_bodies();
+  summary.points = model.n_points();
+  summary.max_contact_residual = max_contact_residual;
+  summary.max_penetration = max_penetration;
+  summary.momentum_error = model.momentum_error();
+  summary.energy_balance_error = energy_balance_error();
+  summary.peak_memory = peak_memory();
+  summary.phases = model.phases();
+  summary.phases["output"] += output_seconds;
+  summary.version = SOFTGRAIN_VERSION;
+  return summary;
+}
+
+void RunStatistics::save(StateWriter &writer) const
+{
+  writer.write(state_name, std::vector<double>{wall_seconds(), max_contact_residual, max_penetration,
+                                               energy_at_start, largest_energy, energy_error});
+}
+
+void RunStatistics::load(const StateReader &reader)
+{
+  const std::vector<double> values = reader.read_doubles(state_name);
+  if (values.size() != 6)
+    throw InputError("the checkpoint is of another version: " + std::string(state_name) + " has " +
+                     std::to_string(values.size()) + " values instead of 6");
+  earlier_wall_seconds = values[0];
+  max_contact_residual = values[1];
+  max_penetration = values[2];
+  energy_at_start = values[3];
+  largest_energy = values[4];
+  energy_error = values[5];
+}
+} // namespace softgrain

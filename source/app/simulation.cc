@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/box_measures.h>
+#include <softgrain/app/output_folder.h>
+#include <softgrain/app/simulation.h>
+#include <softgrain/base/config.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/output/atomic_file.h>
+#include <softgrain/output/checkpoint.h>
+#include <softgrain/output/summary.h>
+
+#include <deal.II/base/config.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+
+namespace softgrain
+{
+namespace
+{
+/// Part of the last step that counts as having arrived.
+constexpr double sliver = 1e-6;
+
+double seconds_since(const std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+} // namespace
+
+Simulation::Simulation(const Scene<2> &scene,
+                       Model<2> &model,
+                       const RunParameters &parameters,
+                       const std::string &effective_parameters,
+                       std::ostream &log)
+    : scene(scene)
+    , model(model)
+    , parameters(parameters)
+    , effective_parameters(effective_parameters)
+    , log(log)
+    , walls_at_start(model.walls())
+    , statistics(model)
+    , progress(log, isatty(STDOUT_FILENO) != 0)
+    , history(parameters.output_directory)
+    , fields(parameters.output_directory, parameters.fields)
+    , snapshots(parameters.output_directory, parameters.snapshots)
+    , field_schedule(parameters.fields_every)
+    , snapshot_schedule(parameters.snapshots_every)
+{
+}
+
+void Simulation::restart(const std::string &checkpoint)
+{
+  const std::string path = checkpoint.empty() ? latest_checkpoint(parameters.output_directory) : checkpoint;
+  CheckpointReader reader(path);
+  model.load(reader);
+  statistics.load(reader);
+  last_dt = reader.read_doubles("driver/last_dt").at(0);
+  std::filesystem::create_directories(parameters.output_directory);
+  history.resume(model.step());
+  const double slack = sliver * last_dt;
+  fields.resume(model.time());
+  field_schedule.skip_to(model.time(), slack);
+  snapshots.resume(model.time());
+  snapshot_schedule.skip_to(model.time(), slack);
+  restarted = true;
+  log << "going on from " << path << ", step " << model.step() << '\n';
+}
+
+std::string Simulation::run()
+{
+  const InterruptGuard interrupt;
+  start_files();
+  print_head();
+  std::string status;
+  try
+  {
+    status = loop(interrupt);
+  }
+  catch (const ComputationError &error)
+  {
+    progress.finish();
+    write_checkpoint();
+    write_summary("failed");
+    throw ComputationError(std::string(error.what()) + "; the last good state is saved in " +
+                           checkpoint_path(parameters.output_directory, model.step()));
+  }
+  progress.finish();
+  write_checkpoint();
+  write_summary(status);
+  print_end(status);
+  return status;
+}
+
+void Simulation::start_files()
+{
+  const std::filesystem::path folder = parameters.output_directory;
+  if (!restarted)
+    make_fresh_output_folder(folder.string());
+  write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
+  write_summary("running");
+  if (!restarted)
+  {
+    write_history(StepReport());
+    write_pictures(field_schedule.active(), snapshot_schedule.active());
+  }
+}
+
+std::string Simulation::loop(const InterruptGuard &interrupt)
+{
+  const double fraction_at_start = fraction_done();
+  auto last_checkpoint = std::chrono::steady_clock::now();
+  StepReport report;
+  while (!finished() && !interrupt.requested())
+  {
+    report = model.advance(step_limit(model.time(), next_target(), last_dt));
+    last_dt = report.dt;
+    statistics.add_step(report, model.energies());
+    write_due_output(report);
+    progress.update(model.time(), model.step(), report, fraction_done(), fraction_at_start);
+    if (parameters.checkpoint_minutes > 0 &&
+        seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes)
+    {
+      write_checkpoint();
+      write_summary("running");
+      last_checkpoint = std::chrono::steady_clock::now();
+    }
+  }
+  if (!finished())
+    return "interrupted"; // and nothing is written that an uninterrupted run would not write
+  // The end of a run is always on record, whatever the intervals.
+  if (last_history_step != model.step() && report.dt > 0)
+    write_history(report);
+  if (last_picture_step != model.step() && report.dt > 0)
+    write_pictures(field_schedule.active(), snapshot_schedule.active());
+  return "completed";
+}
+
+double Simulation::next_target() const
+{
+  const double end = scene.stop.end_time > 0 ? scene.stop.end_time : std::numeric_limits<double>::infinity();
+  return std::min({end, field_schedule.next(), snapshot_schedule.next()});
+}
+
+bool Simulation::finished() const
+{
+  return fraction_done() >= 1;
+}
+
+double Simulation::fraction_done() const
+{
+  const StopConditions &stop = scene.stop;
+  double fraction = 0;
+  if (stop.end_time > 0)
+    fraction = model.time() >= stop.end_time - sliver * last_dt ? 1 : model.time() / stop.end_time;
+  if (stop.axial_strain > 0)
+    fraction =
+        std::max(fraction, axial_strain(walls_at_start, model.walls()).value_or(0.) / stop.axial_strain);
+  if (stop.packing_fraction > 0)
+  {
+    const double packing = packing_fraction(model.walls(), model.solid_area()).value_or(0.);
+    // The box shrinks like 1/packing, so this measures the way of the walls.
+    fraction = std::max(fraction, packing >= stop.packing_fraction ? 1 : packing / stop.packing_fraction);
+  }
+  return fraction;
+}
+
+void Simulation::write_due_output(const StepReport &report)
+{
+  if (model.step() % parameters.history_every == 0)
+    write_history(report);
+  const double slack = sliver * last_dt;
+  const bool fields_due = field_schedule.reached(model.time(), slack);
+  const bool snapshots_due = snapshot_schedule.reached(model.time(), slack);
+  write_pictures(fields_due, snapshots_due);
+}
+
+void Simulation::write_history(const StepReport &report)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<WallState<2>> walls = model.walls();
+  const Energies energies = model.energies();
+  HistoryRow row = {
+      {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", report.dt}};
+  for (const WallState<2> &wall : walls)
+  {
+    row.emplace_back(wall.name + "_position_m", wall.position);
+    row.emplace_back(wall.name + "_force_N_per_m", wall.normal_force);
+  }
+  row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
+  row.emplace_back("packing_fraction", packing_fraction(walls, model.solid_area()).value_or(nothing));
+  row.emplace_back("coordination", model.coordination());
+  row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
+  row.emplace_back("elastic_energy_J_per_m", energies.elastic);
+  row.emplace_back("dissipated_energy_J_per_m", energies.dissipated);
+  row.emplace_back("contact_residual", report.contact_residual);
+  row.emplace_back("max_penetration_m", report.max_penetration);
+  row.emplace_back("newton_iterations", report.newton_iterations);
+  row.emplace_back("contact_sweeps", report.contact_sweeps);
+  const HistoryRow extra = model.extra_history();
+  row.insert(row.end(), extra.begin(), extra.end());
+  history.write(row);
+  last_history_step = model.step();
+  statistics.add_output_seconds(seconds_since(begin));
+}
+
+void Simulation::write_pictures(const bool write_fields, const bool write_snapshots)
+{
+  if (!write_fields && !write_snapshots)
+    return;
+  const auto begin = std::chrono::steady_clock::now();
+  const Snapshot<2> snapshot = model.snapshot();
+  if (write_fields)
+    fields.write(snapshot);
+  if (write_snapshots)
+    snapshots.append(snapshot);
+  last_picture_step = model.step();
+  statistics.add_output_seconds(seconds_since(begin));
+}
+
+void Simulation::write_checkpoint()
+{
+  const auto begin = std::chrono::steady_clock::now();
+  CheckpointWriter writer(checkpoint_path(parameters.output_directory, model.step()));
+  model.save(writer);
+  statistics.save(writer);
+  writer.write("driver/last_dt", std::vector<double>{last_dt});
+  writer.commit();
+  remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
+  statistics.add_output_seconds(seconds_since(begin));
+}
+
+void Simulation::write_summary(const std::string &status)
+{
+  softgrain::write_summary(parameters.output_directory, statistics.summary(status, model));
+}
+
+void Simulation::print_head()
+{
+  log << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", " << n_threads()
+      << " threads)\n"
+      << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
+  print_size_report(log, model.size_report());
+  log << std::flush;
+}
+
+void Simulation::print_end(const std::string &status) const
+{
+  const Summary summary = statistics.summary(status, model);
+  log << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
+      << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
+      << summary.microseconds_per_point_step() << " us per point and step)\n";
+  double total = 0;
+  for (const auto &phase : summary.phases)
+    total += phase.second;
+  for (const auto &[name, seconds] : summary.phases)
+    log << "  " << std::left << std::setw(30) << name << std::right << std::fixed << std::setprecision(2)
+        << std::setw(10) << seconds << " s" << std::setprecision(1) << std::setw(7)
+        << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
+  log << std::defaultfloat << std::setprecision(6) << std::flush;
+}
+
+void print_size_report(std::ostream &out, const SizeReport &report)
+{
+  std::size_t width = 0;
+  for (const auto &line : report)
+    width = std::max(width, line.first.size());
+  for (const auto &[name, value] : report)
+    out << "  " << name << std::string(width - name.size() + 2, ' ') << value << '\n';
+}
+} // namespace softgrain

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/output/atomic_file.h>
+#include <softgrain/output/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+#include <filesystem>
+
+namespace softgrain
+{
+double Summary::microseconds_per_point_step() const
+{
+  return steps == 0 || points == 0 ? 0. : wall_seconds * 1e6 / (static_cast<double>(points) * steps);
+}
+
+void write_summary(const std::string &directory, const Summary &summary)
+{
+  nlohmann::ordered_json json;
+  json["status"] = summary.status;
+  json["model"] = summary.model;
+  json["steps"] = summary.steps;
+  json["simulated_time_s"] = summary.simulated_time;
+  json["wall_seconds"] = summary.wall_seconds;
+  json["threads"] = summary.threads;
+  json["bodies"] = summary.bodies;
+  json[summary.points_name] = summary.points;
+  json["microseconds_per_point_step"] = summary.microseconds_per_point_step();
+  json["max_contact_residual"] = summary.max_contact_residual;
+  json["max_penetration_m"] = summary.max_penetration;
+  json["momentum_error"] = summary.momentum_error;
+  json["energy_balance_error"] = summary.energy_balance_error;
+  json["peak_memory_bytes"] = summary.peak_memory;
+  json["phases"] = summary.phases;
+  json["version"] = summary.version;
+  write_file_atomically((std::filesystem::path(directory) / "summary.json").string(), json.dump(2) + "\n");
+}
+
+std::uint64_t peak_memory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in kilobytes
+}
+} // namespace softgrain
