@@ -60,17 +60,19 @@ double friction_continuation(const Matrix &W,
 {
   const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
   SolverReport own; // its iterations are counted apart, so that the attempt before has not used up the limit
+  SolverSettings brief = settings;
+  brief.max_newton_iterations = 25; // a step in friction that needs more is too long
   impulses = without_friction(W, problem, settings, own);
   Problem eased = problem;
   double reached = 0., step = 0.25, residual = 0.;
-  while (reached < 1. && step > 1e-3 && own.newton_iterations < 4 * settings.max_newton_iterations)
+  while (reached < 1. && step > 1e-3 && own.newton_iterations < settings.max_newton_iterations)
   {
     const double target = std::min(1., reached + step);
     for (unsigned int i = 0; i < eased.friction.size(); ++i)
       eased.friction[i] = target * problem.friction[i];
     std::vector<double> trial = impulses;
     SolverReport attempt;
-    residual = newton(W, eased, compliance, settings, trial, attempt);
+    residual = newton(W, eased, compliance, brief, trial, attempt);
     own.newton_iterations += attempt.newton_iterations;
     own.regularised += attempt.regularised;
     // on the way a rough solution is enough
@@ -102,15 +104,7 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
   if (problem.n_components == 1)
     return FrictionlessNewton(W, problem, compliance, settings).solve(impulses, report);
   const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
-  const double start = newton(W, problem, compliance, settings, impulses, report);
-  if (start <= settings.tolerance)
-    return start;
-  std::vector<double> trial;
-  const double end = friction_continuation(W, problem, compliance, settings, trial, report);
-  if (!(end < start))
-    return start;
-  impulses.swap(trial);
-  return end;
+  return newton(W, problem, compliance, settings, impulses, report);
 }
 
 template <class Operator>
@@ -122,13 +116,15 @@ SolverReport solve(Operator &op,
 {
   // Sweeps first in any case: they cost little, find most of the active set and check the input.
   SolverSettings sweeping = settings;
+  const bool newton_allowed = settings.algorithm == Algorithm::active_set ||
+                              (settings.algorithm == Algorithm::automatic &&
+                               problem.free_velocity.size() <= settings.max_newton_components);
   if (settings.algorithm == Algorithm::active_set)
     sweeping.max_sweeps = std::min(settings.max_sweeps, 10u);
-  else if (settings.algorithm == Algorithm::automatic &&
-           problem.free_velocity.size() <= settings.max_newton_components)
+  else if (newton_allowed)
     sweeping.max_sweeps = std::min(settings.max_sweeps, settings.sweeps_before_newton);
   SolverReport report = gauss_seidel(op, problem, sweeping, impulses, velocities);
-  if (report.converged || sweeping.max_sweeps == settings.max_sweeps)
+  if (report.converged || !newton_allowed)
     return report;
 
   const auto W = op.assemble();
@@ -137,6 +133,7 @@ SolverReport solve(Operator &op,
   std::vector<double> best = impulses, trial;
   double lowest = report.residual;
   unsigned int chunk = 50;
+  bool continued = false;
 
   const auto evaluate = [&]
   {
@@ -160,7 +157,18 @@ SolverReport solve(Operator &op,
     SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
     trial = impulses;
     const double before = report.residual;
-    const double after = newton_active_set(W, problem, compliance, settings, trial, newton);
+    double after = newton_active_set(W, problem, compliance, settings, trial, newton);
+    if (after > settings.tolerance && problem.n_components > 1 && !continued)
+    {
+      continued = true; // it starts from nothing, so a second time would end the same
+      std::vector<double> other;
+      const double residual = friction_continuation(W, problem, compliance, settings, other, newton);
+      if (residual < after)
+      {
+        after = residual;
+        trial.swap(other);
+      }
+    }
     report.newton_iterations += newton.newton_iterations;
     report.regularised += newton.regularised;
     if (after < before)
