@@ -260,7 +260,8 @@ Body<2> build_body(const BodyDescription<2> &description, const unsigned int ind
   body.density = density;
   body.driven  = description.driven;
   body.f_bar   = context.settings.f_bar == "on" || (context.settings.f_bar == "automatic" && body.law->poisson_ratio() > 0.47);
-  if (!description.body_force.empty())
+  // The parameter's default says that there is no load, and then none is evaluated.
+  if (!description.body_force.empty() && description.body_force != "0; 0")
     body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});
   make_points(body, description, context);
   make_boundary(body, description, context);
@@ -275,7 +276,7 @@ Body<2> build_body(const BodyDescription<2> &description, const unsigned int ind
 
   // Formulas are taken at the nodes, so that affine motions are exact; the points follow.
   std::vector<Expression> formulas;
-  if (!description.velocity.empty())
+  if (!description.velocity.empty() && description.velocity != "0; 0")
     formulas = vector_expression(description.velocity, {"x", "y"});
   const auto velocity_at = [&](const dealii::Point<2> &x) {
     const dealii::Tensor<1, 2> arm = x - description.center;

@@ -110,9 +110,10 @@ private:
       else
         old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
       // Without inertia a body that touches nothing has no stiffness against rigid motion: a weak spring on the
-      // Newton increment alone, which leaves the equations as they are.
+      // Newton increment alone, which leaves the equations as they are. A compressed body also has a negative stiffness
+      // against rotation, in proportion to its mean pressure (factorise()).
       if (!scheme.inertia)
-        shift[b] = 1e-3 * dt * dt * body.law->young_modulus() / body.mass.sum();
+        shift[b] = dt * dt * body.law->young_modulus() / body.mass.sum();
     }
     start_relative = world.contact.empty() ? std::vector<double>() : world.contact.relative_velocity(world.bodies, velocities());
   }
@@ -195,7 +196,19 @@ private:
     // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt.
     return last_length == 0. || (last_length <= world.settings.displacement_tolerance * first_length &&
                                  std::abs(last_work) <= world.settings.energy_tolerance * std::abs(first_work)) ||
-           outcome.newton_residual <= 1e-3 * world.settings.residual_tolerance;
+           outcome.newton_residual <= 1e-2 * world.settings.residual_tolerance;
+  }
+
+  /// Mean compressive stress, zero when the body is in tension on average [Pa].
+  static double mean_pressure(const Body<2> &body)
+  {
+    double sum = 0., volume = 0.;
+    for (unsigned int p = 0; p < body.points.size(); ++p)
+    {
+      sum -= 0.5 * body.step.volume[p] * trace(body.step.stress[p]);
+      volume += body.step.volume[p];
+    }
+    return std::max(0., sum / volume);
   }
 
   /// A = M + theta^2 dt^2 K of every body, factorised; shifted when it is not positive definite.
@@ -206,7 +219,7 @@ private:
       if (!moves(b))
         continue;
       Body<2> &body = world.bodies[b];
-      double   extra = shift[b];
+      double   extra = shift[b] * (1e-3 + 40. * mean_pressure(body) / body.law->young_modulus());
       for (unsigned int attempt = 0;; ++attempt)
       {
         {

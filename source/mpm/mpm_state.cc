@@ -118,7 +118,7 @@ void MpmModel::load(StateReader &in)
   const std::vector<std::uint64_t> keys     = in.read_integers("mpm/contact/keys");
   const std::vector<double>        impulses = in.read_doubles("mpm/contact/impulses");
   for (std::size_t k = 0; k < keys.size(); ++k)
-    world.contact.memory()[keys[k]] = {impulses.at(2 * k), impulses.at(2 * k + 1)};
+    world.contact.memory()[keys[k]] = {{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
   const BuildContext context{*world.lattice, *world.shape, world.settings};
   for (Body<2> &body : world.bodies)

@@ -11,8 +11,6 @@ namespace softgrain
 {
 namespace
 {
-using Polygon = std::vector<dealii::Point<2>>;
-
 double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
@@ -112,14 +110,6 @@ bool disk_overlaps_polygon(const BodyDescription<2> &disk, const Polygon &polygo
                      { return p.distance(disk.center) > disk.inner_radius + tolerance; });
 }
 } // namespace
-
-double signed_area(const Polygon &polygon)
-{
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return twice / 2;
-}
 
 bool crosses_itself(const Polygon &polygon)
 {

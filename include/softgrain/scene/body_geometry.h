@@ -2,6 +2,7 @@
 #ifndef softgrain_scene_body_geometry_h
 #define softgrain_scene_body_geometry_h
 
+#include <softgrain/scene/polygon.h>
 #include <softgrain/scene/scene.h>
 
 #include <utility>
@@ -29,9 +30,6 @@ bool overlap(const BodyDescription<2> &a, const BodyDescription<2> &b, double to
 
 /// Whether two edges of a polygon that are not neighbours meet.
 bool crosses_itself(const std::vector<dealii::Point<2>> &polygon);
-
-/// Signed area, positive when counter-clockwise [m^2].
-double signed_area(const std::vector<dealii::Point<2>> &polygon);
 } // namespace softgrain
 
 #endif
