@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""C++ files are laid out as .clang-format says, by the clang-format it is written for."""
+import shutil
+import subprocess
+
+import common
+
+VERSION = "14"
+
+
+def check(root):
+    program = shutil.which(f"clang-format-{VERSION}") or shutil.which("clang-format")
+    if program is None:
+        yield f"clang-format is not installed: Debian's package clang-format-{VERSION}"
+        return
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    if f"version {VERSION}." not in version:
+        yield f"clang-format {VERSION} is needed, found: {version.strip()}"
+        return
+    paths = [str(path) for path in common.files(root, ".h", ".cc")]
+    for first in range(0, len(paths), 50):
+        run = subprocess.run([program, "--dry-run", "-Werror", "--style=file", *paths[first:first + 50]],
+                             cwd=root, capture_output=True, text=True, check=False)
+        wrong = [line.split(": error:")[0] for line in run.stderr.splitlines() if ": error:" in line]
+        yield from (f"{place}: not formatted; ./quickstart format" for place in wrong)
+        if run.returncode != 0 and not wrong:
+            yield run.stderr.strip()
+
+
+common.main(check, __doc__)

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_contact_active_system_h
+#define softgrain_contact_active_system_h
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace softgrain::contact
+{
+/**
+ * @brief The linear system of the rows that are active in a Newton step, kept dense or sparse, whichever is
+ * cheaper.
+ *
+ * Built entry by entry; entries at the same place add up. Unknowns are numbered 0 .. size - 1.
+ */
+class ActiveSystem
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  /// Starts a system of @p size unknowns that will get about @p n_entries entries.
+  ActiveSystem(unsigned int size, std::size_t n_entries);
+
+  /// Adds @p value to row @p i, column @p j.
+  void add(const unsigned int i, const unsigned int j, const double value)
+  {
+    if (dense)
+      matrix(i, j) += value;
+    else
+      entries.emplace_back(i, j, value);
+  }
+
+  /// Solves by Cholesky (symmetric positive definite). False when the matrix is not, or the result is not
+  /// finite.
+  bool solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution);
+
+  /// Solves by LU with pivoting. False when the matrix is singular, or the result is not finite.
+  bool solve_general(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution);
+
+private:
+  bool dense;
+  unsigned int size;
+  Eigen::MatrixXd matrix;
+  std::vector<Eigen::Triplet<double>> entries;
+};
+
+/**
+ * @brief Below this, natural_residual() of @p impulses is rounding: machine epsilon times the largest Σ_j
+ * |W_ij P_j| over the approach speed @p speed. An upper estimate; large where W has a rigid mode far above
+ * its elastic part.
+ */
+double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, double speed);
+} // namespace softgrain::contact
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_builder_h
+#define softgrain_mpm_body_builder_h
+
+#include <softgrain/mpm/body.h>
+#include <softgrain/mpm/lattice.h>
+#include <softgrain/mpm/settings.h>
+#include <softgrain/mpm/shape_function.h>
+#include <softgrain/scene/scene.h>
+
+#include <memory>
+
+namespace softgrain::mpm
+{
+/// What all bodies of a scene share when they are built.
+struct BuildContext
+{
+  const Lattice<2>    &lattice;
+  const ShapeFunction &shape;
+  const Settings      &settings;
+};
+
+/**
+ * @brief A body at rest in its place: points, boundary, grid, and the initial velocity on its nodes.
+ * @throw InputError when it holds no point or reaches out of the mesh
+ */
+Body<2> build_body(const BodyDescription<2> &description, unsigned int index, std::shared_ptr<const constitutive::Law<2>> law,
+                   double density, const BuildContext &context);
+
+/// The slab of material points, three cells thick, that stands for a wall; it is driven and has no law of its own use.
+/// @throw InputError when the wall is not parallel to an axis or the slab leaves the mesh
+BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context);
+
+/**
+ * @brief Lays the grid anew under the points of a body: numbering, shape values, lumped mass (3.10) and what the
+ * points bring to the nodes (3.13).
+ */
+void lay_grid(Body<2> &body, const BuildContext &context);
+
+/**
+ * @brief Gives what the nodes have reached to the points, before the grid is laid anew: places, deformation, velocities.
+ */
+void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &shape, double cell_size);
+
+/// Places of the boundary markers for the present displacement of the nodes.
+void move_boundary(Body<2> &body);
+
+/// Largest over smallest stretch of the grid at any point since it was laid.
+double grid_distortion(const Body<2> &body);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_cholesky_solver_h
+#define softgrain_mpm_cholesky_solver_h
+
+#include <softgrain/mpm/linear_solver.h>
+
+namespace softgrain::mpm
+{
+/// Sparse Cholesky factors of Eigen; the symbolic part is kept as long as the pattern stays.
+class CholeskySolver final : public LinearSolver
+{
+public:
+  CholeskySolver();
+  ~CholeskySolver() override;
+
+  bool factorize(SystemMatrix &matrix) override;
+  void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+  void condense(const Rows &rows, Eigen::MatrixXd &W) override;
+
+private:
+  struct Factor;
+  std::unique_ptr<Factor> factor;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_linear_solver_h
+#define softgrain_mpm_linear_solver_h
+
+#include <softgrain/mpm/system_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <string>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Solves with the matrix of one body, and condenses it to contact rows.
+ */
+class LinearSolver
+{
+public:
+  using Rows = Eigen::SparseMatrix<double, Eigen::ColMajor>; ///< H^T: one column per contact component
+
+  virtual ~LinearSolver() = default;
+
+  /// @return false when the matrix is not positive definite (the caller then shifts it or cuts the step).
+  virtual bool factorize(SystemMatrix &matrix) = 0;
+  /// x = A^-1 b. @throw ComputationError when an iterative solver does not converge.
+  virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+  /// W = H A^-1 H^T, the Delassus operator of this body on its own rows.
+  virtual void condense(const Rows &rows, Eigen::MatrixXd &W) = 0;
+};
+
+/// What the `Linear solver` section may say.
+struct LinearSolverSettings
+{
+  std::string  type           = "automatic"; ///< automatic, cholesky, trilinos_direct, cg_ilu, cg_amg
+  double       tolerance      = 1e-10;       ///< relative residual of the iterative solvers
+  unsigned int max_iterations = 2000;        ///< of the iterative solvers
+  unsigned int automatic_dofs = 60000;       ///< up to this size `automatic` is `cholesky`, above it `cg_amg`
+};
+
+/**
+ * @brief The solver for a body of @p n_dofs unknowns.
+ * @param dim number of rigid translations, for the near null space of AMG
+ */
+std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings, unsigned int n_dofs, unsigned int dim);
+} // namespace softgrain::mpm
+
+#endif

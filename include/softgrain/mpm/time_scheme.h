@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_time_scheme_h
+#define softgrain_mpm_time_scheme_h
+
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief A time scheme as a choice of terms in one equation for the velocity v+ at the end of the step:
+ *
+ *     M (v+ - v) = dt [(1 - theta) f_old + theta f(x + u)] + H^T P,   u = dt [(1 - theta) v + theta v+]
+ *
+ * | name         | theta | inertia | f_old                                     |
+ * |--------------|-------|---------|-------------------------------------------|
+ * | moreau_jean  | 0.55  | yes     | f(t)                                      |
+ * | newmark      | 1/2   | yes     | M a(t), a carried by the points (3.14)-(3.16) |
+ * | explicit     | -     | yes     | f(t) alone, u = dt v+ (symplectic Euler)  |
+ * | quasi_static | 1     | no      | none                                      |
+ */
+struct TimeScheme
+{
+  std::string name           = "moreau_jean";
+  double      theta          = 0.55;
+  bool        inertia        = true;
+  bool        implicit       = true;
+  bool        stored_acceleration = false;
+
+  /// @throw InputError when the name is unknown or theta is outside of [1/2, 1]
+  static TimeScheme create(const std::string &name, double theta);
+  static std::vector<std::string> names();
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/active_set.h>
+#include <softgrain/contact/active_system.h>
+#include <softgrain/contact/block_delassus.h>
+#include <softgrain/contact/diagonal_delassus.h>
+#include <softgrain/contact/frictional_newton.h>
+#include <softgrain/contact/frictionless_newton.h>
+#include <softgrain/contact/mass_delassus.h>
+#include <softgrain/contact/residual.h>
+
+#include <algorithm>
+
+namespace softgrain::contact
+{
+namespace
+{
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Solution without friction, the start of friction_continuation(): tangents 0.
+std::vector<double> without_friction(const Matrix &W,
+                                     const Problem &problem,
+                                     const SolverSettings &settings,
+                                     SolverReport &report)
+{
+  const unsigned int n = problem.n_components, n_contacts = problem.n_contacts();
+  Problem normal{1, std::vector<double>(n_contacts), {}};
+  std::vector<double> compliance(n_contacts), P(n_contacts, 0.), result(n * n_contacts, 0.);
+  std::vector<Eigen::Triplet<double>> entries;
+  double largest = 0.;
+  for (unsigned int i = 0; i < n_contacts; ++i)
+  {
+    normal.free_velocity[i] = problem.free_velocity[i * n];
+    for (Matrix::InnerIterator entry(W, i * n); entry; ++entry)
+      if (entry.col() % n == 0)
+        entries.emplace_back(i, entry.col() / n, entry.value());
+    compliance[i] = W.coeff(i * n, i * n);
+    largest = std::max(largest, compliance[i]);
+  }
+  for (double &value : compliance)
+    value = value > 1e-20 * largest ? value : 0.;
+  Matrix W_normal(n_contacts, n_contacts);
+  W_normal.setFromTriplets(entries.begin(), entries.end());
+  FrictionlessNewton(W_normal, normal, compliance, settings).solve(P, report);
+  for (unsigned int i = 0; i < n_contacts; ++i)
+    result[i * n] = P[i];
+  return result;
+}
+
+/**
+ * From the solution without friction, which is always found, to the full friction coefficients, as fast as
+ * Newton follows. Where rigid modes dominate, Newton from a few sweeps has no chance: its first active set is
+ * far from balance.
+ */
+double friction_continuation(const Matrix &W,
+                             const Problem &problem,
+                             const std::vector<double> &compliance,
+                             const SolverSettings &settings,
+                             std::vector<double> &impulses,
+                             SolverReport &report)
+{
+  const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
+  SolverReport own; // its iterations are counted apart, so that the attempt before has not used up the limit
+  SolverSettings brief = settings;
+  brief.max_newton_iterations = 25; // a step in friction that needs more is too long
+  impulses = without_friction(W, problem, settings, own);
+  Problem eased = problem;
+  double reached = 0., step = 0.25, residual = 0.;
+  while (reached < 1. && step > 1e-3 && own.newton_iterations < settings.max_newton_iterations)
+  {
+    const double target = std::min(1., reached + step);
+    for (unsigned int i = 0; i < eased.friction.size(); ++i)
+      eased.friction[i] = target * problem.friction[i];
+    std::vector<double> trial = impulses;
+    SolverReport attempt;
+    residual = newton(W, eased, compliance, brief, trial, attempt);
+    own.newton_iterations += attempt.newton_iterations;
+    own.regularised += attempt.regularised;
+    // on the way a rough solution is enough
+    if (residual <= (target < 1. ? std::max(1e-4, settings.tolerance) : settings.tolerance))
+    {
+      impulses.swap(trial);
+      reached = target;
+      step *= 2.;
+    }
+    else
+      step *= 0.25;
+  }
+  report.newton_iterations += own.newton_iterations;
+  report.regularised += own.regularised;
+  const Eigen::Map<const Eigen::VectorXd> P(impulses.data(), impulses.size());
+  const Eigen::VectorXd w =
+      W * P + Eigen::Map<const Eigen::VectorXd>(problem.free_velocity.data(), problem.free_velocity.size());
+  return natural_residual(problem, compliance, impulses, std::vector<double>(w.data(), w.data() + w.size()));
+}
+} // namespace
+
+double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
+                         const Problem &problem,
+                         const std::vector<double> &compliance,
+                         const SolverSettings &settings,
+                         std::vector<double> &impulses,
+                         SolverReport &report)
+{
+  if (problem.n_components == 1)
+    return FrictionlessNewton(W, problem, compliance, settings).solve(impulses, report);
+  const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
+  return newton(W, problem, compliance, settings, impulses, report);
+}
+
+template <class Operator>
+SolverReport solve(Operator &op,
+                   const Problem &problem,
+                   const SolverSettings &settings,
+                   std::vector<double> &impulses,
+                   std::vector<double> &velocities)
+{
+  // Sweeps first in any case: they cost little, find most of the active set and check the input.
+  SolverSettings sweeping = settings;
+  const bool newton_allowed = settings.algorithm == Algorithm::active_set ||
+                              (settings.algorithm == Algorithm::automatic &&
+                               problem.free_velocity.size() <= settings.max_newton_components);
+  if (settings.algorithm == Algorithm::active_set)
+    sweeping.max_sweeps = std::min(settings.max_sweeps, 10u);
+  else if (newton_allowed)
+    sweeping.max_sweeps = std::min(settings.max_sweeps, settings.sweeps_before_newton);
+  SolverReport report = gauss_seidel(op, problem, sweeping, impulses, velocities);
+  if (report.converged || !newton_allowed)
+    return report;
+
+  const auto W = op.assemble();
+  const std::vector<double> compliance = contact_compliance(op);
+  const double speed = approach_speed(problem, compliance);
+  std::vector<double> best = impulses, trial;
+  double lowest = report.residual;
+  unsigned int chunk = 50;
+  bool continued = false;
+
+  const auto evaluate = [&]
+  {
+    compute_velocities(op, problem, impulses, velocities);
+    report.residual = natural_residual(problem, compliance, impulses, velocities);
+    report.converged = report.residual <= settings.tolerance;
+    report.limited_by_rounding = !report.converged && report.residual <= rounding_floor(W, impulses, speed);
+    report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
+  };
+  const auto remember = [&]
+  {
+    if (report.residual < lowest)
+    {
+      lowest = report.residual;
+      best = impulses;
+    }
+  };
+
+  for (;;)
+  {
+    SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
+    trial = impulses;
+    const double before = report.residual;
+    double after = newton_active_set(W, problem, compliance, settings, trial, newton);
+    if (after > settings.tolerance && problem.n_components > 1 && !continued)
+    {
+      continued = true; // it starts from nothing, so a second time would end the same
+      std::vector<double> other;
+      const double residual = friction_continuation(W, problem, compliance, settings, other, newton);
+      if (residual < after)
+      {
+        after = residual;
+        trial.swap(other);
+      }
+    }
+    report.newton_iterations += newton.newton_iterations;
+    report.regularised += newton.regularised;
+    if (after < before)
+    {
+      report.accelerated = true;
+      impulses.swap(trial);
+      evaluate();
+      remember();
+    }
+    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps)
+      break;
+    if (!(after < 0.1 * before))
+      chunk *= 2;
+    // polishing, or a better start for the next round
+    sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
+    const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);
+    report.sweeps += more.sweeps;
+    evaluate();
+    remember();
+    if (report.converged || report.limited_by_rounding)
+      break;
+  }
+  if (lowest < report.residual) // sweeps can leave a good iterate of an ill-conditioned problem
+  {
+    impulses = best;
+    evaluate();
+  }
+  return report;
+}
+
+#define SOFTGRAIN_INSTANTIATE(Operator)                                                                      \
+  template SolverReport solve(Operator &, const Problem &, const SolverSettings &, std::vector<double> &,    \
+                              std::vector<double> &);
+SOFTGRAIN_INSTANTIATE(DiagonalDelassus)
+SOFTGRAIN_INSTANTIATE(BlockDelassus)
+SOFTGRAIN_INSTANTIATE(MassDelassus)
+#undef SOFTGRAIN_INSTANTIATE
+} // namespace softgrain::contact

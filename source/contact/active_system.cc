@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/active_system.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::contact
+{
+ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries)
+    // below some hundred unknowns, or with many entries, the dense factorisation is faster than the ordering
+    // of a sparse one
+    : dense(size <= 200 || n_entries > 0.1 * size * size), size(size)
+{
+  if (dense)
+    matrix = Eigen::MatrixXd::Zero(size, size);
+  else
+    entries.reserve(n_entries);
+}
+
+bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution)
+{
+  if (dense)
+  {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix); // in place
+    if (factor.info() != Eigen::Success)
+      return false;
+    solution = factor.solve(right_hand_side);
+  }
+  else
+  {
+    Eigen::SparseMatrix<double> A(size, size);
+    A.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(A);
+    if (factor.info() != Eigen::Success)
+      return false;
+    solution = factor.solve(right_hand_side);
+  }
+  return solution.allFinite();
+}
+
+bool ActiveSystem::solve_general(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution)
+{
+  if (dense)
+  {
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factor(matrix);
+    // PartialPivLU does not look for zero pivots itself
+    if (!(factor.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.))
+      return false;
+    solution = factor.solve(right_hand_side);
+  }
+  else
+  {
+    Eigen::SparseMatrix<double> A(size, size);
+    A.setFromTriplets(entries.begin(), entries.end());
+    A.makeCompressed();
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
+    factor.compute(A);
+    if (factor.info() != Eigen::Success)
+      return false;
+    solution = factor.solve(right_hand_side);
+  }
+  return solution.allFinite();
+}
+
+double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, const double speed)
+{
+  double largest = 0.;
+  for (int i = 0; i < W.rows(); ++i)
+  {
+    double sum = 0.;
+    for (ActiveSystem::Matrix::InnerIterator entry(W, i); entry; ++entry)
+      sum += std::abs(entry.value() * impulses[entry.col()]);
+    largest = std::max(largest, sum);
+  }
+  return std::numeric_limits<double>::epsilon() * largest / speed;
+}
+} // namespace softgrain::contact

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/active_system.h>
+#include <softgrain/contact/frictional_newton.h>
+#include <softgrain/contact/residual.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::contact
+{
+namespace
+{
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+std::vector<double> to_vector(const Eigen::VectorXd &x)
+{
+  return std::vector<double>(x.data(), x.data() + x.size());
+}
+
+/// What one contact contributes: slip rows are `keep * dP_t - mu m dP_n + turn * (W dP)_t = right side`.
+template <unsigned int n>
+struct Contact
+{
+  bool closed = false;
+  bool slips = false;
+  double turn = 0.; // k ρ
+  double k = 0.;    // mu (P_n - ρ w_n) / |P_t - ρ w_t|
+  std::array<double, n - 1> m = {};
+};
+
+template <unsigned int n>
+std::vector<Contact<n>> classify(const Problem &problem,
+                                 const std::vector<double> &compliance,
+                                 const Eigen::VectorXd &P,
+                                 const Eigen::VectorXd &w)
+{
+  std::vector<Contact<n>> contacts(problem.n_contacts());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (compliance[i] > 0.)
+    {
+      const double rho = 1. / compliance[i];
+      const double normal = P[i * n] - rho * w[i * n];
+      contacts[i].closed = normal > 0.;
+      double length = 0.;
+      for (unsigned int c = 1; c < n; ++c)
+      {
+        contacts[i].m[c - 1] = P[i * n + c] - rho * w[i * n + c];
+        length += contacts[i].m[c - 1] * contacts[i].m[c - 1];
+      }
+      length = std::sqrt(length);
+      const double mu = problem.friction_of(i);
+      contacts[i].slips = contacts[i].closed && length > mu * normal;
+      if (contacts[i].slips)
+      {
+        for (double &value : contacts[i].m)
+          value /= length;
+        contacts[i].k = mu * normal / length;
+        contacts[i].turn = contacts[i].k * rho;
+      }
+    }
+  return contacts;
+}
+
+/// The Newton step; false when its system is singular.
+template <unsigned int n>
+bool newton_step(const Matrix &W,
+                 const Problem &problem,
+                 const std::vector<double> &compliance,
+                 const double epsilon,
+                 const Eigen::VectorXd &P,
+                 const Eigen::VectorXd &w,
+                 Eigen::VectorXd &step)
+{
+  const std::vector<Contact<n>> contacts = classify<n>(problem, compliance, P, w);
+  std::vector<int> local(P.size(), -1);
+  unsigned int size = 0;
+  std::size_t n_entries = 0;
+  step = Eigen::VectorXd::Zero(P.size());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int c = 0; c < n; ++c)
+      if (contacts[i].closed)
+        local[i * n + c] = size++;
+      else
+        step[i * n + c] = -P[i * n + c];
+  if (size == 0)
+    return true;
+  const Eigen::VectorXd from_opened = W * step;
+  for (unsigned int row = 0; row < local.size(); ++row)
+    if (local[row] >= 0)
+      for (Matrix::InnerIterator entry(W, row); entry; ++entry)
+        n_entries += local[entry.col()] >= 0;
+
+  ActiveSystem system(size, n_entries + 3 * size);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+  // adds factor * ((W + ε D) dP)_from to the equation of row `to`
+  const auto add_row = [&](const unsigned int to, const unsigned int from, const double factor)
+  {
+    for (Matrix::InnerIterator entry(W, from); entry; ++entry)
+      if (local[entry.col()] >= 0)
+        system.add(local[to], local[entry.col()], factor * entry.value());
+    system.add(local[to], local[from], factor * epsilon * compliance[from / n]);
+    b[local[to]] -= factor * from_opened[from];
+  };
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (contacts[i].closed)
+    {
+      const Contact<n> &contact = contacts[i];
+      const double mu = problem.friction_of(i);
+      // rows in units of velocity, so that pivoting compares like with like
+      add_row(i * n, i * n, 1.);
+      b[local[i * n]] -= w[i * n];
+      for (unsigned int c = 1; c < n; ++c)
+      {
+        const unsigned int row = i * n + c;
+        if (!contact.slips)
+        {
+          add_row(row, row, 1.);
+          b[local[row]] -= w[row];
+          continue;
+        }
+        const double unit = compliance[i];
+        b[local[row]] += unit * (mu * P[i * n] * contact.m[c - 1] - P[row]);
+        system.add(local[row], local[i * n], -unit * mu * contact.m[c - 1]);
+        system.add(local[row], local[row], unit);
+        if constexpr (n > 2)
+          for (unsigned int d = 1; d < n; ++d)
+          {
+            const double normal_part = (c == d ? 1. : 0.) - contact.m[c - 1] * contact.m[d - 1];
+            system.add(local[row], local[i * n + d], -unit * contact.k * normal_part);
+            add_row(row, i * n + d, unit * contact.turn * normal_part);
+            // F_t itself: the part of P_t - ρ w_t across m is 0, so only the value of mu P_n m - P_t stays
+          }
+      }
+    }
+  Eigen::VectorXd solution;
+  if (!system.solve_general(b, solution))
+    return false;
+  for (unsigned int row = 0; row < local.size(); ++row)
+    if (local[row] >= 0)
+      step[row] = solution[local[row]];
+  return true;
+}
+} // namespace
+
+template <unsigned int n>
+double frictional_newton(const Matrix &W,
+                         const Problem &problem,
+                         const std::vector<double> &compliance,
+                         const SolverSettings &settings,
+                         std::vector<double> &impulses,
+                         SolverReport &report)
+{
+  const Eigen::Map<const Eigen::VectorXd> q(problem.free_velocity.data(), problem.free_velocity.size());
+  const auto residual = [&](const Eigen::VectorXd &P, const Eigen::VectorXd &w)
+  { return natural_residual(problem, compliance, to_vector(P), to_vector(w)); };
+  Eigen::VectorXd P = Eigen::Map<const Eigen::VectorXd>(impulses.data(), impulses.size()), step;
+  Eigen::VectorXd w = W * P + q;
+  double here = residual(P, w), best = here, epsilon = 1e-10;
+  const double speed = approach_speed(problem, compliance);
+  unsigned int uphill = 0;
+  while (best > settings.tolerance && report.newton_iterations < settings.max_newton_iterations)
+  {
+    ++report.newton_iterations;
+    if (!newton_step<n>(W, problem, compliance, epsilon, P, w, step))
+    {
+      ++report.regularised;
+      epsilon *= 100.;
+      if (epsilon > 1e-4)
+        break;
+      continue;
+    }
+    const Eigen::VectorXd W_step = W * step;
+    double factor = 1., chosen = 1., lowest = std::numeric_limits<double>::infinity();
+    for (unsigned int trial = 0; trial < 6; ++trial, factor *= 0.5)
+    {
+      const double value = residual(P + factor * step, w + factor * W_step);
+      if (value < lowest)
+      {
+        lowest = value;
+        chosen = factor;
+      }
+      if (value < (1. - 0.1 * factor) * here)
+        break;
+    }
+    // A few steps may go uphill: the sets of stick and slip often change in between before they settle.
+    if (!(lowest < here))
+    {
+      if (++uphill > 3 || best <= rounding_floor(W, impulses, speed))
+        break;
+      chosen = 1.;
+    }
+    P += chosen * step;
+    w = W * P + q;
+    here = residual(P, w);
+    if (!std::isfinite(here))
+      break;
+    if (here < best)
+    {
+      best = here;
+      impulses = to_vector(P);
+      uphill = 0;
+    }
+  }
+  return best;
+}
+
+template double frictional_newton<2>(const Matrix &,
+                                     const Problem &,
+                                     const std::vector<double> &,
+                                     const SolverSettings &,
+                                     std::vector<double> &,
+                                     SolverReport &);
+template double frictional_newton<3>(const Matrix &,
+                                     const Problem &,
+                                     const std::vector<double> &,
+                                     const SolverSettings &,
+                                     std::vector<double> &,
+                                     SolverReport &);
+} // namespace softgrain::contact

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/contact/block_delassus.h>
+#include <softgrain/contact/diagonal_delassus.h>
+#include <softgrain/contact/gauss_seidel.h>
+#include <softgrain/contact/local_solver.h>
+#include <softgrain/contact/mass_delassus.h>
+#include <softgrain/contact/residual.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace softgrain::contact
+{
+void SolverSettings::check() const
+{
+  if (!(tolerance > 0.) || !std::isfinite(tolerance))
+    throw InputError("contact solver: the tolerance must be positive, not " + std::to_string(tolerance));
+  if (!(relaxation > 0. && relaxation < 2.))
+    throw InputError("contact solver: the relaxation must be between 0 and 2, not " +
+                     std::to_string(relaxation));
+  if (check_interval == 0)
+    throw InputError("contact solver: the check interval must be at least 1");
+}
+
+namespace
+{
+template <unsigned int n, class Operator>
+void velocities_of_all(Operator &op, const Problem &problem, std::vector<double> &velocities)
+{
+  double w[n];
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+  {
+    op.template velocity<n>(i, w);
+    for (unsigned int c = 0; c < n; ++c)
+      velocities[i * n + c] = w[c] + problem.free_velocity[i * n + c];
+  }
+}
+
+/// One sweep; returns the largest change of an impulse times the contact's compliance (m/s).
+template <unsigned int n, class Operator>
+double sweep(Operator &op,
+             const Problem &problem,
+             const std::vector<double> &blocks,
+             const std::vector<double> &compliance,
+             const double relaxation,
+             std::vector<double> &impulses)
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+  {
+    if (!(compliance[i] > 0.))
+      continue;
+    double *P = &impulses[i * n];
+    const double *W = &blocks[i * n * n], *q = &problem.free_velocity[i * n];
+    double w[n], next[n], change[n];
+    op.template velocity<n>(i, w);
+    for (unsigned int c = 0; c < n; ++c)
+      w[c] += q[c];
+    if (P[0] == 0. && w[0] >= 0.)
+      continue; // open and stays open: most rows of a soft-body scene
+    for (unsigned int c = 0; c < n; ++c)
+      for (unsigned int d = 0; d < n; ++d)
+        w[c] -= W[c * n + d] * P[d];
+    const double mu = problem.friction_of(i);
+    solve_local<n>(W, w, mu, next);
+    if (relaxation != 1.)
+    {
+      for (unsigned int c = 0; c < n; ++c)
+        next[c] = P[c] + relaxation * (next[c] - P[c]);
+      project_on_cone<n>(mu, next);
+    }
+    double size = 0.;
+    for (unsigned int c = 0; c < n; ++c)
+    {
+      change[c] = next[c] - P[c];
+      P[c] = next[c];
+      size = std::max(size, std::abs(change[c]));
+    }
+    if (size == 0.)
+      continue;
+    op.template apply<n>(i, change);
+    largest = std::max(largest, size * compliance[i]);
+  }
+  return largest;
+}
+
+template <unsigned int n, class Operator>
+SolverReport sweeps(Operator &op,
+                    const Problem &problem,
+                    const SolverSettings &settings,
+                    std::vector<double> &impulses,
+                    std::vector<double> &velocities)
+{
+  SolverReport report;
+  std::vector<double> blocks(std::size_t(problem.n_contacts()) * n * n);
+  op.begin(impulses);
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+    op.diagonal_block(i, &blocks[i * n * n]);
+  const std::vector<double> compliance = contact_compliance(op);
+  const double speed = approach_speed(problem, compliance);
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+    if (!(compliance[i] > 0.))
+    {
+      ++report.prescribed_contacts;
+      std::fill_n(&impulses[i * n], n, 0.);
+    }
+  if (speed == 0.) // nothing approaches: P = 0 solves the problem exactly
+    std::fill(impulses.begin(), impulses.end(), 0.);
+
+  const auto evaluate = [&]
+  {
+    // Afresh from the impulses: an operator that updates its state collects rounding over many sweeps.
+    op.begin(impulses);
+    velocities_of_all<n>(op, problem, velocities);
+    report.residual = natural_residual(problem, compliance, impulses, velocities);
+    if (std::isnan(report.residual))
+      throw ComputationError("contact solver: an impulse is no longer finite after " +
+                             std::to_string(report.sweeps) + " sweeps");
+    report.converged = report.residual <= settings.tolerance;
+  };
+
+  bool checked = false;
+  while (speed > 0. && report.sweeps < settings.max_sweeps)
+  {
+    const double change = sweep<n>(op, problem, blocks, compliance, settings.relaxation, impulses);
+    ++report.sweeps;
+    checked = report.sweeps % settings.check_interval == 0 || !(change > settings.tolerance * speed);
+    if (checked)
+    {
+      evaluate();
+      if (report.converged)
+        break;
+    }
+  }
+  if (!checked)
+    evaluate();
+  report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
+  return report;
+}
+} // namespace
+
+template <class Operator>
+void compute_velocities(Operator &op,
+                        const Problem &problem,
+                        const std::vector<double> &impulses,
+                        std::vector<double> &velocities)
+{
+  velocities.resize(problem.free_velocity.size());
+  op.begin(impulses);
+  if (problem.n_components == 1)
+    velocities_of_all<1>(op, problem, velocities);
+  else if (problem.n_components == 2)
+    velocities_of_all<2>(op, problem, velocities);
+  else
+    velocities_of_all<3>(op, problem, velocities);
+}
+
+template <class Operator>
+SolverReport gauss_seidel(Operator &op,
+                          const Problem &problem,
+                          const SolverSettings &settings,
+                          std::vector<double> &impulses,
+                          std::vector<double> &velocities)
+{
+  settings.check();
+  problem.check();
+  if (op.n_components() != problem.n_components || op.n_contacts() != problem.n_contacts())
+    throw InputError("contact solver: the operator has " + std::to_string(op.n_contacts()) + " contacts of " +
+                     std::to_string(op.n_components()) + " components, the problem " +
+                     std::to_string(problem.n_contacts()) + " of " + std::to_string(problem.n_components));
+  if (impulses.empty())
+    impulses.assign(problem.free_velocity.size(), 0.);
+  if (impulses.size() != problem.free_velocity.size())
+    throw InputError("contact solver: " + std::to_string(impulses.size()) + " impulses to start from, " +
+                     std::to_string(problem.free_velocity.size()) + " expected");
+  for (std::size_t i = 0; i < impulses.size(); ++i)
+    if (!std::isfinite(impulses[i]))
+      throw ComputationError("contact " + std::to_string(i / problem.n_components) +
+                             ": the impulse to start from is not finite");
+  velocities.resize(impulses.size());
+  if (problem.n_components == 1)
+    return sweeps<1>(op, problem, settings, impulses, velocities);
+  if (problem.n_components == 2)
+    return sweeps<2>(op, problem, settings, impulses, velocities);
+  return sweeps<3>(op, problem, settings, impulses, velocities);
+}
+
+#define SOFTGRAIN_INSTANTIATE(Operator)                                                                      \
+  template SolverReport gauss_seidel(Operator &, const Problem &, const SolverSettings &,                    \
+                                     std::vector<double> &, std::vector<double> &);                          \
+  template void compute_velocities(Operator &, const Problem &, const std::vector<double> &,                 \
+                                   std::vector<double> &);
+SOFTGRAIN_INSTANTIATE(DiagonalDelassus)
+SOFTGRAIN_INSTANTIATE(BlockDelassus)
+SOFTGRAIN_INSTANTIATE(MassDelassus)
+#undef SOFTGRAIN_INSTANTIATE
+} // namespace softgrain::contact

@@ -1,0 +1,567 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/body_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+/// Integer power of a small number.
+unsigned int power(const unsigned int base, const int exponent)
+{
+  unsigned int result = 1;
+  for (int d = 0; d < exponent; ++d)
+    result *= base;
+  return result;
+}
+
+/// Value at @p x of the Lagrange polynomial over the nodes 0..n-1 that is one at node @p k.
+double lagrange(const unsigned int n, const unsigned int k, const int x)
+{
+  double value = 1.;
+  for (int j = 0; j < static_cast<int>(n); ++j)
+    if (j != static_cast<int>(k))
+      value *= static_cast<double>(x - j) / (static_cast<int>(k) - j);
+  return value;
+}
+
+/// Calls f(index) for all integer points of the box [lower, upper], first coordinate fastest.
+template <int dim, typename F>
+void for_box(const std::array<int, dim> &lower, const std::array<int, dim> &upper, const F &f)
+{
+  std::array<int, dim> i = lower;
+  while (true)
+  {
+    f(i);
+    int d = 0;
+    while (d < dim && ++i[d] > upper[d])
+    {
+      i[d] = lower[d];
+      ++d;
+    }
+    if (d == dim)
+      return;
+  }
+}
+} // namespace
+
+template <int dim>
+void BodyField<dim>::Box::resize(const Index &lower_corner,
+                                 const Index &upper_corner,
+                                 const unsigned int fill)
+{
+  lower = lower_corner;
+  std::size_t total = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    size[d] = upper_corner[d] - lower_corner[d] + 1;
+    total *= size[d];
+  }
+  id.assign(total, fill);
+}
+
+template <int dim>
+bool BodyField<dim>::Box::contains(const Index &i) const
+{
+  for (unsigned int d = 0; d < dim; ++d)
+    if (i[d] < lower[d] || i[d] >= lower[d] + size[d])
+      return false;
+  return true;
+}
+
+template <int dim>
+unsigned int &BodyField<dim>::Box::operator()(const Index &i)
+{
+  std::size_t offset = 0;
+  for (int d = dim - 1; d >= 0; --d)
+    offset = offset * size[d] + (i[d] - lower[d]);
+  return id[offset];
+}
+
+template <int dim>
+unsigned int BodyField<dim>::Box::operator()(const Index &i) const
+{
+  return const_cast<Box &>(*this)(i);
+}
+
+template <int dim>
+typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, const unsigned int k) const
+{
+  Index i;
+  unsigned int rest = k;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    i[d] = cell[d] + shape->first_node() + static_cast<int>(rest % shape->n_nodes());
+    rest /= shape->n_nodes();
+  }
+  return i;
+}
+
+template <int dim>
+void BodyField<dim>::build(const Lattice<dim> &the_lattice,
+                           const ShapeFunction &the_shape,
+                           const Places &places,
+                           const double fill_limit)
+{
+  lattice = &the_lattice;
+  shape = &the_shape;
+  n_cell_nodes = power(shape->n_nodes(), dim);
+  collect_cells(places);
+  number_nodes();
+  evaluate_points(places);
+  build_extension(places.volumes, fill_limit);
+  build_cell_dependence();
+  color_cells();
+  marker_rows.resize(places.markers.size());
+  for (unsigned int m = 0; m < places.markers.size(); ++m)
+    marker_rows[m] = weights_at(places.markers[m]);
+}
+
+template <int dim>
+void BodyField<dim>::collect_cells(const Places &places)
+{
+  std::vector<Index> of_point, of_marker;
+  Index lower, upper;
+  lower.fill(std::numeric_limits<int>::max());
+  upper.fill(std::numeric_limits<int>::min());
+  const auto find =
+      [&](const std::vector<dealii::Point<dim>> &places_of_kind, std::vector<Index> &cells, const char *kind)
+  {
+    cells.reserve(places_of_kind.size());
+    for (const dealii::Point<dim> &x : places_of_kind)
+    {
+      const Index c = lattice->cell_of(x);
+      if (!lattice->contains(c))
+      {
+        std::ostringstream message;
+        message << "a " << kind << " at (" << x
+                << ") m lies outside of the background mesh: enlarge 'Mesh/Lower' and 'Mesh/Upper'";
+        throw ComputationError(message.str());
+      }
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::min(lower[d], c[d]);
+        upper[d] = std::max(upper[d], c[d]);
+      }
+      cells.push_back(c);
+    }
+  };
+  find(places.points, of_point, "material point");
+  find(places.markers, of_marker, "boundary marker");
+
+  // Cells in the order of the lattice, whatever the order of the points: neighbours stay near in memory.
+  cell_box.resize(lower, upper, none);
+  for (const auto *list : {&of_point, &of_marker})
+    for (const Index &c : *list)
+      cell_box(c) = 0;
+  cell_index.clear();
+  for_box<dim>(lower, upper,
+               [&](const Index &c)
+               {
+                 if (cell_box(c) != none)
+                 {
+                   cell_box(c) = cell_index.size();
+                   cell_index.push_back(c);
+                 }
+               });
+
+  point_cell.resize(of_point.size());
+  cell_point_start.assign(cell_index.size() + 1, 0);
+  for (unsigned int p = 0; p < of_point.size(); ++p)
+  {
+    point_cell[p] = cell_box(of_point[p]);
+    ++cell_point_start[point_cell[p] + 1];
+  }
+  for (unsigned int c = 0; c < cell_index.size(); ++c)
+    cell_point_start[c + 1] += cell_point_start[c];
+}
+
+template <int dim>
+void BodyField<dim>::number_nodes()
+{
+  Index lower = cell_box.lower, upper = cell_box.lower;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    lower[d] += shape->first_node();
+    upper[d] += cell_box.size[d] - 1 + shape->first_node() + static_cast<int>(shape->n_nodes()) - 1;
+  }
+  node_box.resize(lower, upper, none);
+  for (const Index &c : cell_index)
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      node_box(node_index(c, k)) = 0;
+  node_lattice_index.clear();
+  node_position.clear();
+  lattice_number.clear();
+  for_box<dim>(lower, upper,
+               [&](const Index &i)
+               {
+                 if (node_box(i) == none)
+                   return;
+                 node_box(i) = node_position.size();
+                 dealii::Point<dim> x;
+                 std::int64_t number = 0;
+                 for (int d = dim - 1; d >= 0; --d)
+                 {
+                   x[d] = lattice->lower()[d] + lattice->cell_size() * (i[d] + shape->node_shift());
+                   number = number * (lattice->n_cells()[d] + 8) + (i[d] + 4);
+                 }
+                 node_position.push_back(x);
+                 node_lattice_index.push_back(i);
+                 lattice_number.push_back(number);
+               });
+  cell_nodes.resize(cell_index.size() * n_cell_nodes);
+  for (unsigned int c = 0; c < cell_index.size(); ++c)
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      cell_nodes[c * n_cell_nodes + k] = node_box(node_index(cell_index[c], k));
+
+  node_cell_start.assign(node_position.size() + 1, 0);
+  for (const unsigned int i : cell_nodes)
+    ++node_cell_start[i + 1];
+  for (unsigned int i = 0; i < node_position.size(); ++i)
+    node_cell_start[i + 1] += node_cell_start[i];
+  std::vector<unsigned int> next(node_cell_start.begin(), node_cell_start.end() - 1);
+  node_cell.resize(cell_nodes.size());
+  for (unsigned int e = 0; e < cell_nodes.size(); ++e)
+    node_cell[next[cell_nodes[e]]++] = e;
+}
+
+template <int dim>
+void BodyField<dim>::evaluate(const dealii::Point<dim> &x,
+                              const Index &cell,
+                              const double half_extent,
+                              double *values,
+                              dealii::Tensor<1, dim> *slopes) const
+{
+  const dealii::Point<dim> xi = lattice->unit_position(x, cell);
+  const double h = lattice->cell_size();
+  std::array<ShapeFunction::Values, dim> n, dn;
+  for (unsigned int d = 0; d < dim; ++d)
+    shape->evaluate(xi[d], half_extent / h, n[d], dn[d]);
+  for (unsigned int k = 0; k < n_cell_nodes; ++k)
+  {
+    unsigned int rest = k;
+    double value = 1.;
+    unsigned int j[dim];
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      j[d] = rest % shape->n_nodes();
+      rest /= shape->n_nodes();
+      value *= n[d][j[d]];
+    }
+    values[k] = value;
+    if (slopes == nullptr)
+      continue;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      double slope = dn[d][j[d]] / h;
+      for (unsigned int e = 0; e < dim; ++e)
+        if (e != d)
+          slope *= n[e][j[e]];
+      slopes[k][d] = slope;
+    }
+  }
+}
+
+template <int dim>
+void BodyField<dim>::evaluate_points(const Places &places)
+{
+  const std::size_t n = places.points.size();
+  point_values.resize(n * n_cell_nodes);
+  point_slopes.resize(n * n_cell_nodes);
+  for (unsigned int p = 0; p < n; ++p)
+    evaluate(places.points[p], cell_index[point_cell[p]],
+             places.half_extent.empty() ? 0. : places.half_extent[p], &point_values[p * n_cell_nodes],
+             &point_slopes[p * n_cell_nodes]);
+}
+
+template <int dim>
+void BodyField<dim>::build_extension(const std::vector<double> &volumes, const double fill_limit)
+{
+  double cell_volume = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+    cell_volume *= lattice->cell_size();
+  std::vector<double> fill(n_cells(), 0.);
+  for (unsigned int p = 0; p < volumes.size(); ++p)
+    fill[point_cell[p]] += volumes[p] / cell_volume;
+  // A body too small to fill a cell stands on the fullest it has.
+  double limit = fill_limit;
+  if (!fill.empty())
+    limit = std::min(limit, (1. - 1e-9) * *std::max_element(fill.begin(), fill.end()));
+
+  Index upper = cell_box.lower;
+  for (unsigned int d = 0; d < dim; ++d)
+    upper[d] += cell_box.size[d] - 1;
+  Box strong_cells;
+  strong_cells.resize(cell_box.lower, upper, none);
+  std::vector<unsigned int> number(n_nodes(), none);
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    if (fill[c] >= limit)
+    {
+      strong_cells(cell_index[c]) = c;
+      for (unsigned int k = 0; k < n_cell_nodes; ++k)
+        number[cell_nodes[c * n_cell_nodes + k]] = 0;
+    }
+  independent_node.clear();
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+    if (number[i] != none)
+    {
+      number[i] = independent_node.size();
+      independent_node.push_back(i);
+    }
+
+  extension_start.assign(1, 0);
+  extension_node.clear();
+  extension_weight.clear();
+  std::vector<std::pair<unsigned int, double>> row;
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+  {
+    row.clear();
+    if (number[i] != none)
+      row.emplace_back(i, 1.);
+    else
+      extend_node(i, strong_cells, row);
+    for (const auto &[node, weight] : row)
+    {
+      extension_node.push_back(number[node]);
+      extension_weight.push_back(weight);
+    }
+    extension_start.push_back(extension_node.size());
+  }
+}
+
+template <int dim>
+void BodyField<dim>::extend_node(const unsigned int node,
+                                 const Box &strong_cells,
+                                 std::vector<std::pair<unsigned int, double>> &row) const
+{
+  // Distances are taken twice over, in integers: from the node to the centre of a cell.
+  const int twice_shift = static_cast<int>(std::lround(2. * shape->node_shift()));
+  const auto distance = [&](const Index &c)
+  {
+    long sum = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const long x = 2 * (node_lattice_index[node][d] - c[d]) + twice_shift - 1;
+      sum += x * x;
+    }
+    return sum;
+  };
+  std::vector<Index> nearest;
+  long best = std::numeric_limits<long>::max();
+  const int reach = *std::max_element(strong_cells.size.begin(), strong_cells.size.end()) + 4;
+  for (int r = 0; r <= reach; ++r)
+  {
+    // No cell of this ring can be nearer than 2r - 1 half cells.
+    if (static_cast<long>(std::max(0, 2 * r - 1)) * std::max(0, 2 * r - 1) > best)
+      break;
+    Index lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower[d] = node_lattice_index[node][d] - r;
+      upper[d] = node_lattice_index[node][d] + r;
+    }
+    for_box<dim>(lower, upper,
+                 [&](const Index &c)
+                 {
+                   int ring = 0;
+                   for (unsigned int d = 0; d < dim; ++d)
+                     ring = std::max(ring, std::abs(c[d] - node_lattice_index[node][d]));
+                   if (ring != r || !strong_cells.contains(c) || strong_cells(c) == none)
+                     return;
+                   const long found = distance(c);
+                   if (found < best)
+                     nearest.clear();
+                   if (found <= best)
+                     nearest.push_back(c);
+                   best = std::min(best, found);
+                 });
+  }
+
+  std::map<unsigned int, double> sum;
+  const unsigned int n = shape->n_nodes();
+  for (const Index &c : nearest)
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+    {
+      unsigned int rest = k;
+      double weight = 1. / nearest.size();
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        weight *= lagrange(n, rest % n, node_lattice_index[node][d] - c[d] - shape->first_node());
+        rest /= n;
+      }
+      if (weight != 0.)
+        sum[node_box(node_index(c, k))] += weight;
+    }
+  row.assign(sum.begin(), sum.end());
+}
+
+template <int dim>
+void BodyField<dim>::build_cell_dependence()
+{
+  cell_dependence.assign(n_cells(), {});
+  cell_matrix.assign(n_cells(), {});
+  for (unsigned int c = 0; c < n_cells(); ++c)
+  {
+    const unsigned int *nodes = &cell_nodes[c * n_cell_nodes];
+    std::vector<unsigned int> list;
+    bool direct = true;
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+    {
+      const unsigned int begin = extension_start[nodes[k]], end = extension_start[nodes[k] + 1];
+      direct = direct && end - begin == 1 && independent_node[extension_node[begin]] == nodes[k];
+      list.insert(list.end(), extension_node.begin() + begin, extension_node.begin() + end);
+    }
+    if (!direct)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      cell_matrix[c].setZero(n_cell_nodes, list.size());
+      for (unsigned int k = 0; k < n_cell_nodes; ++k)
+        for (unsigned int e = extension_start[nodes[k]]; e < extension_start[nodes[k] + 1]; ++e)
+          cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), extension_node[e]) - list.begin()) =
+              extension_weight[e];
+    }
+    cell_dependence[c] = std::move(list);
+  }
+}
+
+template <int dim>
+void BodyField<dim>::color_cells()
+{
+  cell_colors.clear();
+  std::vector<std::vector<bool>> used;
+  for (unsigned int c = 0; c < n_cells(); ++c)
+  {
+    if (cell_point_start[c] == cell_point_start[c + 1])
+      continue; // nothing to integrate there
+    const std::vector<unsigned int> &list = cell_dependence[c];
+    unsigned int color = 0;
+    while (color < cell_colors.size() && std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
+      ++color;
+    if (color == cell_colors.size())
+    {
+      cell_colors.emplace_back();
+      used.emplace_back(n_independent(), false);
+    }
+    cell_colors[color].push_back(c);
+    for (const unsigned int j : list)
+      used[color][j] = true;
+  }
+}
+
+template <int dim>
+std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places)
+{
+  std::vector<std::int64_t> key(places.size());
+  for (unsigned int p = 0; p < places.size(); ++p)
+  {
+    const Index c = lattice.cell_of(places[p]);
+    for (int d = dim - 1; d >= 0; --d)
+      key[p] = key[p] * (lattice.n_cells()[d] + 8) + (c[d] + 4);
+  }
+  std::vector<unsigned int> order(places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (!std::is_sorted(key.begin(), key.end()))
+    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
+  return order;
+}
+
+template <int dim>
+void BodyField<dim>::gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const
+{
+  all.resize(dim * n_nodes());
+  parallel_for(n_nodes(), 1024, [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      double sum[dim] = {};
+      for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
+        for (unsigned int d = 0; d < dim; ++d)
+          sum[d] += of_cells[dim * node_cell[e] + d];
+      for (unsigned int d = 0; d < dim; ++d)
+        all[dim * i + d] = sum[d];
+    }
+  });
+}
+
+template <int dim>
+void BodyField<dim>::prolongate(const Eigen::VectorXd &independent, Eigen::VectorXd &all) const
+{
+  all.resize(dim * n_nodes());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+  {
+    Eigen::Matrix<double, dim, 1> value = Eigen::Matrix<double, dim, 1>::Zero();
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      value += extension_weight[e] * independent.template segment<dim>(dim * extension_node[e]);
+    all.template segment<dim>(dim * i) = value;
+  }
+}
+
+template <int dim>
+void BodyField<dim>::restrict(const Eigen::VectorXd &all, Eigen::VectorXd &independent) const
+{
+  independent.setZero(n_dofs());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      independent.template segment<dim>(dim * extension_node[e]) +=
+          extension_weight[e] * all.template segment<dim>(dim * i);
+}
+
+template <int dim>
+Eigen::VectorXd BodyField<dim>::restrict_scalar(const std::vector<double> &all) const
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_independent());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      result[extension_node[e]] += extension_weight[e] * all[i];
+  return result;
+}
+
+template <int dim>
+NodeWeights
+BodyField<dim>::combine(const unsigned int *nodes, const double *weights, const unsigned int n) const
+{
+  std::map<unsigned int, double> sum;
+  for (unsigned int k = 0; k < n; ++k)
+    if (weights[k] != 0.)
+      for (unsigned int e = extension_start[nodes[k]]; e < extension_start[nodes[k] + 1]; ++e)
+        sum[extension_node[e]] += weights[k] * extension_weight[e];
+  NodeWeights result;
+  for (const auto &[node, weight] : sum)
+  {
+    result.node.push_back(node);
+    result.weight.push_back(weight);
+  }
+  return result;
+}
+
+template <int dim>
+NodeWeights BodyField<dim>::extension(const unsigned int node) const
+{
+  const double one = 1.;
+  return combine(&node, &one, 1);
+}
+
+template <int dim>
+NodeWeights BodyField<dim>::weights_at(const dealii::Point<dim> &x) const
+{
+  const Index c = lattice->cell_of(x);
+  if (!cell_box.contains(c) || cell_box(c) == none)
+    return {};
+  std::vector<double> weights(n_cell_nodes);
+  evaluate(x, c, 0., weights.data(), nullptr);
+  return combine(&cell_nodes[cell_box(c) * n_cell_nodes], weights.data(), n_cell_nodes);
+}
+
+template class BodyField<2>;
+template class BodyField<3>;
+} // namespace softgrain::mpm

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/contact/active_set.h>
+#include <softgrain/contact/block_delassus.h>
+#include <softgrain/contact/mass_delassus.h>
+#include <softgrain/contact/problem_io.h>
+#include <softgrain/mpm/contact_system.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace softgrain::mpm
+{
+template <int dim>
+struct ContactSystem<dim>::Operator
+{
+  std::variant<contact::BlockDelassus, contact::MassDelassus> kind;
+};
+
+namespace
+{
+/// Weights of one row on one body's dofs for a unit impulse along @p direction, added to column @p column.
+template <int dim>
+void add_side(const NodeWeights &weights, const dealii::Tensor<1, dim> &direction, const double sign, const unsigned int column,
+              std::vector<Eigen::Triplet<double>> &entries)
+{
+  for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+      if (direction[d] != 0.)
+        entries.emplace_back(dim * weights.node[k] + d, column, sign * weights.weight[k] * direction[d]);
+}
+} // namespace
+
+template <int dim>
+void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std::vector<Body<dim>> &bodies)
+{
+  rows                = std::move(new_rows);
+  const bool friction = std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
+  components          = friction ? dim : 1;
+  body_components.assign(bodies.size(), {});
+  std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    for (unsigned int c = 0; c < components; ++c)
+    {
+      const dealii::Tensor<1, dim> direction = rows[r].direction(c);
+      const auto                   side      = [&](const unsigned int b, const NodeWeights &weights, const double sign) {
+        if (b == ContactRow<dim>::none || bodies[b].driven)
+          return;
+        add_side(weights, direction, sign, body_components[b].size(), entries[b]);
+        body_components[b].push_back(r * components + c);
+      };
+      side(rows[r].body, rows[r].body_weights, 1.);
+      side(rows[r].partner, rows[r].partner_weights, -1.);
+    }
+  body_rows.resize(bodies.size());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+  {
+    body_rows[b].resize(bodies[b].field.n_dofs(), body_components[b].size());
+    body_rows[b].setFromTriplets(entries[b].begin(), entries[b].end());
+  }
+  impulse.assign(rows.size() * components, 0.);
+  velocity.assign(rows.size() * components, 0.);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    const auto old = remembered.find(rows[r].key);
+    if (old != remembered.end())
+      for (unsigned int c = 0; c < components; ++c)
+        impulse[r * components + c] = old->second[c];
+  }
+  delassus.reset();
+}
+
+template <int dim>
+void ContactSystem<dim>::remember()
+{
+  remembered.clear();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (impulse[r * components] > 0.)
+    {
+      std::array<double, dim> value{};
+      for (unsigned int c = 0; c < components; ++c)
+        value[c] = impulse[r * components + c];
+      remembered[rows[r].key] = value;
+    }
+}
+
+template <int dim>
+std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>>       &bodies,
+                                                          const std::vector<Eigen::VectorXd> &nodal) const
+{
+  std::vector<double> w(rows.size() * components, 0.);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].driven && !body_components[b].empty())
+    {
+      const Eigen::VectorXd own = body_rows[b].transpose() * nodal[b];
+      for (unsigned int k = 0; k < body_components[b].size(); ++k)
+        w[body_components[b][k]] += own[k];
+    }
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
+      for (unsigned int c = 0; c < components; ++c)
+        w[r * components + c] -= bodies[rows[r].partner].drive * rows[r].direction(c);
+  return w;
+}
+
+template <int dim>
+void ContactSystem<dim>::add_impulses(const unsigned int b, const std::vector<double> &P, Eigen::VectorXd &nodal) const
+{
+  if (body_components.size() <= b || body_components[b].empty())
+    return;
+  Eigen::VectorXd own(body_components[b].size());
+  for (unsigned int k = 0; k < own.size(); ++k)
+    own[k] = P[body_components[b][k]];
+  nodal += body_rows[b] * own;
+}
+
+template <int dim>
+void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies, std::vector<std::unique_ptr<LinearSolver>> &solvers)
+{
+  std::vector<Eigen::MatrixXd> blocks(bodies.size());
+  parallel_for(bodies.size(), 1, [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+      if (!bodies[b].driven && !body_components[b].empty())
+        solvers[b]->condense(body_rows[b], blocks[b]);
+  });
+  contact::BlockDelassus W(rows.size(), components);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (blocks[b].size() > 0)
+      W.add_block(body_components[b], blocks[b]);
+  delassus = std::make_shared<Operator>(Operator{std::move(W)});
+}
+
+template <int dim>
+void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
+{
+  std::vector<unsigned int> offset(bodies.size() + 1, 0);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    offset[b + 1] = offset[b] + bodies[b].field.n_dofs();
+  std::vector<double> inverse_mass(offset.back(), 0.);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].driven)
+      for (unsigned int i = 0; i < bodies[b].field.n_dofs(); ++i)
+        inverse_mass[offset[b] + i] = 1. / bodies[b].mass[i / dim];
+
+  std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * components);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    for (unsigned int k = 0; k < body_components[b].size(); ++k)
+      for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
+        list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());
+  std::vector<unsigned int> start(1, 0), dofs;
+  std::vector<double>       weights;
+  for (const auto &row : list)
+  {
+    for (const auto &[dof, weight] : row)
+    {
+      dofs.push_back(dof);
+      weights.push_back(weight);
+    }
+    start.push_back(dofs.size());
+  }
+  delassus = std::make_shared<Operator>(Operator{
+    contact::MassDelassus(components, std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
+}
+
+template <int dim>
+contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocity, const contact::SolverSettings &settings,
+                                                const bool relative)
+{
+  contact::Problem problem;
+  problem.n_components  = components;
+  problem.free_velocity = std::move(free_velocity);
+  if (components > 1)
+    for (const auto &row : rows)
+      problem.friction.push_back(row.friction);
+  return std::visit(
+    [&](auto &W) {
+      if (relative)
+      {
+        // free velocity = (velocity with the present impulses) - W (present impulses)
+        contact::Problem zero    = problem;
+        zero.free_velocity.assign(problem.free_velocity.size(), 0.);
+        std::vector<double> effect;
+        contact::compute_velocities(W, zero, impulse, effect);
+        for (unsigned int k = 0; k < effect.size(); ++k)
+          problem.free_velocity[k] -= effect[k];
+      }
+      last_free_velocity = problem.free_velocity;
+      last_start         = impulse;
+      return contact::solve(W, problem, settings, impulse, velocity);
+    },
+    delassus->kind);
+}
+
+template <int dim>
+std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap, const contact::SolverSettings &settings)
+{
+  contact::Problem problem;
+  problem.n_components = components;
+  problem.free_velocity.assign(rows.size() * components, 0.);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    problem.free_velocity[r * components] = gap[r];
+  if (components > 1)
+    problem.friction.assign(rows.size(), 0.);
+  std::vector<double> tau(rows.size() * components, 0.), moved;
+  std::visit([&](auto &W) { contact::solve(W, problem, settings, tau, moved); }, delassus->kind);
+  return tau;
+}
+
+template <int dim>
+void ContactSystem<dim>::save_problem(const std::string &file, const std::string &description,
+                                      const contact::SolverSettings &settings) const
+{
+  contact::Problem problem;
+  problem.n_components  = components;
+  problem.free_velocity = last_free_velocity;
+  if (components > 1)
+    for (const auto &row : rows)
+      problem.friction.push_back(row.friction);
+  std::visit([&](const auto &W) { contact::save_problem(file, W, problem, settings, last_start, description); }, delassus->kind);
+}
+
+template class ContactSystem<2>;
+} // namespace softgrain::mpm

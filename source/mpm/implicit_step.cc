@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/world.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vectors = std::vector<Eigen::VectorXd>;
+
+/// Newton iterations of one implicit step; see doc/theory.md for the equations.
+class ImplicitStep
+{
+public:
+  ImplicitStep(World &world, const double dt)
+    : world(world)
+    , scheme(world.settings.scheme)
+    , dt(dt)
+    , theta(scheme.theta)
+    , motion(world.wall_motion(dt))
+    , n_bodies(world.bodies.size())
+  {}
+
+  StepOutcome run()
+  {
+    prepare();
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      trial[b] = world.bodies[b].velocity;
+    if (!evaluate(trial))
+    {
+      // A first guess that turns a point inside out is replaced by rest; if that fails too the step is too long.
+      for (Eigen::VectorXd &v : trial)
+        v.setZero();
+      if (!evaluate(trial))
+        return reject(inside_out());
+    }
+    for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
+    {
+      if (outcome.newton_iterations > 0 && converged())
+        return finish();
+      if (outcome.newton_iterations == world.settings.max_newton)
+        return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +
+                      " iterations ('Newton/Maximum iterations'); relative residual " + number(outcome.newton_residual));
+      std::string trouble = newton_step();
+      if (!trouble.empty())
+        return reject(trouble);
+    }
+  }
+
+private:
+  static std::string number(const double value)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
+  }
+
+  StepOutcome reject(const std::string &reason)
+  {
+    outcome.accepted = false;
+    outcome.reason   = reason;
+    return outcome;
+  }
+
+  bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
+
+  /// Forces at the start of the step, contact rows and their warm start.
+  void prepare()
+  {
+    for (Vectors *list : {&trial, &increment, &old_force, &external, &free_residual, &direction})
+      list->resize(n_bodies);
+    shift.assign(n_bodies, 0.);
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "contact search");
+      for (Wall &wall : world.walls)
+        if (wall.body != ContactRow<2>::none)
+          world.bodies[wall.body].drive = motion[&wall - world.walls.data()].velocity * wall.description.normal;
+      std::vector<ContactRow<2>> rows;
+      world.geometry->find({world.bodies, motion, world.scene.friction, dt, world.lattice->cell_size()}, rows);
+      world.contact.reinit(std::move(rows), world.bodies);
+    }
+    for (unsigned int b = 0; b < n_bodies; ++b)
+    {
+      Body<2> &body = world.bodies[b];
+      if (!moves(b))
+      {
+        increment[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
+        continue;
+      }
+      // Loads at the middle of the step: second order, and the same work whatever theta is.
+      if (!external_force(body, world.scene.gravity, world.time + 0.5 * dt, external[b]))
+        external[b].resize(0);
+      if (scheme.stored_acceleration)
+      {
+        old_force[b] = body.acceleration;
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          old_force[b].segment<2>(2 * i) *= body.mass[i];
+      }
+      else if (theta < 1.)
+        old_force[b] = body.internal_force;
+      else
+        old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
+      // Without inertia a body that touches nothing has no stiffness against rigid motion: a weak spring on the
+      // Newton increment alone, which leaves the equations as they are.
+      if (!scheme.inertia)
+        shift[b] = 1e-3 * dt * dt * body.law->young_modulus() / body.mass.sum();
+    }
+    start_relative = world.contact.empty() ? std::vector<double>() : world.contact.relative_velocity(world.bodies, velocities());
+  }
+
+  Vectors velocities() const
+  {
+    Vectors list;
+    for (const Body<2> &body : world.bodies)
+      list.push_back(body.velocity);
+    return list;
+  }
+
+  /// Stress and unbalanced impulse without contact for the end velocities @p v.
+  bool evaluate(const Vectors &v)
+  {
+    dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
+    std::atomic<bool>          good{true};
+    bad_body = n_bodies;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+    {
+      if (!moves(b))
+        continue;
+      Body<2> &body = world.bodies[b];
+      increment[b]  = dt * ((1. - theta) * body.velocity + theta * v[b]);
+      const double        half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+      const StressOutcome stress  = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b], half_dt, {true, true});
+      if (!stress.good())
+      {
+        bad_body  = b;
+        bad_point = stress.bad_point;
+        return false;
+      }
+      Eigen::VectorXd force;
+      internal_force(body, force);
+      new_internal.resize(n_bodies);
+      new_internal[b] = force;
+      Eigen::VectorXd &R = free_residual[b];
+      R                  = -dt * ((1. - theta) * old_force[b] + theta * force);
+      if (external[b].size() > 0)
+        // newmark's stored acceleration already holds the load at the start of the step.
+        R -= dt * (scheme.stored_acceleration ? theta : 1.) * external[b];
+      if (scheme.inertia)
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          R.segment<2>(2 * i) += body.mass[i] * (v[b] - body.velocity).segment<2>(2 * i);
+    }
+    return good;
+  }
+
+  /// Norm of the unbalanced impulse with contact, over the largest impulse of the step.
+  double residual_norm()
+  {
+    double sum = 0., scale = 0., floor = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+    {
+      if (!moves(b))
+        continue;
+      const Body<2>  &body = world.bodies[b];
+      Eigen::VectorXd R = Eigen::VectorXd::Zero(body.field.n_dofs());
+      world.contact.add_impulses(b, world.contact.impulses(), R);
+      scale = std::max({scale, R.norm(), dt * new_internal[b].norm()});
+      if (scheme.inertia)
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          floor = std::max(floor, body.mass[i] * body.velocity.segment<2>(2 * i).norm());
+      if (external[b].size() > 0)
+        scale = std::max(scale, dt * external[b].norm());
+      R = free_residual[b] - R;
+      sum += R.squaredNorm();
+      // Stresses below this are rounding of a strain of order one.
+      scale = std::max(scale, 1e-9 * dt * body.law->wave_modulus() * world.lattice->cell_size());
+    }
+    scale = std::max(scale, 1e-6 * floor);
+    return std::sqrt(sum) / scale;
+  }
+
+  bool converged()
+  {
+    outcome.newton_residual = residual_norm();
+    if (outcome.newton_residual > world.settings.residual_tolerance)
+      return false;
+    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt.
+    return last_length == 0. || (last_length <= world.settings.displacement_tolerance * first_length &&
+                                 std::abs(last_work) <= world.settings.energy_tolerance * std::abs(first_work)) ||
+           outcome.newton_residual <= 1e-3 * world.settings.residual_tolerance;
+  }
+
+  /// A = M + theta^2 dt^2 K of every body, factorised; shifted when it is not positive definite.
+  std::string factorise()
+  {
+    for (unsigned int b = 0; b < n_bodies; ++b)
+    {
+      if (!moves(b))
+        continue;
+      Body<2> &body = world.bodies[b];
+      double   extra = shift[b];
+      for (unsigned int attempt = 0;; ++attempt)
+      {
+        {
+          dealii::TimerOutput::Scope section(*world.timer, "assembly");
+          world.matrices[b].set_zero();
+          add_stiffness(body, theta * theta * dt * dt, world.matrices[b]);
+          world.matrices[b].add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra);
+        }
+        dealii::TimerOutput::Scope section(*world.timer, "factorisation");
+        if (world.solvers[b]->factorize(world.matrices[b]))
+          break;
+        if (attempt == 6)
+          return "the stiffness of body '" + body.name + "' is not positive definite: it buckles or the step is too long ('Time/Time step')";
+        extra = std::max(10. * extra, 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
+      }
+    }
+    return "";
+  }
+
+  /// Free relative velocity of every row, gap terms and motion of the walls included, for end velocities @p v.
+  std::vector<double> row_velocity(const Vectors &v) const
+  {
+    const auto         &rows       = world.contact.contact_rows();
+    const unsigned int  components = world.contact.n_components();
+    std::vector<double> q          = world.contact.relative_velocity(world.bodies, v);
+    for (unsigned int r = 0; r < rows.size(); ++r)
+    {
+      const bool   plane = rows[r].partner == ContactRow<2>::none;
+      const double wall  = plane ? motion[rows[r].wall].velocity : 0.;
+      double      &w     = q[r * components];
+      w -= wall;
+      // Gap left when the part of the displacement that is known already has happened. While it is open the condition
+      // holds for the gap at the end of the step, so nothing touches early; once closed it holds for the velocity.
+      const double predicted = rows[r].gap + (1. - theta) * dt * (start_relative[r * components] - wall);
+      if (predicted > 0. || theta == 1.)
+        w += predicted / (theta * dt);
+    }
+    return q;
+  }
+
+  std::string newton_step()
+  {
+    std::string trouble = factorise();
+    if (!trouble.empty())
+      return trouble;
+    Vectors free(n_bodies);
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "linear solves");
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (moves(b))
+        {
+          world.solvers[b]->solve(Eigen::VectorXd(-free_residual[b]), direction[b]);
+          free[b] = trial[b] + direction[b];
+        }
+    }
+    if (!world.contact.empty())
+    {
+      trouble = world.settings.coupling == ContactCoupling::condensed ? contact_condensed(free) : contact_lumped();
+      if (!trouble.empty())
+        return trouble;
+      dealii::TimerOutput::Scope section(*world.timer, "linear solves");
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (moves(b))
+        {
+          Eigen::VectorXd rhs = -free_residual[b];
+          world.contact.add_impulses(b, world.contact.impulses(), rhs);
+          world.solvers[b]->solve(rhs, direction[b]);
+        }
+    }
+    return line_search();
+  }
+
+  std::string contact_condensed(const Vectors &free)
+  {
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "condensation");
+      world.contact.condense(world.bodies, world.solvers);
+    }
+    return solve_contact(row_velocity(free), false);
+  }
+
+  std::string contact_lumped()
+  {
+    world.contact.lump(world.bodies);
+    // The momentum balance at the present iterate, solved for the contact velocities with the masses alone.
+    Vectors v = trial;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+      {
+        Eigen::VectorXd R = -free_residual[b];
+        world.contact.add_impulses(b, world.contact.impulses(), R);
+        for (unsigned int i = 0; i < world.bodies[b].mass.size(); ++i)
+          v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / world.bodies[b].mass[i];
+      }
+    return solve_contact(row_velocity(v), true);
+  }
+
+  std::string solve_contact(std::vector<double> q, const bool relative)
+  {
+    dealii::TimerOutput::Scope   section(*world.timer, "contact solve");
+    const contact::SolverReport report = world.contact.solve(std::move(q), world.settings.contact_solver, relative);
+    outcome.contact_sweeps += report.sweeps;
+    outcome.contact_residual = report.residual;
+    if (report.converged)
+      return "";
+    if (!world.settings.failed_problem_directory.empty())
+    {
+      std::filesystem::create_directories(world.settings.failed_problem_directory);
+      world.contact.save_problem(world.settings.failed_problem_directory + "/contact-" + number(world.time) + ".h5",
+                                 "time " + number(world.time) + " s, step " + number(dt) + " s", world.settings.contact_solver);
+    }
+    return "the contact solver left a residual of " + number(report.residual) + " after " + std::to_string(report.sweeps) +
+           " sweeps ('Contact/Maximum sweeps')";
+  }
+
+  /// Goes along the Newton direction as far as the unbalanced impulse falls and no point turns inside out.
+  std::string line_search()
+  {
+    double length = 0., work = 0., merit = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+      {
+        Eigen::VectorXd R = -free_residual[b];
+        world.contact.add_impulses(b, world.contact.impulses(), R);
+        length += direction[b].squaredNorm();
+        work += direction[b].dot(R);
+        merit += R.squaredNorm();
+      }
+    last_length = std::sqrt(length);
+    last_work   = work;
+    if (outcome.newton_iterations == 0)
+    {
+      first_length = last_length;
+      first_work   = last_work;
+    }
+    merit           = std::sqrt(merit);
+    const Vectors x = trial;
+    double        best = std::numeric_limits<double>::max();
+    for (double alpha = 1.; alpha > 0.01; alpha *= 0.5)
+    {
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (moves(b))
+          trial[b] = x[b] + alpha * direction[b];
+      if (!evaluate(trial))
+        continue;
+      double now = 0.;
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (moves(b))
+        {
+          Eigen::VectorXd R = -free_residual[b];
+          world.contact.add_impulses(b, world.contact.impulses(), R);
+          now += R.squaredNorm();
+        }
+      now  = std::sqrt(now);
+      best = std::min(best, now);
+      if (now <= (1. - 1e-4 * alpha) * merit || residual_norm() <= world.settings.residual_tolerance)
+        return "";
+    }
+    return best == std::numeric_limits<double>::max() ? inside_out() : "the line search found no smaller residual";
+  }
+
+  std::string inside_out() const
+  {
+    std::ostringstream text;
+    const Body<2>     &body = world.bodies[bad_body];
+    text << "a material point of body '" << body.name << "' turned inside out near (" << body.points.position[bad_point]
+         << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
+    return text.str();
+  }
+
+  StepOutcome finish()
+  {
+    Vectors rate(n_bodies);
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      rate[b] = increment[b] / dt;
+    std::vector<double> gap = world.contact.empty() ? std::vector<double>() : end_gaps(world, increment, motion, dt);
+    if (repair(gap))
+      gap = end_gaps(world, increment, motion, dt);
+    for (const double g : gap)
+      outcome.max_penetration = std::max(outcome.max_penetration, -g);
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+        world.bodies[b].internal_force = new_internal[b];
+    accept_step(world, dt, trial, increment, rate, motion, external);
+    outcome.accepted = true;
+    return outcome;
+  }
+
+  /// Takes back by positions alone what penetration is left; @return whether anything moved.
+  bool repair(const std::vector<double> &gap)
+  {
+    const double tolerance = 1e-6 * world.lattice->cell_size();
+    if (!world.settings.repair_positions || theta == 1. || world.settings.coupling != ContactCoupling::condensed ||
+        std::none_of(gap.begin(), gap.end(), [&](const double g) { return g < -tolerance; }))
+      return false;
+    dealii::TimerOutput::Scope section(*world.timer, "position repair");
+    const std::vector<double>  tau   = world.contact.repair(gap, world.settings.contact_solver);
+    const Vectors              saved = increment;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+      {
+        Eigen::VectorXd push = Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs()), moved;
+        world.contact.add_impulses(b, tau, push);
+        world.solvers[b]->solve(push, moved);
+        increment[b] += moved;
+        const StressOutcome stress =
+          evaluate_stress(world.bodies[b], Eigen::VectorXd(world.bodies[b].displacement + increment[b]), increment[b],
+                          world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0., {false, true});
+        if (!stress.good())
+        {
+          increment = saved;
+          evaluate(trial);
+          return false;
+        }
+        internal_force(world.bodies[b], new_internal[b]);
+      }
+    return true;
+  }
+
+  World                           &world;
+  const TimeScheme                &scheme;
+  const double                     dt, theta;
+  const std::vector<WallMotion<2>> motion;
+  const unsigned int               n_bodies;
+  StepOutcome                      outcome;
+
+  Vectors             trial, increment, old_force, new_internal, external, free_residual, direction;
+  std::vector<double> shift, start_relative;
+  unsigned int        bad_body  = 0;
+  std::size_t         bad_point = 0;
+  double              first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
+};
+} // namespace
+
+StepOutcome implicit_step(World &world, const double dt)
+{
+  return ImplicitStep(world, dt).run();
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/surface_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Point  = dealii::Point<2>;
+using Vector = dealii::Tensor<1, 2>;
+using Row    = ContactRow<2>;
+
+/// Unit outward normal of the edge from @p a to @p b; the solid lies to the left.
+Vector edge_normal(const Point &a, const Point &b)
+{
+  const Vector edge = b - a;
+  const double norm = edge.norm();
+  return norm > 0. ? Vector({edge[1] / norm, -edge[0] / norm}) : Vector();
+}
+
+/// Mean of the normals of the two edges at a marker.
+Vector marker_normal(const Boundary<2> &boundary, const unsigned int m)
+{
+  const Point &x = boundary.position[m];
+  Vector       n = edge_normal(boundary.position[boundary.previous(m)], x) + edge_normal(x, boundary.position[boundary.next(m)]);
+  const double norm = n.norm();
+  return norm > 0. ? n / norm : n;
+}
+
+struct Box
+{
+  Point lower{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Point upper{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+
+  void add(const Point &x)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      lower[d] = std::min(lower[d], x[d]);
+      upper[d] = std::max(upper[d], x[d]);
+    }
+  }
+  bool near(const Point &x, const double margin) const
+  {
+    return x[0] > lower[0] - margin && x[0] < upper[0] + margin && x[1] > lower[1] - margin && x[1] < upper[1] + margin;
+  }
+  bool near(const Box &other, const double margin) const
+  {
+    return other.upper[0] > lower[0] - margin && other.lower[0] < upper[0] + margin && other.upper[1] > lower[1] - margin &&
+           other.lower[1] < upper[1] + margin;
+  }
+};
+
+/// What find() works out once per body.
+struct Surface
+{
+  Box    box;
+  double speed = 0.; ///< of its fastest node [m/s]
+};
+
+Surface look_at(const Body<2> &body)
+{
+  Surface surface;
+  for (const Point &x : body.boundary.position)
+    surface.box.add(x);
+  if (body.driven)
+    surface.speed = body.drive.norm();
+  else
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      surface.speed = std::max(surface.speed, body.velocity.segment<2>(2 * i).norm());
+  return surface;
+}
+
+/// Half the way to the neighbouring contact markers on both sides.
+double tributary_length(const Boundary<2> &boundary, const unsigned int m)
+{
+  double       length = 0.;
+  unsigned int forward = m, backward = m;
+  for (unsigned int k = 0; k < boundary.contact_stride; ++k)
+  {
+    const unsigned int f = boundary.next(forward), b = boundary.previous(backward);
+    length += 0.5 * (boundary.position[f].distance(boundary.position[forward]) +
+                     boundary.position[b].distance(boundary.position[backward]));
+    forward  = f;
+    backward = b;
+  }
+  return length;
+}
+
+std::uint64_t row_key(const unsigned int body, const unsigned int marker, const unsigned int partner, const bool wall)
+{
+  // 24 bits for bodies, 16 for the marker, 23 for the partner: beyond that warm starts mix, results do not.
+  return (static_cast<std::uint64_t>(body) << 40) | (static_cast<std::uint64_t>(marker & 0xffff) << 24) |
+         (static_cast<std::uint64_t>(wall) << 23) | (partner & 0x7fffff);
+}
+
+void find_wall_rows(const ContactScene<2> &scene, const Body<2> &body, const Surface &surface, std::vector<Row> &rows)
+{
+  for (unsigned int w = 0; w < scene.walls.size(); ++w)
+  {
+    const WallMotion<2> &wall = scene.walls[w];
+    if (!wall.plane)
+      continue;
+    const double margin = 0.5 * scene.cell_size + 2. * scene.dt * (surface.speed + std::abs(wall.velocity));
+    for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+    {
+      const double gap = (body.boundary.position[m] - wall.point) * wall.normal;
+      if (gap > margin)
+        continue;
+      Row row;
+      row.body         = body.index;
+      row.wall         = w;
+      row.body_weights = body.field.marker_weights(m);
+      row.place        = body.boundary.position[m];
+      row.normal       = wall.normal;
+      row.gap          = gap;
+      row.length       = tributary_length(body.boundary, m);
+      row.friction     = wall.friction;
+      row.key          = row_key(body.index, m, w, true);
+      rows.push_back(row);
+    }
+  }
+}
+
+/// Place on a polyline nearest to a marker.
+struct Projection
+{
+  double       distance = std::numeric_limits<double>::max();
+  unsigned int first    = 0; ///< marker at the start of the segment
+  double       share    = 0; ///< of the way to the next one
+  Vector       normal;
+  double       gap = 0;
+};
+
+Projection project(const Point &x, const Vector &own_normal, const Boundary<2> &boundary, const std::vector<unsigned int> &segments)
+{
+  Projection best;
+  for (const unsigned int s : segments)
+  {
+    const Point &a = boundary.position[s], &b = boundary.position[boundary.next(s)];
+    const Vector edge   = b - a;
+    const double square = edge.norm_square();
+    if (square == 0.)
+      continue;
+    const double share    = std::clamp((x - a) * edge / square, 0., 1.);
+    const double distance = x.distance(a + share * edge);
+    if (distance >= best.distance || edge_normal(a, b) * own_normal > 0.2)
+      continue;
+    best.distance = distance;
+    best.first    = s;
+    best.share    = share;
+  }
+  if (best.distance < std::numeric_limits<double>::max())
+  {
+    const unsigned int next   = boundary.next(best.first);
+    const Point        c      = boundary.position[best.first] + best.share * (boundary.position[next] - boundary.position[best.first]);
+    const Vector       normal = (1. - best.share) * marker_normal(boundary, best.first) + best.share * marker_normal(boundary, next);
+    best.normal               = normal / normal.norm();
+    best.gap                  = (x - c) * best.normal;
+  }
+  return best;
+}
+
+NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
+{
+  std::map<unsigned int, double> sum;
+  for (unsigned int k = 0; k < a.node.size(); ++k)
+    sum[a.node[k]] += (1. - share) * a.weight[k];
+  for (unsigned int k = 0; k < b.node.size(); ++k)
+    sum[b.node[k]] += share * b.weight[k];
+  NodeWeights result;
+  for (const auto &[node, weight] : sum)
+  {
+    result.node.push_back(node);
+    result.weight.push_back(weight);
+  }
+  return result;
+}
+
+void find_pair_rows(const ContactScene<2> &scene, const Body<2> &body, const Surface &own, const Body<2> &partner, const Surface &other,
+                    std::vector<Row> &rows)
+{
+  const double margin = 0.5 * scene.cell_size + 2. * scene.dt * (own.speed + other.speed);
+  if (!own.box.near(other.box, margin))
+    return;
+  // Segments one cell further than the margin: the nearest point of a marker within it lies on one of them.
+  std::vector<unsigned int> segments;
+  for (unsigned int s = 0; s < partner.boundary.position.size(); ++s)
+    if (own.box.near(partner.boundary.position[s], margin + 2. * scene.cell_size) ||
+        own.box.near(partner.boundary.position[partner.boundary.next(s)], margin + 2. * scene.cell_size) || partner.driven)
+      segments.push_back(s);
+  const double friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+  {
+    const Point &x = body.boundary.position[m];
+    if (!other.box.near(x, margin))
+      continue;
+    const Projection at = project(x, marker_normal(body.boundary, m), partner.boundary, segments);
+    // Deeper than two cells is the far side of a thin partner, not a contact.
+    if (at.distance > margin + 2. * scene.cell_size || at.gap > margin)
+      continue;
+    Row row;
+    row.body            = body.index;
+    row.partner         = partner.index;
+    row.wall            = partner.wall;
+    row.body_weights    = body.field.marker_weights(m);
+    row.partner_weights = blend(partner.field.marker_weights(at.first),
+                                partner.field.marker_weights(partner.boundary.next(at.first)), at.share);
+    row.place           = x;
+    row.normal          = at.normal;
+    row.gap             = at.gap;
+    row.length          = tributary_length(body.boundary, m);
+    row.friction        = friction;
+    row.key             = row_key(body.index, m, partner.index, false);
+    rows.push_back(row);
+  }
+}
+} // namespace
+
+void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
+{
+  rows.clear();
+  std::vector<Surface> surfaces;
+  for (const Body<2> &body : scene.bodies)
+    surfaces.push_back(look_at(body));
+  for (const Body<2> &body : scene.bodies)
+    if (!body.driven)
+      find_wall_rows(scene, body, surfaces[body.index], rows);
+  for (unsigned int a = 0; a < scene.bodies.size(); ++a)
+    for (unsigned int b = a + 1; b < scene.bodies.size(); ++b)
+    {
+      const Body<2> &first = scene.bodies[a], &second = scene.bodies[b];
+      if (first.driven && second.driven)
+        continue;
+      if (first.driven)
+        find_pair_rows(scene, second, surfaces[b], first, surfaces[a], rows);
+      else
+        find_pair_rows(scene, first, surfaces[a], second, surfaces[b], rows);
+    }
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The house keeps itself in order: every check of contrib/checks on the sources, and on samples that it must refuse.
+if(NOT SOFTGRAIN_PYTHON)
+  message(FATAL_ERROR "the checks of contrib/checks need python3")
+endif()
+
+function(softgrain_add_house_test name label)
+  add_test(NAME house/${name} COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${ARGN}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(house/${name} PROPERTIES LABELS "${label};house" TIMEOUT 300)
+endfunction()
+
+foreach(check include_direction formatting file_heads leftovers documentation tests scripts)
+  softgrain_add_house_test(${check} quick
+    ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/${check}.py)
+  softgrain_add_house_test(${check}_refuses quick
+    ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/bad_samples.py ${check})
+endforeach()
+
+softgrain_add_house_test(quickstart quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/quickstart.py)
+
+softgrain_add_house_test(self_contained_headers nightly
+  ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/self_contained.py --build ${CMAKE_BINARY_DIR})
+set_tests_properties(house/self_contained_headers PROPERTIES TIMEOUT 1200)
+
+find_program(SOFTGRAIN_DOXYGEN doxygen)
+if(SOFTGRAIN_DOXYGEN)
+  softgrain_add_house_test(reference_manual quick ${SOFTGRAIN_PYTHON}
+    ${PROJECT_SOURCE_DIR}/contrib/checks/reference_manual.py --output ${CMAKE_BINARY_DIR}/doc)
+endif()
