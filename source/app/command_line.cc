@@ -2,7 +2,6 @@
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/command_line.h>
 #include <softgrain/app/input.h>
-#include <softgrain/app/output_folder.h>
 #include <softgrain/app/python_script.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/config.h>
@@ -77,7 +76,7 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   // The scripts have options of their own, --help too.
   for (const auto &[name, help] :
        {std::pair("render", "draws pictures of a run: softgrain render DIR"),
-        std::pair("plot", "draws curves of the history of runs: softgrain plot DIR…")})
+        std::pair("plot", "draws curves of the history of runs: softgrain plot DIR...")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
@@ -154,7 +153,6 @@ int CommandLine::execute()
 void CommandLine::run() const
 {
   Input input(parameter_file, assignments);
-  check_output_folder(input.run().output_directory);
   set_n_threads(input.run().threads);
   const std::unique_ptr<Model<2>> created = input.create_model();
   Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), std::cout);
@@ -166,7 +164,6 @@ void CommandLine::run() const
 void CommandLine::check() const
 {
   Input input(parameter_file, assignments);
-  check_output_folder(input.run().output_directory);
   set_n_threads(input.run().threads);
   print_check_report(std::cout, input, *input.create_model());
 }

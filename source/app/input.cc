@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/input.h>
+#include <softgrain/app/output_folder.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/constitutive/load_libraries.h>
 #include <softgrain/scene/model_factory.h>
-#include <softgrain/scene/parameter_file.h>
 #include <softgrain/scene/parameter_listing.h>
 #include <softgrain/scene/parameter_tree.h>
 #include <softgrain/scene/scene_checks.h>
@@ -36,9 +36,8 @@ std::string model_of(const ParameterFile &file)
 }
 } // namespace
 
-Input::Input(const std::string &file_name, const std::vector<std::string> &assignments)
+Input::Input(const std::string &file_name, const std::vector<std::string> &assignments) : file(file_name)
 {
-  ParameterFile file(file_name);
   for (const std::string &assignment : assignments)
     file.set(assignment);
 
@@ -49,15 +48,30 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   declare_all_parameters(prm, model, names);
   file.apply(prm);
 
-  described_scene =
-      SceneParameters(names, Registry<ModelFactory>::instance().create(model)->laws()).parse_parameters(prm);
-  check_scene(described_scene);
-  run_parameters.parse_parameters(prm, file_name, described_scene.stop.end_time);
+  try
+  {
+    const LawCatalogue laws = Registry<ModelFactory>::instance().create(model)->laws();
+    described_scene = SceneParameters(names, laws).parse_parameters(prm);
+    run_parameters.parse_parameters(prm, file_name, described_scene.stop.end_time);
+    check_scene(described_scene);
+    check_output_folder(run_parameters.output_directory);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(file.located(error.what()));
+  }
 }
 
 std::unique_ptr<Model<2>> Input::create_model()
 {
-  return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);
+  try
+  {
+    return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(file.located(error.what()));
+  }
 }
 
 std::string Input::effective_parameters() const

@@ -46,7 +46,7 @@ void check_output_folder(const std::string &directory)
     throw InputError(what + "cannot be read: " + error.message());
   if (files != fs::directory_iterator() && !fs::exists(fs::path(directory) / mark))
     throw InputError(what + "holds other files (" + files->path().filename().string() +
-                     ", …): name a new or empty folder");
+                     " and maybe more): name a new or empty folder");
 }
 
 void make_fresh_output_folder(const std::string &directory)

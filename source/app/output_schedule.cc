@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/output_schedule.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,13 +24,24 @@ bool OutputSchedule::reached(const double time, const double slack)
 
 void OutputSchedule::skip_to(const double time, const double slack)
 {
-  if (active())
-    count = static_cast<unsigned long>(std::floor((time + slack) / interval));
+  if (!active())
+    return;
+  count = static_cast<unsigned long>(std::floor(time / interval));
+  // Division rounds; what counts is that the next time lies ahead.
+  while (next() <= time + slack)
+    ++count;
 }
 
-double step_limit(const double time, const double target, const double last_dt)
+double StepPlanner::limit(const double time, const double target)
 {
   const double rest = target - time;
-  return last_dt < rest && rest < 2 * last_dt ? rest / 2 : rest;
+  last_limit = natural * (1 + sliver) < rest && rest < 2 * natural ? rest / 2 : rest;
+  return last_limit;
+}
+
+void StepPlanner::taken(const double dt)
+{
+  // A step as long as its limit only tells that the natural one is not shorter.
+  natural = dt < last_limit * (1 - sliver) ? dt : std::max(natural, dt);
 }
 } // namespace softgrain

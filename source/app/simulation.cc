@@ -23,9 +23,6 @@ namespace softgrain
 {
 namespace
 {
-/// Part of the last step that counts as having arrived.
-constexpr double sliver = 1e-6;
-
 double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -59,14 +56,13 @@ void Simulation::restart(const std::string &checkpoint)
   CheckpointReader reader(path);
   model.load(reader);
   statistics.load(reader);
-  last_dt = reader.read_doubles("driver/last_dt").at(0);
+  planner.set_natural_step(reader.read_doubles("driver/natural_step").at(0));
   std::filesystem::create_directories(parameters.output_directory);
   history.resume(model.step());
-  const double slack = sliver * last_dt;
   fields.resume(model.time());
-  field_schedule.skip_to(model.time(), slack);
+  field_schedule.skip_to(model.time(), planner.slack());
   snapshots.resume(model.time());
-  snapshot_schedule.skip_to(model.time(), slack);
+  snapshot_schedule.skip_to(model.time(), planner.slack());
   restarted = true;
   log << "going on from " << path << ", step " << model.step() << '\n';
 }
@@ -84,16 +80,34 @@ std::string Simulation::run()
   catch (const ComputationError &error)
   {
     progress.finish();
-    write_checkpoint();
+    throw ComputationError(error.what() + save_after_failure());
+  }
+  catch (...)
+  {
+    // Nobody knows what state the model is in, so the checkpoints on the disk stay the last good ones.
+    progress.finish();
     write_summary("failed");
-    throw ComputationError(std::string(error.what()) + "; the last good state is saved in " +
-                           checkpoint_path(parameters.output_directory, model.step()));
+    throw;
   }
   progress.finish();
   write_checkpoint();
   write_summary(status);
   print_end(status);
   return status;
+}
+
+std::string Simulation::save_after_failure()
+{
+  try
+  {
+    write_checkpoint();
+    write_summary("failed");
+    return "; the last good state is saved in " + checkpoint_path(parameters.output_directory, model.step());
+  }
+  catch (const std::exception &second)
+  {
+    return std::string("; and the state could not be saved: ") + second.what();
+  }
 }
 
 void Simulation::start_files()
@@ -117,8 +131,8 @@ std::string Simulation::loop(const InterruptGuard &interrupt)
   StepReport report;
   while (!finished() && !interrupt.requested())
   {
-    report = model.advance(step_limit(model.time(), next_target(), last_dt));
-    last_dt = report.dt;
+    report = model.advance(planner.limit(model.time(), next_target()));
+    planner.taken(report.dt);
     statistics.add_step(report, model.energies());
     write_due_output(report);
     progress.update(model.time(), model.step(), report, fraction_done(), fraction_at_start);
@@ -156,7 +170,7 @@ double Simulation::fraction_done() const
   const StopConditions &stop = scene.stop;
   double fraction = 0;
   if (stop.end_time > 0)
-    fraction = model.time() >= stop.end_time - sliver * last_dt ? 1 : model.time() / stop.end_time;
+    fraction = model.time() >= stop.end_time - planner.slack() ? 1 : model.time() / stop.end_time;
   if (stop.axial_strain > 0)
     fraction =
         std::max(fraction, axial_strain(walls_at_start, model.walls()).value_or(0.) / stop.axial_strain);
@@ -173,9 +187,8 @@ void Simulation::write_due_output(const StepReport &report)
 {
   if (model.step() % parameters.history_every == 0)
     write_history(report);
-  const double slack = sliver * last_dt;
-  const bool fields_due = field_schedule.reached(model.time(), slack);
-  const bool snapshots_due = snapshot_schedule.reached(model.time(), slack);
+  const bool fields_due = field_schedule.reached(model.time(), planner.slack());
+  const bool snapshots_due = snapshot_schedule.reached(model.time(), planner.slack());
   write_pictures(fields_due, snapshots_due);
 }
 
@@ -229,7 +242,7 @@ void Simulation::write_checkpoint()
   CheckpointWriter writer(checkpoint_path(parameters.output_directory, model.step()));
   model.save(writer);
   statistics.save(writer);
-  writer.write("driver/last_dt", std::vector<double>{last_dt});
+  writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
   writer.commit();
   remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
   statistics.add_output_seconds(seconds_since(begin));

@@ -83,7 +83,10 @@ std::vector<Expression> vector_expression(const std::string &text,
   std::istringstream stream(text);
   std::string part;
   while (std::getline(stream, part, ';'))
-    components.emplace_back(part, variables);
+  {
+    const auto first = part.find_first_not_of(" \t");
+    components.emplace_back(first == std::string::npos ? "" : part.substr(first), variables);
+  }
   if (components.size() != n_components)
     throw InputError("'" + text + "' must be " + std::to_string(n_components) +
                      " formulas separated by ';', not " + std::to_string(components.size()));

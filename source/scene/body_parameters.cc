@@ -28,7 +28,7 @@ void declare_shape(dealii::ParameterHandler &prm)
   prm.declare_entry("Angle", "0", Double(-360, 360),
                     "Rotation of a rectangle, counter-clockwise. Units: degrees.");
   prm.declare_entry("Vertices", "", List(pair, 0, List::max_int_value, ";"),
-                    "Corners of a polygon in order, \"x1, y1; x2, y2; …\". Units: m.");
+                    "Corners of a polygon in order, \"x1, y1; x2, y2; ...\". Units: m.");
 }
 
 void declare_motion(dealii::ParameterHandler &prm)

@@ -122,6 +122,19 @@ ParameterFile::ParameterFile(const std::string &file_name)
 {
 }
 
+std::string ParameterFile::located(const std::string &message) const
+{
+  const auto begin = message.find('\''), end = message.find('\'', begin + 1);
+  std::vector<std::string> path;
+  if (begin != std::string::npos && end != std::string::npos)
+    path = dealii::Utilities::split_string_list(message.substr(begin + 1, end - begin - 1), '/');
+  if (path.empty())
+    return name + ": " + message;
+  const std::string key = path.back();
+  path.pop_back();
+  return where(path, key) + ": " + message;
+}
+
 void ParameterFile::set(const std::string &text)
 {
   const auto equals = text.find('=');

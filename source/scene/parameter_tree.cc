@@ -3,7 +3,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -29,21 +30,20 @@ std::string demangle(const std::string &name)
   return result;
 }
 
-ParameterSection read_section(const std::string &name, const nlohmann::ordered_json &json)
+using Tree = boost::property_tree::ptree;
+
+ParameterSection read_section(const std::string &name, const Tree &tree)
 {
   ParameterSection section;
   section.name = name;
-  for (const auto &item : json.items())
+  for (const auto &[mangled, node] : tree)
   {
-    const auto &node = item.value();
-    if (!node.is_object()) // a section without anything in it
-      continue;
-    if (node.contains("value") && node["value"].is_string())
-      section.entries.push_back({demangle(item.key()), node.value("value", ""),
-                                 node.value("default_value", ""), node.value("documentation", ""),
-                                 node.value("pattern_description", "")});
+    const auto text = [&node = node](const char *const key) { return node.get<std::string>(key, ""); };
+    if (node.find("value") != node.not_found() && node.get_child("value").empty())
+      section.entries.push_back({demangle(mangled), text("value"), text("default_value"),
+                                 text("documentation"), text("pattern_description")});
     else
-      section.sections.push_back(read_section(demangle(item.key()), node));
+      section.sections.push_back(read_section(demangle(mangled), node));
   }
   return section;
 }
@@ -168,11 +168,14 @@ std::vector<std::string> ParameterSection::section_names() const
 
 ParameterSection parameter_tree(const dealii::ParameterHandler &prm)
 {
+  // Of deal.II's formats only XML keeps names with a dot in one piece.
   std::stringstream stream;
   prm.print_parameters(stream,
                        static_cast<dealii::ParameterHandler::OutputStyle>(
-                           dealii::ParameterHandler::JSON | dealii::ParameterHandler::KeepDeclarationOrder));
-  return read_section("", nlohmann::ordered_json::parse(stream));
+                           dealii::ParameterHandler::XML | dealii::ParameterHandler::KeepDeclarationOrder));
+  Tree tree;
+  boost::property_tree::read_xml(stream, tree);
+  return read_section("", tree.get_child("ParameterHandler"));
 }
 
 std::vector<std::string> choices(const std::string &pattern)

@@ -97,7 +97,7 @@ public:
   bool start_array(std::size_t) override
   {
     if (!started)
-      fail("the file must hold one object { … }");
+      fail("the file must hold one object { ... }");
     if (list_depth == 0)
       list.clear();
     else if (list_depth == 1 && !list.empty())
@@ -131,7 +131,7 @@ private:
   bool scalar(const std::string &value)
   {
     if (!started)
-      fail("the file must hold one object { … }");
+      fail("the file must hold one object { ... }");
     if (list_depth == 0)
       store(value);
     else

@@ -4,6 +4,7 @@
 
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/scene/model.h>
+#include <softgrain/scene/parameter_file.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/scene_parameters.h>
 
@@ -38,6 +39,7 @@ public:
   std::string effective_parameters() const;
 
 private:
+  ParameterFile file;
   dealii::ParameterHandler prm;
   RunParameters run_parameters;
   Scene<2> described_scene;

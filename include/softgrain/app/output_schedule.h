@@ -31,10 +31,32 @@ private:
 };
 
 /**
- * @brief The longest step that still meets @p target: the rest of the way, or half of it when the step before
- * would leave only a sliver.
+ * @brief Limits steps so that they meet the next output exactly and leave no sliver before it.
  */
-double step_limit(double time, double target, double last_dt);
+class StepPlanner
+{
+public:
+  /// Part of a step that counts as nothing: closer than this is there.
+  static constexpr double sliver = 1e-6;
+
+  /// The longest step allowed: the rest of the way to @p target, or half of it when a natural step would
+  /// leave less than itself [s].
+  double limit(double time, double target);
+
+  /// What the model made of the last limit() [s].
+  void taken(double dt);
+
+  /// The step the model takes when nothing limits it, as far as known [s]; 0 at the start.
+  double natural_step() const { return natural; }
+  void set_natural_step(double dt) { natural = dt; }
+
+  /// What counts as having arrived [s].
+  double slack() const { return sliver * natural; }
+
+private:
+  double natural = 0;
+  double last_limit = 0;
+};
 } // namespace softgrain
 
 #endif

@@ -48,6 +48,8 @@ public:
 private:
   void print_head();
   void start_files();
+  /// Keeps the state after a ComputationError. @return what to add to the message
+  std::string save_after_failure();
   std::string loop(const InterruptGuard &interrupt);
   bool finished() const;
   /// Part of the way to the nearest stop condition.
@@ -75,7 +77,7 @@ private:
   OutputSchedule field_schedule;
   OutputSchedule snapshot_schedule;
   bool restarted = false;
-  double last_dt = 0; ///< of the step before [s]
+  StepPlanner planner;
   std::optional<std::uint64_t> last_history_step;
   std::optional<std::uint64_t> last_picture_step;
 };

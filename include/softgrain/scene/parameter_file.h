@@ -59,6 +59,10 @@ public:
    */
   void apply(dealii::ParameterHandler &prm) const;
 
+  /// A later message about the parameter it quotes first, 'Section/Key', with the place in front; with the
+  /// file's name alone when the file does not set it.
+  std::string located(const std::string &message) const;
+
   const std::string &file_name() const { return name; }
 
 private:

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# `PROGRAM check FILE` must pass in an empty folder, say nothing on stderr and write nothing.
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+execute_process(COMMAND ${PROGRAM} check ${FILE}
+  WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE printed ERROR_VARIABLE errors RESULT_VARIABLE status)
+if(NOT status EQUAL 0 OR NOT errors STREQUAL "")
+  message(FATAL_ERROR "exit code ${status}\n${printed}\n${errors}")
+endif()
+file(GLOB written ${WORK}/*)
+if(written)
+  message(FATAL_ERROR "check has written ${written}")
+endif()

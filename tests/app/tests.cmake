@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Files with one fault each must end `softgrain check` with exit code 2 and one clear line; every file that is
+# shipped must pass it. Both need a program with its models.
+
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  function(softgrain_add_check_test name script)
+    add_test(NAME ${name}
+      COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:softgrain_executable> ${ARGN}
+        -P ${CMAKE_CURRENT_SOURCE_DIR}/app/${script})
+    set_tests_properties(${name} PROPERTIES LABELS "quick;app" TIMEOUT 300)
+  endfunction()
+
+  file(GLOB broken CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/broken/*.prm
+    ${CMAKE_CURRENT_SOURCE_DIR}/app/broken/*.json)
+  foreach(file ${broken})
+    get_filename_component(name ${file} NAME)
+    softgrain_add_check_test(app/broken/${name} check_broken.cmake -DFILE=${file}
+      -DWORK=${CMAKE_BINARY_DIR}/tests/app/broken/${name}.run)
+  endforeach()
+  softgrain_add_check_test(app/broken/missing_file check_broken.cmake
+    -DFILE=${CMAKE_CURRENT_SOURCE_DIR}/app/broken/nothing.prm "-DEXPECTED=nothing.prm: there is no such file"
+    -DWORK=${CMAKE_BINARY_DIR}/tests/app/broken/missing_file.run)
+  softgrain_add_check_test(app/broken/folder check_broken.cmake
+    -DFILE=${CMAKE_CURRENT_SOURCE_DIR}/app/broken "-DEXPECTED=is a folder, not a parameter file"
+    -DWORK=${CMAKE_BINARY_DIR}/tests/app/broken/folder.run)
+
+  file(GLOB_RECURSE shipped CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/parameters/*.prm)
+  foreach(file ${shipped})
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${file})
+    softgrain_add_check_test(app/${name} check_shipped.cmake -DFILE=${file}
+      -DWORK=${CMAKE_BINARY_DIR}/tests/app/${name}.run)
+  endforeach()
+endif()

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rows of the history, fields that are not finite, continuing after a cut, and refusing other columns.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/output/history.h>
+
+#include <iostream>
+#include <limits>
+
+namespace
+{
+softgrain::HistoryRow row(const double time, const double step, const double force)
+{
+  return {{"time_s", time}, {"step", step}, {"dt_s", 0.5}, {"top_force_N_per_m", force}};
+}
+
+void show()
+{
+  std::cout << std::ifstream("history.csv").rdbuf() << '\n';
+}
+} // namespace
+
+int main()
+{
+  using namespace softgrain;
+  {
+    HistoryWriter history(".");
+    history.resume(7); // nothing is there yet
+    history.write(row(0, 0, std::numeric_limits<double>::quiet_NaN()));
+    history.write(row(0.5, 1, -1. / 3));
+    history.write(row(1, 2, std::numeric_limits<double>::infinity()));
+    show();
+  }
+  std::ofstream("history.csv", std::ios::app) << "1.5,3,0.";
+  HistoryWriter history(".");
+  history.resume(1);
+  history.write(row(1, 2, 1e-20));
+  show();
+  for (const bool other_columns : {true, false})
+    try
+    {
+      if (other_columns)
+        history.write({{"time_s", 0.}, {"step", 3.}});
+      else
+      {
+        std::ofstream("history.csv") << "a,b\n1,2\n";
+        HistoryWriter(".").resume(1);
+      }
+    }
+    catch (const InputError &error)
+    {
+      std::cout << error.what() << '\n';
+    }
+}
