@@ -51,9 +51,11 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     world.matrices.resize(world.bodies.size());
     for (const Body<2> &body : world.bodies)
     {
-      world.solvers.push_back(create_linear_solver(settings.linear_solver, body.field.n_dofs(), 2));
-      if (!body.driven)
-        world.matrices[body.index].reinit(body.field);
+      world.solvers.emplace_back();
+      if (body.driven)
+        continue;
+      world.matrices[body.index].reinit(body.field);
+      world.solvers.back() = create_linear_solver(settings.linear_solver, world.matrices[body.index], 2);
     }
   }
   world.geometry = std::make_unique<SurfaceContact>();
