@@ -3,6 +3,7 @@
 #include <softgrain/mpm/assembly.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/nodal_contact.h>
 #include <softgrain/mpm/surface_contact.h>
 
 #include <algorithm>
@@ -56,7 +57,10 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
         world.matrices[body.index].reinit(body.field);
     }
   }
-  world.geometry = std::make_unique<SurfaceContact>();
+  if (settings.contact_kind == ContactKind::nodes)
+    world.geometry = std::make_unique<NodalContact>(*world.shape, settings.nodal_gap);
+  else
+    world.geometry = std::make_unique<SurfaceContact>();
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;
