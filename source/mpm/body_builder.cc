@@ -209,7 +209,7 @@ void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &sh
     }
     points.position[p] += moved;
     points.gradient[p] = gradient * points.gradient[p];
-    if (body.small_strain())
+    if (body.small_strain() && !body.driven) // what is driven is never stressed
       points.volume[p] = body.step.volume[p];
     points.velocity[p] = settings.pic_fraction * interpolated + (1. - settings.pic_fraction) * (points.velocity[p] + increment);
     if (!points.acceleration.empty())

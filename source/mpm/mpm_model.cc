@@ -68,6 +68,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             << cfl_step() << " s";
     throw InputError(message.str());
   }
+  if (settings.scheme.stored_acceleration)
+    for (Body<2> &body : world.bodies)
+      if (!body.driven && external_force(body, world.scene.gravity, world.time, body.acceleration))
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            // Bodies start without stress: their loads alone accelerate them.
+            world.balance.carried_load[d] += body.acceleration[2 * i + d];
+            body.acceleration[2 * i + d] /= body.mass[i];
+          }
   world.balance.initial_momentum = momentum();
 }
 
