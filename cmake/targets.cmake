@@ -22,7 +22,7 @@ if(SOFTGRAIN_SANITIZE)
   target_link_options(softgrain_options INTERFACE -fsanitize=address,undefined)
 endif()
 target_link_libraries(softgrain_options INTERFACE
-  Eigen3::Eigen CLI11::CLI11 nlohmann_json::nlohmann_json ${HDF5_C_LIBRARIES} muparser cholmod ${CMAKE_DL_LIBS})
+  Eigen3::Eigen CLI11::CLI11 nlohmann_json::nlohmann_json ${HDF5_C_LIBRARIES} muparser ${CMAKE_DL_LIBS})
 # Headers of packages are not ours to mend: their warnings stay quiet.
 target_include_directories(softgrain_options SYSTEM INTERFACE
   ${HDF5_C_INCLUDE_DIRS} ${DEAL_II_INCLUDE_DIRS})

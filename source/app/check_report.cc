@@ -55,8 +55,6 @@ void print_check_report(std::ostream &out, const Input &input, const Model<2> &m
     materials.push_back(material.name + " (" + material.law + ")");
 
   SizeReport report = {{"model", model.name()},
-                       {"bodies", std::to_string(model.n_bodies())},
-                       {"points", std::to_string(model.n_points())},
                        {"materials", join(materials)},
                        {"walls", join(walls)},
                        {"ends at", stop_in_words(scene.stop)},

@@ -2,13 +2,13 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/cholesky_solver.h>
 
-#include <Eigen/CholmodSupport>
+#include <Eigen/SparseCholesky>
 
 namespace softgrain::mpm
 {
 struct CholeskySolver::Factor
 {
-  Eigen::CholmodSupernodalLLT<SystemMatrix::Sparse, Eigen::Lower> llt;
+  Eigen::SimplicialLLT<SystemMatrix::Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> llt;
 };
 
 CholeskySolver::CholeskySolver()
@@ -35,9 +35,18 @@ void CholeskySolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 
 void CholeskySolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
-  const Eigen::MatrixXd dense = Eigen::MatrixXd(rows);
-  const Eigen::MatrixXd X     = factor->llt.solve(dense);
-  W.noalias()                 = rows.transpose() * X;
-  W                           = 0.5 * (W + W.transpose()).eval();
+  // W = Y^T Y with L Y = P H^T: half of the work of full solves, and W is symmetric by construction.
+  Eigen::MatrixXd Y     = Eigen::MatrixXd::Zero(rows.rows(), rows.cols());
+  const auto     &order = factor->llt.permutationP().indices();
+  parallel_for(rows.cols(), 1, [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      for (Rows::InnerIterator entry(rows, c); entry; ++entry)
+        Y(order.size() > 0 ? order[entry.row()] : entry.row(), c) = entry.value();
+    auto columns = Y.middleCols(begin, end - begin);
+    factor->llt.matrixL().solveInPlace(columns);
+  });
+  W.setZero(rows.cols(), rows.cols());
+  W.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
+  W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
 }
 } // namespace softgrain::mpm

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/banded_solver.h>
 #include <softgrain/mpm/cholesky_solver.h>
 #include <softgrain/mpm/linear_solver.h>
+#include <softgrain/mpm/trilinos_solver.h>
 
 namespace softgrain::mpm
 {
-std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &, const unsigned int, const unsigned int)
+std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, const unsigned int dim)
 {
-  return std::make_unique<CholeskySolver>();
+  std::string type = settings.type;
+  if (type == "automatic")
+  {
+    // The band costs n b^2 operations at some ten times the rate of a sparse factorisation.
+    if (matrix.lower().rows() > static_cast<int>(settings.automatic_dofs))
+      type = "cg_amg";
+    else
+      type = BandedSolver::bandwidth(matrix) <= settings.automatic_band ? "banded_cholesky" : "cholesky";
+  }
+  if (type == "banded_cholesky")
+    return std::make_unique<BandedSolver>();
+  if (type == "cholesky")
+    return std::make_unique<CholeskySolver>();
+  return create_trilinos_solver(type, settings, dim);
 }
 } // namespace softgrain::mpm

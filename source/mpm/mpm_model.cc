@@ -52,9 +52,11 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     world.matrices.resize(world.bodies.size());
     for (const Body<2> &body : world.bodies)
     {
-      world.solvers.push_back(create_linear_solver(settings.linear_solver, body.field.n_dofs(), 2));
-      if (!body.driven)
-        world.matrices[body.index].reinit(body.field);
+      world.solvers.emplace_back();
+      if (body.driven)
+        continue;
+      world.matrices[body.index].reinit(body.field);
+      world.solvers.back() = create_linear_solver(settings.linear_solver, world.matrices[body.index], 2);
     }
   }
   if (settings.contact_kind == ContactKind::nodes)
@@ -79,6 +81,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             body.acceleration[2 * i + d] /= body.mass[i];
           }
   world.balance.initial_momentum = momentum();
+  update_momentum_scale();
 }
 
 double MpmModel::cfl_step() const
@@ -132,9 +135,18 @@ StepReport MpmModel::advance(const double dt_limit)
   for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
     report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
   renew_grids();
-  world.balance.largest_momentum = std::max({world.balance.largest_momentum, momentum().norm(), world.balance.wall_impulse.norm(),
-                                             world.balance.body_force_impulse.norm()});
+  update_momentum_scale();
   return report;
+}
+
+void MpmModel::update_momentum_scale()
+{
+  // The sum of the bodies may vanish while each of them moves.
+  double scale = std::max(world.balance.wall_impulse.norm(), world.balance.body_force_impulse.norm());
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      scale = std::max(scale, body.momentum().norm());
+  world.balance.largest_momentum = std::max(world.balance.largest_momentum, scale);
 }
 
 void MpmModel::refresh_forces(Body<2> &body)

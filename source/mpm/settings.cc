@@ -81,8 +81,10 @@ void declare_time(dealii::ParameterHandler &prm)
     prm.declare_entry("Maximum iterations", "25", Integer(1, 1000), "More than this and the step is cut in half.");
   });
   in_section(prm, "Linear solver", [&] {
-    prm.declare_entry("Type", "automatic", Selection("automatic|cholesky|trilinos_direct|cg_ilu|cg_amg"),
-                      "automatic: cholesky up to 'Automatic limit' unknowns of a body, cg_amg above.");
+    prm.declare_entry("Type", "automatic", Selection("automatic|banded_cholesky|cholesky|trilinos_direct|cg_ilu|cg_amg"),
+                      "banded_cholesky: dense kernels on the band of a compact body; cholesky: sparse (Eigen); "
+                      "trilinos_direct, cg_ilu, cg_amg: Trilinos; automatic: one of the Cholesky solvers up to "
+                      "'Automatic limit' unknowns of a body, cg_amg above.");
     prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1), "Relative residual of the iterative solvers.");
     prm.declare_entry("Maximum iterations", "2000", Integer(1), "Of the iterative solvers.");
     prm.declare_entry("Automatic limit", "60000", Integer(1), "Unknowns of a body above which automatic iterates.");

@@ -51,6 +51,7 @@ public:
 private:
   void                   build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   void                   renew_grids();
+  void                   update_momentum_scale();
   void                   refresh_forces(Body<2> &body);
   dealii::Tensor<1, 2>   momentum() const;
   BodyState<2>           body_state(const Body<2> &body) const;
