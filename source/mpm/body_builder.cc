@@ -129,7 +129,9 @@ brought_velocity(const PointData<2> &points, const unsigned int p, const dealii:
   return v;
 }
 
-void points_to_nodes(Body<2> &body)
+/// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive
+/// mass.
+bool points_to_nodes(Body<2> &body)
 {
   const BodyField<2> &field = body.field;
   const PointData<2> &points = body.points;
@@ -152,9 +154,7 @@ void points_to_nodes(Body<2> &body)
     }
   body.mass = field.restrict_scalar(mass);
   if (body.mass.size() == 0 || !(body.mass.minCoeff() > 0.))
-    throw ComputationError(
-        "body '" + body.name +
-        "': a node has no positive mass; lower 'Material points/Fill limit' or refine 'Mesh/Cell size'");
+    return false;
   const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result)
   {
     field.restrict(all, result);
@@ -164,6 +164,7 @@ void points_to_nodes(Body<2> &body)
   divide(momentum, body.velocity);
   if (!points.acceleration.empty())
     divide(force, body.acceleration);
+  return true;
 }
 } // namespace
 
@@ -174,10 +175,20 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   for (unsigned int p = 0; p < volume.size(); ++p)
     volume[p] = body.small_strain() ? body.points.volume[p]
                                     : body.points.rest_volume[p] * determinant(body.points.gradient[p]);
-  body.field.build(context.lattice, context.shape,
-                   {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
-                   context.settings.fill_limit);
-  points_to_nodes(body);
+  // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
+  // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
+  // and masses are positive.
+  for (double limit = context.settings.fill_limit;; limit *= 0.5)
+  {
+    body.field.build(context.lattice, context.shape,
+                     {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
+                     limit);
+    if (points_to_nodes(body))
+      break;
+    if (limit < 1e-4)
+      throw ComputationError("body '" + body.name +
+                             "': a node has no positive mass; refine 'Mesh/Cell size'");
+  }
   body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;
 }
@@ -218,7 +229,7 @@ void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &sh
     }
     points.position[p] += moved;
     points.gradient[p] = gradient * points.gradient[p];
-    if (body.small_strain())
+    if (body.small_strain() && !body.driven) // what is driven is never stressed
       points.volume[p] = body.step.volume[p];
     points.velocity[p] = settings.pic_fraction * interpolated +
                          (1. - settings.pic_fraction) * (points.velocity[p] + increment);

@@ -35,6 +35,24 @@ double lagrange(const unsigned int n, const unsigned int k, const int x)
   return value;
 }
 
+/// Nodes of a cell that its points always reach and that carry its polynomial; GIMP's outer ring is reached
+/// by points near a face alone, and may have no mass however full the cell is.
+std::vector<unsigned int> core_nodes(const ShapeFunction &shape, const int dim)
+{
+  const unsigned int n = shape.n_nodes(), core = shape.degree() + 1, skipped = (n - core) / 2;
+  std::vector<unsigned int> list;
+  for (unsigned int k = 0; k < power(n, dim); ++k)
+  {
+    unsigned int rest = k;
+    bool inside = true;
+    for (int d = 0; d < dim; ++d, rest /= n)
+      inside = inside && rest % n >= skipped && rest % n < skipped + core;
+    if (inside)
+      list.push_back(k);
+  }
+  return list;
+}
+
 /// Calls f(index) for all integer points of the box [lower, upper], first coordinate fastest.
 template <int dim, typename F>
 void for_box(const std::array<int, dim> &lower, const std::array<int, dim> &upper, const F &f)
@@ -308,7 +326,7 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     if (fill[c] >= limit)
     {
       strong_cells(cell_index[c]) = c;
-      for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      for (const unsigned int k : core_nodes(*shape, dim))
         number[cell_nodes[c * n_cell_nodes + k]] = 0;
     }
   independent_node.clear();
@@ -388,15 +406,17 @@ void BodyField<dim>::extend_node(const unsigned int node,
   }
 
   std::map<unsigned int, double> sum;
-  const unsigned int n = shape->n_nodes();
+  const unsigned int n = shape->n_nodes(), core = shape->degree() + 1, skipped = (n - core) / 2;
   for (const Index &c : nearest)
-    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+    for (const unsigned int k : core_nodes(*shape, dim))
     {
       unsigned int rest = k;
       double weight = 1. / nearest.size();
       for (unsigned int d = 0; d < dim; ++d)
       {
-        weight *= lagrange(n, rest % n, node_lattice_index[node][d] - c[d] - shape->first_node());
+        weight *=
+            lagrange(core, rest % n - skipped,
+                     node_lattice_index[node][d] - c[d] - shape->first_node() - static_cast<int>(skipped));
         rest /= n;
       }
       if (weight != 0.)

@@ -3,6 +3,7 @@
 #include <softgrain/mpm/assembly.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/nodal_contact.h>
 #include <softgrain/mpm/surface_contact.h>
 
 #include <algorithm>
@@ -63,7 +64,10 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
       world.solvers.back() = create_linear_solver(settings.linear_solver, world.matrices[body.index], 2);
     }
   }
-  world.geometry = std::make_unique<SurfaceContact>();
+  if (settings.contact_kind == ContactKind::nodes)
+    world.geometry = std::make_unique<NodalContact>(*world.shape, settings.nodal_gap);
+  else
+    world.geometry = std::make_unique<SurfaceContact>();
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;
@@ -72,6 +76,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             << cfl_step() << " s";
     throw InputError(message.str());
   }
+  if (settings.scheme.stored_acceleration)
+    for (Body<2> &body : world.bodies)
+      if (!body.driven && external_force(body, world.scene.gravity, world.time, body.acceleration))
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            // Bodies start without stress: their loads alone accelerate them.
+            world.balance.carried_load[d] += body.acceleration[2 * i + d];
+            body.acceleration[2 * i + d] /= body.mass[i];
+          }
   world.balance.initial_momentum = momentum();
   update_momentum_scale();
 }

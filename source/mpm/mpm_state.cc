@@ -47,14 +47,15 @@ void MpmModel::save(StateWriter &out) const
   const Balance &b = world.balance;
   out.write("mpm/scalars", std::vector<double>{world.time, step_scale, last_dt});
   out.write("mpm/step", std::vector<std::uint64_t>{steps});
-  out.write("mpm/balance", std::vector<double>{b.initial_momentum[0], b.initial_momentum[1],
-                                               b.body_force_impulse[0], b.body_force_impulse[1],
-                                               b.wall_impulse[0], b.wall_impulse[1], b.largest_momentum,
-                                               b.wall_work, b.body_force_work, b.contact_loss, b.law_loss});
+  out.write("mpm/balance",
+            std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
+                                b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
+                                b.largest_momentum, b.wall_work, b.body_force_work, b.contact_loss,
+                                b.law_loss, b.carried_load[0], b.carried_load[1]});
   std::vector<double> walls;
   for (const Wall &wall : world.walls)
-    walls.insert(walls.end(),
-                 {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1]});
+    walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
+                               wall.impulse[1], wall.carried[0], wall.carried[1]});
   out.write("mpm/walls", walls);
 
   // Sorted by key, so that equal states give equal files.
@@ -102,7 +103,7 @@ void MpmModel::save(StateWriter &out) const
 void MpmModel::load(StateReader &in)
 {
   const std::vector<double> scalars = in.read_doubles("mpm/scalars"), walls = in.read_doubles("mpm/walls");
-  if (walls.size() != 6 * world.walls.size())
+  if (walls.size() != 8 * world.walls.size())
     throw InputError("the checkpoint was made with another number of walls");
   world.time = scalars.at(0);
   step_scale = scalars.at(1);
@@ -116,14 +117,16 @@ void MpmModel::load(StateReader &in)
                    b.at(7),
                    b.at(8),
                    b.at(9),
-                   b.at(10)};
+                   b.at(10),
+                   dealii::Tensor<1, 2>({b.at(11), b.at(12)})};
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
-    const double *v = &walls[6 * w];
+    const double *v = &walls[8 * w];
     world.walls[w].travel = v[0];
     world.walls[w].speed = v[1];
     world.walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     world.walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
+    world.walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
   }
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");

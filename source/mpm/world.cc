@@ -53,6 +53,23 @@ void account_contacts(World &world,
     world.walls[w].force = 0.;
     world.walls[w].speed = motion[w].velocity;
   }
+  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
+  // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
+  // at its end.
+  const bool half = world.settings.scheme.stored_acceleration;
+  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
+  {
+    wall.force -= given / dt;
+    wall.impulse += given;
+    world.balance.wall_impulse += given;
+    world.balance.wall_work += given * (wall.speed * wall.description.normal);
+  };
+  if (half)
+    for (Wall &wall : world.walls)
+    {
+      give(wall, 0.5 * dt * wall.carried);
+      wall.carried = 0.;
+    }
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   const std::vector<double> &P = world.contact.impulses();
@@ -70,10 +87,9 @@ void account_contacts(World &world,
         Wall &wall = world.walls[rows[r].wall];
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         const dealii::Tensor<1, 2> drive = wall.speed * wall.description.normal;
-        wall.force -= given / dt;
-        wall.impulse += given;
-        world.balance.wall_impulse += given;
-        world.balance.wall_work += given * drive;
+        give(wall, given);
+        if (half)
+          wall.carried += 2. / dt * given;
         // Slabs move in relative_velocity() already, planes do not.
         if (rows[r].partner == ContactRow<2>::none)
           relative -= drive * rows[r].direction(c);
@@ -84,7 +100,13 @@ void account_contacts(World &world,
         world.balance.wall_impulse += given;
         world.balance.wall_work += given * world.bodies[rows[r].partner].drive;
       }
-      world.balance.contact_loss -= impulse * relative;
+      double acting = impulse;
+      if (half)
+      {
+        const auto before = world.contact.memory().find(rows[r].key);
+        acting += before != world.contact.memory().end() ? before->second[c] : 0.;
+      }
+      world.balance.contact_loss -= acting * relative;
     }
 }
 } // namespace
@@ -98,6 +120,8 @@ void accept_step(World &world,
                  const std::vector<Eigen::VectorXd> &external)
 {
   account_contacts(world, dt, rate, motion);
+  const bool half = world.settings.scheme.stored_acceleration;
+  dealii::Tensor<1, 2> load;
   for (unsigned int b = 0; b < world.bodies.size(); ++b)
   {
     Body<2> &body = world.bodies[b];
@@ -114,11 +138,11 @@ void accept_step(World &world,
       world.balance.body_force_work += external[b].dot(rate[b]) * dt;
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
-          world.balance.body_force_impulse[d] += dt * external[b][2 * i + d];
+          load[d] += external[b][2 * i + d];
     }
-    if (world.settings.scheme.stored_acceleration)
-      body.acceleration =
-          4. / (dt * dt) * increment[b] - 4. / dt * body.velocity - body.acceleration; // (3.16)
+    if (half)
+      // (3.15), which is (3.16) as long as no position has been repaired.
+      body.acceleration = 2. / dt * (end_velocity[b] - body.velocity) - body.acceleration;
     body.displacement += increment[b];
     std::swap(body.velocity, end_velocity[b]);
     move_boundary(body);
@@ -129,6 +153,8 @@ void accept_step(World &world,
     for (unsigned int p = 0; p < body.points.size(); ++p)
       world.balance.law_loss += body.step.dissipation[p] * body.step.volume[p];
   }
+  world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
+  world.balance.carried_load = load;
   for (Wall &wall : world.walls)
     wall.travel += dt * wall.speed;
   world.time += dt;

@@ -31,6 +31,8 @@ struct Wall
   double speed = 0;                        ///< mean over the last step [m/s]
   dealii::Tensor<1, 2> force;              ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse;            ///< given to the bodies since the start [N s/m]
+  dealii::Tensor<1, 2>
+      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
 
   dealii::Point<2> point() const { return description.point + travel * description.normal; }
 };
@@ -41,6 +43,8 @@ struct Balance
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
   double largest_momentum = 0; ///< scale of the momentum error [N s/m]
   double wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
+  dealii::Tensor<1, 2>
+      carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
 };
 
 /**
