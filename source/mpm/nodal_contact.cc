@@ -170,7 +170,7 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
   for (const Body<2> &body : bodies)
     views[body.index].slot.assign(body.field.n_nodes(), Row::none);
   const auto near_wall = [&](const WallMotion<2> &wall, const Point &x)
-  { return (x - wall.point) * wall.normal < reach * h; };
+  { return (x - wall.point) * wall.normal < (reach - 1e-9) * h; };
   for (const Body<2> &body : bodies)
     if (!body.driven)
       for (const WallMotion<2> &wall : scene.walls)
