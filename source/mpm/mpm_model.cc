@@ -87,6 +87,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             body.acceleration[2 * i + d] /= body.mass[i];
           }
   world.balance.initial_momentum = momentum();
+  initial_energy = energies().kinetic;
   update_momentum_scale();
 }
 
@@ -143,9 +144,27 @@ StepReport MpmModel::advance(const double dt_limit)
   ++steps;
   for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
     report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
+  if (!world.settings.scheme.implicit)
+    check_energy();
   renew_grids();
   update_momentum_scale();
   return report;
+}
+
+void MpmModel::check_energy() const
+{
+  // An unstable explicit step may settle again after a burst, with stresses that look right and are not.
+  const Energies now = energies();
+  const double scale = std::max({now.kinetic + now.elastic, std::abs(now.external_work), initial_energy});
+  const double created = now.kinetic + now.elastic + now.dissipated - now.external_work - initial_energy;
+  if (created <= 0.5 * scale)
+    return;
+  std::ostringstream message;
+  message << "at time " << world.time << " s the bodies hold " << created
+          << " J/m more than they were given: the explicit step of " << last_dt
+          << " s is not stable; lower 'Time/CFL multiple', or raise 'Material points/Fill limit' so that no "
+             "node has little mass";
+  throw ComputationError(message.str());
 }
 
 void MpmModel::update_momentum_scale()

@@ -142,7 +142,9 @@ Snapshot<2> MpmModel::snapshot() const
     contact.length = rows[r].length;
     contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
-      contact.force += world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+      // The impulse of newmark is half a step of the force at its end.
+      contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
+                       world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     snapshot.contacts.push_back(contact);
   }
   return snapshot;

@@ -86,15 +86,24 @@ Vector outward(const View &view, const double cell_size)
 }
 
 /// How far the points that reach @p node stand out of the body along @p direction [m].
-double extent(const Body<2> &body, const View &view, const Vector &direction)
+double extent(
+    const Body<2> &body, const View &view, const Vector &direction, const Point &node, const double cell_size)
 {
-  double furthest = std::numeric_limits<double>::lowest();
+  // Points reach a node from two cells, over which a curved boundary rises or falls: those beside the node
+  // count, and the others only where there are none.
+  const Vector tangent({direction[1], -direction[0]});
+  double beside = std::numeric_limits<double>::lowest(), anywhere = beside;
   for (const unsigned int p : view.points)
   {
+    // Half the thickness along the normal of the ellipse that the circle in the domain of the point has
+    // become.
     const double r = body.points.half_extent[p] * (transpose(body.points.gradient[p]) * direction).norm();
-    furthest = std::max(furthest, body.points.position[p] * direction + r);
+    const double furthest = body.points.position[p] * direction + r;
+    anywhere = std::max(anywhere, furthest);
+    if (std::abs((body.points.position[p] - node) * tangent) <= 0.5 * cell_size)
+      beside = std::max(beside, furthest);
   }
-  return furthest;
+  return beside > std::numeric_limits<double>::lowest() ? beside : anywhere;
 }
 
 std::uint64_t
@@ -161,7 +170,7 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
   for (const Body<2> &body : bodies)
     views[body.index].slot.assign(body.field.n_nodes(), Row::none);
   const auto near_wall = [&](const WallMotion<2> &wall, const Point &x)
-  { return (x - wall.point) * wall.normal < reach * h; };
+  { return (x - wall.point) * wall.normal < (reach - 1e-9) * h; };
   for (const Body<2> &body : bodies)
     if (!body.driven)
       for (const WallMotion<2> &wall : scene.walls)
@@ -197,38 +206,43 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
           Row row = start_row(body, i, h);
           row.wall = w;
           row.normal = wall.normal;
-          row.gap =
-              with_gap ? -extent(body, views[body.index](i), -wall.normal) - wall.point * wall.normal : 0.;
+          row.gap = with_gap ? -extent(body, views[body.index](i), -wall.normal, row.place, h) -
+                                   wall.point * wall.normal
+                             : 0.;
           row.friction = wall.friction;
           row.key = row_key(body.field.lattice_node(i), body.index, w, true);
           rows.push_back(std::move(row));
         }
 
-  for_shared_nodes(
-      visits,
-      [&](Visit first, Visit second)
-      {
-        if (bodies[first.body].driven)
-          std::swap(first, second); // what is driven can only be the partner
-        const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
-        if (body.driven)
-          return;
-        const View &own = views[first.body](first.node), &other = views[second.body](second.node);
-        if (own.points.empty() || other.points.empty())
-          return;
-        const Vector normal = outward(other, h) - outward(own, h); // (3.23)
-        // Both look the same way, or neither shows a surface here: the nodes around tell them apart.
-        if (normal.norm() < 0.2)
-          return;
-        Row row = start_row(body, first.node, h);
-        row.partner = partner.index;
-        row.wall = partner.wall;
-        row.partner_weights = partner.field.extension(second.node);
-        row.normal = normal / normal.norm();
-        row.gap = with_gap ? -extent(body, own, -row.normal) - extent(partner, other, row.normal) : 0.;
-        row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
-        row.key = row_key(first.lattice, body.index, partner.index, false);
-        rows.push_back(std::move(row));
-      });
+  for_shared_nodes(visits,
+                   [&](Visit first, Visit second)
+                   {
+                     if (bodies[first.body].driven)
+                       std::swap(first, second); // what is driven can only be the partner
+                     const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
+                     if (body.driven)
+                       return;
+                     const View &own = views[first.body](first.node),
+                                &other = views[second.body](second.node);
+                     if (own.points.empty() || other.points.empty())
+                       return;
+                     const Vector normal = outward(other, h) - outward(own, h); // (3.23)
+                     // Both look the same way, or neither shows a surface here: the nodes around tell them
+                     // apart.
+                     if (normal.norm() < 0.2)
+                       return;
+                     Row row = start_row(body, first.node, h);
+                     row.partner = partner.index;
+                     row.wall = partner.wall;
+                     row.partner_weights = partner.field.extension(second.node);
+                     row.normal = normal / normal.norm();
+                     row.gap = with_gap ? -extent(body, own, -row.normal, row.place, h) -
+                                              extent(partner, other, row.normal, row.place, h)
+                                        : 0.;
+                     row.friction =
+                         partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+                     row.key = row_key(first.lattice, body.index, partner.index, false);
+                     rows.push_back(std::move(row));
+                   });
 }
 } // namespace softgrain::mpm

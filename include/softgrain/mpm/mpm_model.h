@@ -54,6 +54,7 @@ public:
 private:
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   void renew_grids();
+  void check_energy() const;
   void update_momentum_scale();
   void refresh_forces(Body<2> &body);
   dealii::Tensor<1, 2> momentum() const;
@@ -64,6 +65,7 @@ private:
   std::size_t steps = 0;
   double step_scale = 1.; ///< of the wanted step, after cuts
   double last_dt = 0.;
+  double initial_energy = 0.; ///< [J/m]
 };
 } // namespace softgrain::mpm
 
