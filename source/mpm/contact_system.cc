@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/parallel.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/contact/block_delassus.h>
 #include <softgrain/contact/mass_delassus.h>
@@ -118,11 +117,11 @@ template <int dim>
 void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies, std::vector<std::unique_ptr<LinearSolver>> &solvers)
 {
   std::vector<Eigen::MatrixXd> blocks(bodies.size());
-  parallel_for(bodies.size(), 1, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-      if (!bodies[b].driven && !body_components[b].empty())
-        solvers[b]->condense(body_rows[b], blocks[b]);
-  });
+  // One body after the other: CHOLMOD works through BLAS, and Debian's serial OpenBLAS shares its buffers between callers,
+  // so that two bodies at once give wrong numbers now and then.
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].driven && !body_components[b].empty())
+      solvers[b]->condense(body_rows[b], blocks[b]);
   contact::BlockDelassus W(rows.size(), components);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)
