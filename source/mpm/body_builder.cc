@@ -126,7 +126,8 @@ dealii::Tensor<1, 2> brought_velocity(const PointData<2> &points, const unsigned
   return v;
 }
 
-void points_to_nodes(Body<2> &body)
+/// @return whether every node has a positive mass
+bool points_to_nodes(Body<2> &body)
 {
   const BodyField<2>  &field = body.field;
   const PointData<2>  &points = body.points;
@@ -149,7 +150,7 @@ void points_to_nodes(Body<2> &body)
     }
   body.mass = field.restrict_scalar(mass);
   if (body.mass.size() == 0 || !(body.mass.minCoeff() > 0.))
-    throw ComputationError("body '" + body.name + "': a node has no positive mass; lower 'Material points/Fill limit' or refine 'Mesh/Cell size'");
+    return false;
   const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result) {
     field.restrict(all, result);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
@@ -158,6 +159,7 @@ void points_to_nodes(Body<2> &body)
   divide(momentum, body.velocity);
   if (!points.acceleration.empty())
     divide(force, body.acceleration);
+  return true;
 }
 } // namespace
 
@@ -167,9 +169,16 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   std::vector<double> volume(body.points.size());
   for (unsigned int p = 0; p < volume.size(); ++p)
     volume[p] = body.small_strain() ? body.points.volume[p] : body.points.rest_volume[p] * determinant(body.points.gradient[p]);
-  body.field.build(context.lattice, context.shape, {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
-                   context.settings.fill_limit);
-  points_to_nodes(body);
+  // Extrapolation over more than a cell has weights so negative that a lumped mass may be negative too. That happens
+  // to bodies of a few cells; more of their cells are then taken for well filled.
+  for (double limit = context.settings.fill_limit;; limit *= 0.5)
+  {
+    body.field.build(context.lattice, context.shape, {body.points.position, volume, body.points.half_extent, body.boundary.grid_position}, limit);
+    if (points_to_nodes(body))
+      break;
+    if (limit < 1e-3)
+      throw ComputationError("body '" + body.name + "': a node has no positive mass; refine 'Mesh/Cell size'");
+  }
   body.displacement       = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;
 }

@@ -285,6 +285,27 @@ void BodyField<dim>::evaluate_points(const Places &places)
 }
 
 template <int dim>
+std::vector<unsigned int> BodyField<dim>::core_nodes() const
+{
+  const unsigned int n = shape->degree() + 1, skip = (shape->n_nodes() - n) / 2;
+  std::vector<unsigned int> core;
+  for (unsigned int k = 0; k < n_cell_nodes; ++k)
+  {
+    unsigned int rest = k;
+    bool inside = true;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const unsigned int j = rest % shape->n_nodes();
+      inside = inside && j >= skip && j < skip + n;
+      rest /= shape->n_nodes();
+    }
+    if (inside)
+      core.push_back(k);
+  }
+  return core;
+}
+
+template <int dim>
 void BodyField<dim>::build_extension(const std::vector<double> &volumes, const double fill_limit)
 {
   double cell_volume = 1.;
@@ -301,6 +322,7 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
   Index upper = cell_box.lower;
   for (unsigned int d = 0; d < dim; ++d)
     upper[d] += cell_box.size[d] - 1;
+  const std::vector<unsigned int> core = core_nodes();
   Box strong_cells;
   strong_cells.resize(cell_box.lower, upper, none);
   std::vector<unsigned int> number(n_nodes(), none);
@@ -308,7 +330,7 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     if (fill[c] >= limit)
     {
       strong_cells(cell_index[c]) = c;
-      for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      for (const unsigned int k : core)
         number[cell_nodes[c * n_cell_nodes + k]] = 0;
     }
   independent_node.clear();
@@ -388,16 +410,17 @@ void BodyField<dim>::extend_node(const unsigned int node,
   }
 
   std::map<unsigned int, double> sum;
-  const unsigned int n = shape->n_nodes();
+  const unsigned int n = shape->degree() + 1, skip = (shape->n_nodes() - n) / 2;
   for (const Index &c : nearest)
-    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+    for (const unsigned int k : core_nodes())
     {
       unsigned int rest = k;
       double weight = 1. / nearest.size();
       for (unsigned int d = 0; d < dim; ++d)
       {
-        weight *= lagrange(n, rest % n, node_lattice_index[node][d] - c[d] - shape->first_node());
-        rest /= n;
+        weight *= lagrange(n, rest % shape->n_nodes() - skip,
+                           node_lattice_index[node][d] - c[d] - shape->first_node() - static_cast<int>(skip));
+        rest /= shape->n_nodes();
       }
       if (weight != 0.)
         sum[node_box(node_index(c, k))] += weight;

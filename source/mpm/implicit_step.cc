@@ -418,9 +418,11 @@ private:
     dealii::TimerOutput::Scope section(*world.timer, "position repair");
     const std::vector<double>  tau   = world.contact.repair(gap, world.settings.contact_solver);
     const Vectors              saved = increment;
+    double                     stored = 0., of_loads = 0.;
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (moves(b))
       {
+        stored -= stored_energy(world.bodies[b]);
         Eigen::VectorXd push = Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs()), moved;
         world.contact.add_impulses(b, tau, push);
         world.solvers[b]->solve(push, moved);
@@ -435,7 +437,13 @@ private:
           return false;
         }
         internal_force(world.bodies[b], new_internal[b]);
+        stored += stored_energy(world.bodies[b]);
+        if (external[b].size() > 0)
+          of_loads += external[b].dot(moved);
       }
+    // What the push puts into the bodies comes from the contacts: it is a loss of theirs with the other sign.
+    world.balance.contact_loss -= stored - of_loads;
+    world.balance.body_force_work += of_loads;
     return true;
   }
 

@@ -118,8 +118,14 @@ StepReport MpmModel::advance(const double dt_limit)
   for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
     report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
   renew_grids();
-  world.balance.largest_momentum = std::max({world.balance.largest_momentum, momentum().norm(), world.balance.wall_impulse.norm(),
-                                             world.balance.body_force_impulse.norm()});
+  // Node by node: bodies that run into each other or spin have momentum even when its sum is zero.
+  const double scale = std::max({world.balance.largest_momentum, world.balance.wall_impulse.norm(), world.balance.body_force_impulse.norm()});
+  double       sum = 0.;
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+  world.balance.largest_momentum = std::max(scale, sum);
   return report;
 }
 
