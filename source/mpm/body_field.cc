@@ -469,7 +469,8 @@ void BodyField<dim>::color_cells()
       continue; // nothing to integrate there
     const std::vector<unsigned int> &list = cell_dependence[c];
     unsigned int color = 0;
-    while (color < cell_colors.size() && std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
+    while (color < cell_colors.size() &&
+           std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
       ++color;
     if (color == cell_colors.size())
     {
@@ -483,7 +484,8 @@ void BodyField<dim>::color_cells()
 }
 
 template <int dim>
-std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places)
+std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice,
+                                                     const std::vector<dealii::Point<dim>> &places)
 {
   std::vector<std::int64_t> key(places.size());
   for (unsigned int p = 0; p < places.size(); ++p)
@@ -495,7 +497,8 @@ std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice
   std::vector<unsigned int> order(places.size());
   std::iota(order.begin(), order.end(), 0u);
   if (!std::is_sorted(key.begin(), key.end()))
-    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
   return order;
 }
 
@@ -503,17 +506,19 @@ template <int dim>
 void BodyField<dim>::gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const
 {
   all.resize(dim * n_nodes());
-  parallel_for(n_nodes(), 1024, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      double sum[dim] = {};
-      for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
-        for (unsigned int d = 0; d < dim; ++d)
-          sum[d] += of_cells[dim * node_cell[e] + d];
-      for (unsigned int d = 0; d < dim; ++d)
-        all[dim * i + d] = sum[d];
-    }
-  });
+  parallel_for(n_nodes(), 1024,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   double sum[dim] = {};
+                   for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
+                     for (unsigned int d = 0; d < dim; ++d)
+                       sum[d] += of_cells[dim * node_cell[e] + d];
+                   for (unsigned int d = 0; d < dim; ++d)
+                     all[dim * i + d] = sum[d];
+                 }
+               });
 }
 
 template <int dim>

@@ -11,9 +11,7 @@ struct CholeskySolver::Factor
   Eigen::CholmodSupernodalLLT<SystemMatrix::Sparse, Eigen::Lower> llt;
 };
 
-CholeskySolver::CholeskySolver()
-  : factor(std::make_unique<Factor>())
-{}
+CholeskySolver::CholeskySolver() : factor(std::make_unique<Factor>()) {}
 
 CholeskySolver::~CholeskySolver() = default;
 
@@ -36,8 +34,8 @@ void CholeskySolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 void CholeskySolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
   const Eigen::MatrixXd dense = Eigen::MatrixXd(rows);
-  const Eigen::MatrixXd X     = factor->llt.solve(dense);
-  W.noalias()                 = rows.transpose() * X;
-  W                           = 0.5 * (W + W.transpose()).eval();
+  const Eigen::MatrixXd X = factor->llt.solve(dense);
+  W.noalias() = rows.transpose() * X;
+  W = 0.5 * (W + W.transpose()).eval();
 }
 } // namespace softgrain::mpm

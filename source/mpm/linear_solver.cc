@@ -4,7 +4,8 @@
 
 namespace softgrain::mpm
 {
-std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &, const unsigned int, const unsigned int)
+std::unique_ptr<LinearSolver>
+create_linear_solver(const LinearSolverSettings &, const unsigned int, const unsigned int)
 {
   return std::make_unique<CholeskySolver>();
 }

@@ -33,17 +33,18 @@ public:
 /// What the `Linear solver` section may say.
 struct LinearSolverSettings
 {
-  std::string  type           = "automatic"; ///< automatic, cholesky, trilinos_direct, cg_ilu, cg_amg
-  double       tolerance      = 1e-10;       ///< relative residual of the iterative solvers
-  unsigned int max_iterations = 2000;        ///< of the iterative solvers
-  unsigned int automatic_dofs = 60000;       ///< up to this size `automatic` is `cholesky`, above it `cg_amg`
+  std::string type = "automatic";      ///< automatic, cholesky, trilinos_direct, cg_ilu, cg_amg
+  double tolerance = 1e-10;            ///< relative residual of the iterative solvers
+  unsigned int max_iterations = 2000;  ///< of the iterative solvers
+  unsigned int automatic_dofs = 60000; ///< up to this size `automatic` is `cholesky`, above it `cg_amg`
 };
 
 /**
  * @brief The solver for a body of @p n_dofs unknowns.
  * @param dim number of rigid translations, for the near null space of AMG
  */
-std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings, unsigned int n_dofs, unsigned int dim);
+std::unique_ptr<LinearSolver>
+create_linear_solver(const LinearSolverSettings &settings, unsigned int n_dofs, unsigned int dim);
 } // namespace softgrain::mpm
 
 #endif
