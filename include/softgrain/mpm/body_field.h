@@ -135,9 +135,6 @@ private:
   void collect_cells(const Places &places);
   void number_nodes();
   void evaluate_points(const Places &places);
-  /// Nodes of a cell that carry the polynomial it reproduces: all but the outer ones of GIMP, which a point
-  /// in the middle of the cell does not reach.
-  std::vector<unsigned int> core_nodes() const;
   void build_extension(const std::vector<double> &volumes, double fill_limit);
   void extend_node(unsigned int node,
                    const Box &strong_cells,
