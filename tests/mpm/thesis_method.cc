@@ -25,10 +25,10 @@ double johnson(const double approach)
 
 void compress(const std::string &gap)
 {
-  softgrain::Input input(SOFTGRAIN_SOURCE_DIR
-                         "/parameters/thesis/diametral_compression_mpm_thesis_method.prm",
-                         {"Mesh/Cell size=6.25e-4", "Mesh/Lower=-7.5e-3, -8.125e-3",
-                          "Mesh/Upper=7.5e-3, 8.125e-3", "Contact/Nodal gap=" + gap});
+  softgrain::Input input(
+      SOFTGRAIN_SOURCE_DIR "/parameters/thesis/diametral_compression_mpm_thesis_method.prm",
+      {"Mesh/Cell size=6.25e-4", "Mesh/Lower=-7.5e-3, -8.125e-3", "Mesh/Upper=7.5e-3, 8.125e-3",
+       "Contact/Nodal gap=" + gap, "Output directory=results"});
   const auto model = input.create_model();
   double bottom = 0., top = 0., time = 0.;
   // Waves cross the disk several times within the window that the forces are averaged over.
