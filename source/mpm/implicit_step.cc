@@ -321,7 +321,13 @@ private:
 
   std::string newton_step()
   {
-    std::string trouble = factorise();
+    std::string trouble;
+    // Lumped contact goes on long after the bulk is balanced; then the factors of the iteration before serve
+    // as well.
+    const bool balanced =
+        outcome.newton_iterations > 0 && outcome.newton_residual <= world.settings.residual_tolerance;
+    if (world.settings.coupling == ContactCoupling::condensed || !balanced)
+      trouble = factorise();
     if (!trouble.empty())
       return trouble;
     Vectors free(n_bodies);

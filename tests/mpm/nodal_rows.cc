@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rows at shared nodes, known by counting: rectangles whose edges lie on the lattice touch along six nodes,
+// their normal is that of the edge, the gap is the distance of the edges; three bodies at one node have a row
+// for every pair.
+#include <softgrain/base/registry.h>
+#include <softgrain/constitutive/law_registry.h>
+#include <softgrain/mpm/body_builder.h>
+#include <softgrain/mpm/nodal_contact.h>
+
+#include <algorithm>
+#include <iostream>
+#include <numeric>
+#include <set>
+
+using namespace softgrain;
+using namespace softgrain::mpm;
+
+namespace
+{
+/// A row of rectangles on a lattice of cells of 0.1 m.
+class Setup
+{
+public:
+  Setup()
+      : lattice(dealii::Point<2>(0., 0.), dealii::Point<2>(2., 2.), 0.1)
+      , shape(create_shape_function("linear"))
+  {
+  }
+
+  void add(const double left, const double bottom, const double right, const double top)
+  {
+    BodyDescription<2> description;
+    description.name = std::string(1, static_cast<char>('a' + bodies.size()));
+    description.shape = BodyShape::rectangle;
+    description.center = dealii::Point<2>(0.5 * (left + right), 0.5 * (bottom + top));
+    description.size = dealii::Tensor<1, 2>({right - left, top - bottom});
+    bodies.push_back(build_body(description, bodies.size(),
+                                Registry<constitutive::Law<2>>::instance().create("linear_elastic"), 1000.,
+                                {lattice, *shape, settings}));
+  }
+
+  std::vector<ContactRow<2>> find(const bool gap) const
+  {
+    std::vector<ContactRow<2>> rows;
+    NodalContact(*shape, gap).find({bodies, walls, 0.3, 1e-6, 0.1}, rows);
+    return rows;
+  }
+
+  std::vector<WallMotion<2>> walls;
+
+private:
+  Lattice<2> lattice;
+  std::unique_ptr<ShapeFunction> shape;
+  Settings settings;
+  std::vector<Body<2>> bodies;
+};
+
+/// Number of rows, and of those away from the corners the common normal and gap; at a corner a gradient
+/// depends on how much of the cell is filled.
+void print(const std::string &what, std::vector<ContactRow<2>> rows)
+{
+  std::cout << what << ": rows " << rows.size();
+  if (rows.empty())
+  {
+    std::cout << '\n';
+    return;
+  }
+  double spread = 0.;
+  std::set<std::uint64_t> keys;
+  for (const ContactRow<2> &row : rows)
+    keys.insert(row.key);
+  const bool different = keys.size() == rows.size();
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [](const auto &row) { return std::abs(row.place[1] - 0.75) > 0.2; }),
+             rows.end());
+  for (const ContactRow<2> &row : rows)
+  {
+    const auto sum = [](const NodeWeights &w)
+    { return std::accumulate(w.weight.begin(), w.weight.end(), 0.); };
+    spread = std::max({spread, (row.normal - rows[0].normal).norm(), std::abs(row.gap - rows[0].gap),
+                       std::abs(sum(row.body_weights) - 1.)});
+    if (row.partner != ContactRow<2>::none)
+      spread = std::max(spread, std::abs(sum(row.partner_weights) - 1.));
+  }
+  const auto near_zero = [](const double x) { return std::abs(x) < 1e-12 ? 0. : x; };
+  std::cout << ", normal " << near_zero(rows[0].normal[0]) << ' ' << near_zero(rows[0].normal[1]) << ", gap "
+            << near_zero(rows[0].gap) << ", friction " << rows[0].friction << ", all alike "
+            << (spread < 1e-12 ? "yes" : "no") << ", keys differ " << (different ? "yes" : "no") << '\n';
+}
+} // namespace
+
+int main()
+{
+  const auto pair = [](const double gap)
+  {
+    Setup setup;
+    setup.add(0.4, 0.5, 1.0, 1.0);
+    setup.add(1.0 + gap, 0.5, 1.6 + gap, 1.0);
+    return setup;
+  };
+  print("edge to edge", pair(0.).find(true));
+  print("half a cell apart", pair(0.05).find(true));
+  print("half a cell apart, no gap", pair(0.05).find(false));
+  print("a cell apart", pair(0.1).find(true));
+  print("half a cell inside", pair(-0.05).find(true));
+
+  Setup wall;
+  wall.add(0.5, 0.5, 1.0, 1.0);
+  wall.walls.push_back({dealii::Point<2>(0.45, 0.), dealii::Tensor<1, 2>({1., 0.}), 0., 0.2});
+  print("plane wall half a cell behind", wall.find(true));
+  print("the same, no gap", wall.find(false));
+  wall.walls[0].plane = false;
+  print("a wall that is a body makes no rows of its own", wall.find(true));
+
+  Setup three;
+  three.add(0.5, 0.5, 1.0, 1.0);
+  three.add(1.0, 0.5, 1.5, 1.0);
+  three.add(0.5, 1.0, 1.5, 1.5);
+  std::cout << "three bodies, rows at the common node:\n";
+  for (const ContactRow<2> &row : three.find(true))
+    if (row.place.distance(dealii::Point<2>(1., 1.)) < 1e-9)
+      std::cout << "  " << row.body << ' ' << row.partner << ", slope of the normal "
+                << (std::abs(row.normal[1]) < 1e-12 ? 0. : row.normal[1] / row.normal[0]) << '\n';
+}
