@@ -229,8 +229,10 @@ private:
         scale = std::max(scale, dt * external[b].norm());
       R = free_residual[b] - R;
       sum += R.squaredNorm();
-      // Stresses below this are rounding of a strain of order one.
-      scale = std::max(scale, 1e-9 * dt * body.law->wave_modulus() * world.lattice->cell_size());
+      // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
+      const double h = world.lattice->cell_size();
+      const double moved = body.displacement.lpNorm<Eigen::Infinity>();
+      scale = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
     }
     scale = std::max(scale, 1e-6 * floor);
     return std::sqrt(sum) / scale;
@@ -248,8 +250,13 @@ private:
     // not yet right.
     if (!world.contact.empty() && world.settings.coupling == ContactCoupling::lumped)
       return lumped_contact_converged();
-    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt.
-    return last_length == 0. ||
+    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt. In
+    // free flight the first increment is rounding already.
+    double speed = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+        speed += trial[b].squaredNorm();
+    return last_length <= 1e-10 * std::sqrt(speed) ||
            (last_length <= world.settings.displacement_tolerance * first_length &&
             std::abs(last_work) <= world.settings.energy_tolerance * std::abs(first_work)) ||
            outcome.newton_residual <= 0.1 * world.settings.residual_tolerance;
@@ -390,9 +397,9 @@ private:
         world.contact.solve(std::move(q), world.settings.contact_solver, relative);
     outcome.contact_sweeps += report.sweeps;
     outcome.contact_residual = report.residual;
-    // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a little
-    // above the tolerance: the step is then right to five digits, its residual is reported, and cutting it
-    // would not help.
+    // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a
+    // little above the tolerance: the step is then right to five digits, its residual is reported, and
+    // cutting it would not help.
     if (report.converged || report.limited_by_rounding ||
         report.residual <= 100. * world.settings.contact_solver.tolerance)
       return "";
