@@ -13,7 +13,9 @@ struct CholeskySolver::Factor
 
 CholeskySolver::CholeskySolver()
   : factor(std::make_unique<Factor>())
-{}
+{
+  factor->llt.cholmod().print = 0; // that a matrix is indefinite is the caller's to handle, not news for the terminal
+}
 
 CholeskySolver::~CholeskySolver() = default;
 

@@ -181,8 +181,10 @@ private:
         scale = std::max(scale, dt * external[b].norm());
       R = free_residual[b] - R;
       sum += R.squaredNorm();
-      // Stresses below this are rounding of a strain of order one.
-      scale = std::max(scale, 1e-9 * dt * body.law->wave_modulus() * world.lattice->cell_size());
+      // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved many cells.
+      const double h      = world.lattice->cell_size();
+      const double moved  = body.displacement.size() > 0 ? body.displacement.lpNorm<Eigen::Infinity>() : 0.;
+      scale = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
     }
     scale = std::max(scale, 1e-6 * floor);
     return std::sqrt(sum) / scale;
@@ -193,8 +195,14 @@ private:
     outcome.newton_residual = residual_norm();
     if (outcome.newton_residual > world.settings.residual_tolerance)
       return false;
-    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt.
-    return last_length == 0. || (last_length <= world.settings.displacement_tolerance * first_length &&
+    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt. In free flight
+    // the first increment is rounding already.
+    double speed = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (moves(b))
+        speed += trial[b].squaredNorm();
+    speed = std::sqrt(speed);
+    return last_length <= 1e-10 * speed || (last_length <= world.settings.displacement_tolerance * first_length &&
                                  std::abs(last_work) <= world.settings.energy_tolerance * std::abs(first_work)) ||
            outcome.newton_residual <= 1e-2 * world.settings.residual_tolerance;
   }

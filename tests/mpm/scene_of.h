@@ -6,8 +6,11 @@
 #include <softgrain/app/input.h>
 #include <softgrain/mpm/mpm_model.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,17 @@ inline std::unique_ptr<mpm::MpmModel> scene_of_text(const std::string &text, con
   std::ofstream("scene.prm") << text;
   Input input("scene.prm", changes);
   return std::unique_ptr<mpm::MpmModel>(dynamic_cast<mpm::MpmModel *>(input.create_model().release()));
+}
+
+/// A figure that only has to be small: its limit when it is below, itself when it is not.
+inline std::string below(const double limit, const double value)
+{
+  std::ostringstream text;
+  if (std::abs(value) < limit)
+    text << "below " << limit;
+  else
+    text << value;
+  return text.str();
 }
 
 /// Steps until @p end; @p look is called after every step with the report of the step.
@@ -52,12 +66,15 @@ public:
     const Energies e = model.energies();
     scale            = std::max({scale, e.kinetic + e.elastic, std::abs(e.external_work), e.dissipated});
     worst            = std::max(worst, std::abs(total(e) - start));
+    most             = std::max(most, total(e) - start);
   }
+  /// What came from nowhere; losses, as of theta > 1/2, do not count.
+  double gained() const { return scale > 0. ? most / scale : 0.; }
   double error() const { return scale > 0. ? worst / scale : 0.; }
 
 private:
   static double total(const Energies &e) { return e.kinetic + e.elastic + e.dissipated - e.external_work; }
-  double        start, scale = 0., worst = 0.;
+  double        start, scale = 0., worst = 0., most = 0.;
 };
 } // namespace softgrain
 

@@ -93,8 +93,8 @@ void check(const std::string &shape, const std::string &law, const std::string &
   const Evaluation      minus = evaluate(body, Eigen::VectorXd(u - step * d));
   const Eigen::VectorXd slope = (minus.force - plus.force) / (2. * step);
   const double          work  = (minus.energy - plus.energy) / (2. * step);
-  std::cout << shape << ' ' << law << " F-bar " << f_bar << ": stiffness " << (Kd - slope).norm() / slope.norm() << " force "
-            << std::abs(work - at.force.dot(d)) / std::abs(work) << '\n';
+  std::cout << shape << ' ' << law << " F-bar " << f_bar << ": stiffness " << below(1e-8, (Kd - slope).norm() / slope.norm()) << ", force "
+            << below(1e-6, (work - at.force.dot(d)) / work) << '\n';
 }
 } // namespace
 
