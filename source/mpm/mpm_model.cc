@@ -64,6 +64,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             << cfl_step() << " s";
     throw InputError(message.str());
   }
+  if (settings.scheme.stored_acceleration)
+    for (Body<2> &body : world.bodies)
+    {
+      // Loads act from the start; without this the first step would feel half of them.
+      Eigen::VectorXd load;
+      if (body.driven || !external_force(body, world.scene.gravity, 0., load))
+        continue;
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        body.acceleration.segment<2>(2 * i) = load.segment<2>(2 * i) / body.mass[i];
+    }
   world.balance.initial_momentum = momentum();
 }
 

@@ -124,6 +124,7 @@ Snapshot<2> MpmModel::snapshot() const
   snapshot.energies = energies();
   const auto        &rows       = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
+  const double       whole      = world.settings.scheme.stored_acceleration ? 2. : 1.; // see account_contacts()
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     if (!(world.contact.impulses()[r * components] > 0.) || last_dt == 0.)
@@ -139,7 +140,7 @@ Snapshot<2> MpmModel::snapshot() const
     contact.length = rows[r].length;
     contact.gap    = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
-      contact.force += world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+      contact.force += whole * world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     snapshot.contacts.push_back(contact);
   }
   return snapshot;

@@ -42,10 +42,22 @@ namespace
 /// Impulses felt by the walls and the work done at the contacts during the step.
 void account_contacts(World &world, const double dt, const std::vector<Eigen::VectorXd> &rate, const std::vector<WallMotion<2>> &motion)
 {
+  // In newmark contact is a force at the end of the step: half of it acts in this step, through the impulse, the other half
+  // in the next one, through the acceleration that is carried there.
+  const bool   halves = world.settings.scheme.stored_acceleration;
+  const double whole  = halves ? 2. : 1.;
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
-    world.walls[w].force = 0.;
-    world.walls[w].speed = motion[w].velocity;
+    Wall &wall = world.walls[w];
+    wall.speed = motion[w].velocity;
+    if (halves)
+    {
+      const dealii::Tensor<1, 2> carried = -0.5 * dt * wall.force;
+      wall.impulse += carried;
+      world.balance.wall_impulse += carried;
+      world.balance.wall_work += carried * (wall.speed * wall.description.normal);
+    }
+    wall.force = 0.;
   }
   const auto                &rows       = world.contact.contact_rows();
   const unsigned int         components = world.contact.n_components();
@@ -63,7 +75,7 @@ void account_contacts(World &world, const double dt, const std::vector<Eigen::Ve
         Wall                       &wall  = world.walls[rows[r].wall];
         const dealii::Tensor<1, 2>  given = impulse * rows[r].direction(c);
         const dealii::Tensor<1, 2>  drive = wall.speed * wall.description.normal;
-        wall.force -= given / dt;
+        wall.force -= whole * given / dt;
         wall.impulse += given;
         world.balance.wall_impulse += given;
         world.balance.wall_work += given * drive;
