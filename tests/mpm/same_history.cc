@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The same state, bit for bit, with one thread and with two, and for a run that was saved and continued twice.
+// The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
+// twice.
 #include "scene_of.h"
 
 #include <softgrain/base/parallel.h>
@@ -19,8 +20,9 @@ using Changes = std::vector<std::string>;
 std::string state(const mpm::MpmModel &model, const StepReport &report)
 {
   std::ostringstream text;
-  text << std::hexfloat << model.time() << ' ' << report.contact_sweeps << ' ' << report.newton_residual << ' ' << model.energies().elastic << ' '
-       << model.energies().dissipated << ' ' << model.momentum_error();
+  text << std::hexfloat << model.time() << ' ' << report.contact_sweeps << ' ' << report.newton_residual
+       << ' ' << model.energies().elastic << ' ' << model.energies().dissipated << ' '
+       << model.momentum_error();
   for (const auto &body : model.bodies())
     text << ' ' << body.velocity.sum() << ' ' << body.displacement.squaredNorm();
   for (const auto &wall : model.walls())
@@ -40,7 +42,8 @@ std::string steps(mpm::MpmModel &model, const unsigned int from, const unsigned 
   return text;
 }
 
-std::string whole(const std::string &file, const Changes &changes, const unsigned int n, const unsigned int threads)
+std::string
+whole(const std::string &file, const Changes &changes, const unsigned int n, const unsigned int threads)
 {
   set_n_threads(threads);
   return steps(*shipped_scene(file, changes), 0, n);
@@ -48,7 +51,7 @@ std::string whole(const std::string &file, const Changes &changes, const unsigne
 
 std::string in_parts(const std::string &file, const Changes &changes, const unsigned int n)
 {
-  std::string        text;
+  std::string text;
   const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
   for (unsigned int part = 0; part < 3; ++part)
   {
@@ -80,9 +83,11 @@ int main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   compare("impact", "gallery/two_disks.prm", {"Contact/Friction=0.3"}, 30);
   compare("grid update", "gallery/two_disks.prm", {"Material points/Grid update=every step"}, 30);
-  compare("apic", "gallery/two_disks.prm", {"Material points/Grid update=every step", "Material points/Transfer=apic"}, 30);
+  compare("apic", "gallery/two_disks.prm",
+          {"Material points/Grid update=every step", "Material points/Transfer=apic"}, 30);
   compare("newmark", "gallery/two_disks.prm", {"Time/Scheme=newmark"}, 30);
   compare("explicit", "gallery/two_disks.prm", {"Time/Scheme=explicit"}, 60);
   compare("sliding block", "verification/sliding_block.prm", {}, 20);
-  compare("small strain", "verification/patch_test.prm", {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
+  compare("small strain", "verification/patch_test.prm",
+          {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

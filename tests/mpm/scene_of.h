@@ -2,7 +2,8 @@
 #ifndef softgrain_tests_mpm_scene_of_h
 #define softgrain_tests_mpm_scene_of_h
 
-// Tests of the method run the scenes that are shipped, made coarse or short by assignments as on the command line.
+// Tests of the method run the scenes that are shipped, made coarse or short by assignments as on the command
+// line.
 #include <softgrain/app/input.h>
 #include <softgrain/mpm/mpm_model.h>
 
@@ -16,15 +17,18 @@
 
 namespace softgrain
 {
-/// The model of a shipped parameter file, `verification/bar_period.prm` for example, changed by "Section/Key=value".
-inline std::unique_ptr<mpm::MpmModel> shipped_scene(const std::string &file, const std::vector<std::string> &changes = {})
+/// The model of a shipped parameter file, `verification/bar_period.prm` for example, changed by
+/// "Section/Key=value".
+inline std::unique_ptr<mpm::MpmModel> shipped_scene(const std::string &file,
+                                                    const std::vector<std::string> &changes = {})
 {
   Input input(SOFTGRAIN_SOURCE_DIR "/parameters/" + file, changes);
   return std::unique_ptr<mpm::MpmModel>(dynamic_cast<mpm::MpmModel *>(input.create_model().release()));
 }
 
 /// The model of a parameter file given as text.
-inline std::unique_ptr<mpm::MpmModel> scene_of_text(const std::string &text, const std::vector<std::string> &changes = {})
+inline std::unique_ptr<mpm::MpmModel> scene_of_text(const std::string &text,
+                                                    const std::vector<std::string> &changes = {})
 {
   std::ofstream("scene.prm") << text;
   Input input("scene.prm", changes);
@@ -64,9 +68,9 @@ public:
   void look(const mpm::MpmModel &model)
   {
     const Energies e = model.energies();
-    scale            = std::max({scale, e.kinetic + e.elastic, std::abs(e.external_work), e.dissipated});
-    worst            = std::max(worst, std::abs(total(e) - start));
-    most             = std::max(most, total(e) - start);
+    scale = std::max({scale, e.kinetic + e.elastic, std::abs(e.external_work), e.dissipated});
+    worst = std::max(worst, std::abs(total(e) - start));
+    most = std::max(most, total(e) - start);
   }
   /// What came from nowhere; losses, as of theta > 1/2, do not count.
   double gained() const { return scale > 0. ? most / scale : 0.; }
@@ -74,7 +78,7 @@ public:
 
 private:
   static double total(const Energies &e) { return e.kinetic + e.elastic + e.dissipated - e.external_work; }
-  double        start, scale = 0., worst = 0., most = 0.;
+  double start, scale = 0., worst = 0., most = 0.;
 };
 } // namespace softgrain
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The stiffness is the derivative of the internal force, and the internal force that of the stored energy: for every
-// shape function, law and F-bar, on a disk whose boundary cells are extended, far from rest and with deformation carried
-// from an earlier grid.
+// The stiffness is the derivative of the internal force, and the internal force that of the stored energy:
+// for every shape function, law and F-bar, on a disk whose boundary cells are extended, far from rest and
+// with deformation carried from an earlier grid.
 #include "scene_of.h"
 
 #include <softgrain/mpm/assembly.h>
@@ -51,7 +51,7 @@ end
 
 struct Evaluation
 {
-  double          energy;
+  double energy;
   Eigen::VectorXd force;
 };
 
@@ -67,11 +67,13 @@ Evaluation evaluate(mpm::Body<2> &body, const Eigen::VectorXd &u)
 
 void check(const std::string &shape, const std::string &law, const std::string &f_bar)
 {
-  const auto model = scene_of_text(scene, {"Material points/Shape function=" + shape, "Materials/m/Law=" + law, "Material points/F-bar=" + f_bar});
+  const auto model = scene_of_text(scene, {"Material points/Shape function=" + shape,
+                                           "Materials/m/Law=" + law, "Material points/F-bar=" + f_bar});
   mpm::Body<2> body = model->bodies()[0];
-  std::mt19937                     generator(7);
+  std::mt19937 generator(7);
   std::uniform_real_distribution<> uniform(-1., 1.);
-  const auto                       random = [&](const double size) {
+  const auto random = [&](const double size)
+  {
     Eigen::VectorXd v(body.field.n_dofs());
     for (double &x : v)
       x = size * uniform(generator);
@@ -82,18 +84,19 @@ void check(const std::string &shape, const std::string &law, const std::string &
       for (unsigned int e = 0; e < 2; ++e)
         F[d][e] += 0.1 * uniform(generator);
   const Eigen::VectorXd u = random(0.08), d = random(1.);
-  constexpr double      step = 1e-5;
-  mpm::SystemMatrix     matrix;
+  constexpr double step = 1e-5;
+  mpm::SystemMatrix matrix;
   matrix.reinit(body.field);
   const Evaluation at = evaluate(body, u);
   matrix.set_zero();
   mpm::add_stiffness(body, 1., matrix);
-  const Eigen::VectorXd Kd    = matrix.lower().selfadjointView<Eigen::Lower>() * d;
-  const Evaluation      plus  = evaluate(body, Eigen::VectorXd(u + step * d));
-  const Evaluation      minus = evaluate(body, Eigen::VectorXd(u - step * d));
+  const Eigen::VectorXd Kd = matrix.lower().selfadjointView<Eigen::Lower>() * d;
+  const Evaluation plus = evaluate(body, Eigen::VectorXd(u + step * d));
+  const Evaluation minus = evaluate(body, Eigen::VectorXd(u - step * d));
   const Eigen::VectorXd slope = (minus.force - plus.force) / (2. * step);
-  const double          work  = (minus.energy - plus.energy) / (2. * step);
-  std::cout << shape << ' ' << law << " F-bar " << f_bar << ": stiffness " << below(1e-8, (Kd - slope).norm() / slope.norm()) << ", force "
+  const double work = (minus.energy - plus.energy) / (2. * step);
+  std::cout << shape << ' ' << law << " F-bar " << f_bar << ": stiffness "
+            << below(1e-8, (Kd - slope).norm() / slope.norm()) << ", force "
             << below(1e-6, (work - at.force.dot(d)) / work) << '\n';
 }
 } // namespace
