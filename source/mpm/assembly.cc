@@ -23,7 +23,10 @@ dealii::Tensor<2, dim> identity()
 
 /// Adds the gradient of a nodal vector at point @p p to @p gradient.
 template <int dim>
-void add_gradient(const BodyField<dim> &field, const unsigned int p, const unsigned int *nodes, const Eigen::VectorXd &nodal,
+void add_gradient(const BodyField<dim> &field,
+                  const unsigned int p,
+                  const unsigned int *nodes,
+                  const Eigen::VectorXd &nodal,
                   dealii::Tensor<2, dim> &gradient)
 {
   const dealii::Tensor<1, dim> *slope = field.slopes(p);
@@ -41,7 +44,7 @@ template <int dim>
 void resize(Body<dim> &body, const StressWishes &wishes)
 {
   const std::size_t n = body.points.size();
-  StepState<dim>   &s = body.step;
+  StepState<dim> &s = body.step;
   s.grid_gradient.resize(n);
   s.gradient.resize(n);
   s.volume.resize(n);
@@ -61,17 +64,20 @@ void resize(Body<dim> &body, const StressWishes &wishes)
 
 /// F = (I + grad U) F_grid at the points of one cell, and what the law needs beside it.
 template <int dim>
-void deform_cell(Body<dim> &body, const unsigned int cell, const double half_dt, const Eigen::VectorXd &nodal_velocity)
+void deform_cell(Body<dim> &body,
+                 const unsigned int cell,
+                 const double half_dt,
+                 const Eigen::VectorXd &nodal_velocity)
 {
-  StepState<dim>     &s     = body.step;
+  StepState<dim> &s = body.step;
   const unsigned int *nodes = body.field.nodes_of_cell(cell);
-  const bool          small = body.small_strain();
+  const bool small = body.small_strain();
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     s.grid_gradient[p] = identity<dim>();
     add_gradient(body.field, p, nodes, s.nodal, s.grid_gradient[p]);
     s.gradient[p] = s.grid_gradient[p] * body.points.gradient[p];
-    s.volume[p]   = small ? body.points.volume[p] : body.points.rest_volume[p];
+    s.volume[p] = small ? body.points.volume[p] : body.points.rest_volume[p];
     if (s.increment.empty())
       continue;
     dealii::Tensor<2, dim> increment;
@@ -96,13 +102,14 @@ void deform_cell(Body<dim> &body, const unsigned int cell, const double half_dt,
   }
 }
 
-/// Replaces the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza Neto et al. 1996).
+/// Replaces the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza Neto et al.
+/// 1996).
 template <int dim>
 void average_dilatation(Body<dim> &body, const unsigned int cell)
 {
-  StepState<dim>    &s     = body.step;
+  StepState<dim> &s = body.step;
   const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
-  double             sum = 0., weight = 0.;
+  double sum = 0., weight = 0.;
   for (unsigned int p = begin; p < end; ++p)
   {
     sum += s.volume[p] * (body.small_strain() ? trace(s.increment[p]) : determinant(s.gradient[p]));
@@ -138,14 +145,15 @@ double mean_slopes(const Body<dim> &body, const unsigned int cell, std::vector<d
 {
   mean.assign(body.field.nodes_per_cell(), dealii::Tensor<1, dim>());
   std::vector<dealii::Tensor<1, dim>> slopes;
-  double                              total = 0.;
+  double total = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     current_slopes(body, p, slopes);
     // F holds the mean dilatation here, so the weight needs the determinant of what really happened.
-    const double weight = body.small_strain() ? body.step.volume[p] :
-                                                body.points.rest_volume[p] * determinant(body.step.grid_gradient[p]) *
-                                                    determinant(body.points.gradient[p]);
+    const double weight = body.small_strain()
+                              ? body.step.volume[p]
+                              : body.points.rest_volume[p] * determinant(body.step.grid_gradient[p]) *
+                                    determinant(body.points.gradient[p]);
     total += weight;
     for (unsigned int k = 0; k < mean.size(); ++k)
       mean[k] += weight * slopes[k];
@@ -167,22 +175,24 @@ dealii::SymmetricTensor<2, dim> strain_of(const dealii::Tensor<1, dim> &slope, c
 
 /// Terms of the tangent that come from averaging the dilatation; see doc/theory.md, "F-bar".
 template <int dim>
-void add_dilatation_terms(const Body<dim> &body, const unsigned int cell, const std::vector<dealii::Tensor<1, dim>> &mean,
-                          const double total, Eigen::MatrixXd &local)
+void add_dilatation_terms(const Body<dim> &body,
+                          const unsigned int cell,
+                          const std::vector<dealii::Tensor<1, dim>> &mean,
+                          const double total,
+                          Eigen::MatrixXd &local)
 {
-  const unsigned int                  n = mean.size();
+  const unsigned int n = mean.size();
   std::vector<dealii::Tensor<1, dim>> slopes;
-  double                              pressure_sum = 0.;
+  double pressure_sum = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
     pressure_sum += body.step.volume[p] * trace(body.step.stress[p]) / dim;
-  const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e, const double value) {
-    local(dim * i + d, dim * j + e) += value;
-  };
+  const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e,
+                       const double value) { local(dim * i + d, dim * j + e) += value; };
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     current_slopes(body, p, slopes);
-    const auto  &tau    = body.step.stress[p];
-    const double v      = body.step.volume[p], mean_tau = trace(tau) / dim;
+    const auto &tau = body.step.stress[p];
+    const double v = body.step.volume[p], mean_tau = trace(tau) / dim;
     const double weight = body.points.rest_volume[p] * determinant(body.step.grid_gradient[p]) *
                           determinant(body.points.gradient[p]) / total;
     for (unsigned int i = 0; i < n; ++i)
@@ -191,9 +201,11 @@ void add_dilatation_terms(const Body<dim> &body, const unsigned int cell, const 
           for (unsigned int e = 0; e < dim; ++e)
           {
             const double si = (mean[i][d] - slopes[i][d]) / dim, sj = (mean[j][e] - slopes[j][e]) / dim;
-            const double ti = dealii::Tensor<1, dim>(tau * slopes[i])[d], tj = dealii::Tensor<1, dim>(tau * slopes[j])[e];
+            const double ti = dealii::Tensor<1, dim>(tau * slopes[i])[d],
+                         tj = dealii::Tensor<1, dim>(tau * slopes[j])[e];
             const double cross = slopes[i][e] * slopes[j][d];
-            add(i, d, j, e, v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau + mean_tau * cross));
+            add(i, d, j, e,
+                v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau + mean_tau * cross));
             add(i, d, j, e, pressure_sum * weight * (slopes[i][d] * slopes[j][e] - cross));
           }
   }
@@ -204,15 +216,34 @@ void add_dilatation_terms(const Body<dim> &body, const unsigned int cell, const 
           add(i, d, j, e, -pressure_sum * mean[i][d] * mean[j][e]);
 }
 
+/// Makes up for the negative stiffness that compression gives to rotation: -tr(tau)/2 W:W, W the skew part of
+/// grad u.
+template <int dim>
+void add_rotation_guard(const std::vector<dealii::Tensor<1, dim>> &slopes,
+                        const double weight,
+                        Eigen::MatrixXd &local)
+{
+  // For u = e_d N: W = (e_d (x) g - g (x) e_d) / 2, so W_i:W_j = (g_i.g_j delta_de - g_i[e] g_j[d]) / 2.
+  for (unsigned int i = 0; i < slopes.size(); ++i)
+    for (unsigned int j = 0; j < slopes.size(); ++j)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          local(dim * i + d, dim * j + e) +=
+              0.25 * weight * ((d == e ? slopes[i] * slopes[j] : 0.) - slopes[i][e] * slopes[j][d]);
+}
+
 /// Stiffness of one cell over its own nodes.
 template <int dim>
-void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::MatrixXd &local)
+void cell_stiffness(const Body<dim> &body,
+                    const unsigned int cell,
+                    const bool guard_rotation,
+                    Eigen::MatrixXd &local)
 {
-  constexpr unsigned int              n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
-  const unsigned int                  n        = body.field.nodes_per_cell();
+  constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
+  const unsigned int n = body.field.nodes_per_cell();
   std::vector<dealii::Tensor<1, dim>> slopes, mean;
   Eigen::Matrix<double, n_strain, Eigen::Dynamic> B(n_strain, dim * n), CB(n_strain, dim * n);
-  Eigen::Matrix<double, n_strain, n_strain>       C;
+  Eigen::Matrix<double, n_strain, n_strain> C;
   local.setZero(dim * n, dim * n);
   double total = 0.;
   if (body.f_bar)
@@ -223,7 +254,7 @@ void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::Matri
     current_slopes(body, p, slopes);
     for (unsigned int a = 0; a < n_strain; ++a)
       for (unsigned int b = 0; b < n_strain; ++b)
-        C(a, b) = v * body.step.tangent[p].access_raw_entry(a * n_strain + b) ;
+        C(a, b) = v * body.step.tangent[p].access_raw_entry(a * n_strain + b);
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int d = 0; d < dim; ++d)
       {
@@ -249,6 +280,9 @@ void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::Matri
             local(dim * i + d, dim * j + d) += g;
         }
       }
+    // A little more than rigid rotation needs.
+    if (guard_rotation && trace(tau) < 0.)
+      add_rotation_guard(slopes, -1.25 * v * trace(tau), local);
   }
   if (body.f_bar && !body.small_strain())
     add_dilatation_terms(body, cell, mean, total, local);
@@ -256,8 +290,11 @@ void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::Matri
 } // namespace
 
 template <int dim>
-StressOutcome evaluate_stress(Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment,
-                              const double half_dt, const StressWishes &wishes)
+StressOutcome evaluate_stress(Body<dim> &body,
+                              const Eigen::VectorXd &displacement,
+                              const Eigen::VectorXd &increment,
+                              const double half_dt,
+                              const StressWishes &wishes)
 {
   StepState<dim> &s = body.step;
   resize(body, wishes);
@@ -268,44 +305,47 @@ StressOutcome evaluate_stress(Body<dim> &body, const Eigen::VectorXd &displaceme
   if (half_dt > 0. && body.small_strain())
     body.field.prolongate(body.velocity, nodal_velocity);
 
-  const unsigned int       n_history = body.law->n_history();
+  const unsigned int n_history = body.law->n_history();
   std::atomic<std::size_t> bad{StressOutcome::none};
-  parallel_for(body.field.n_cells(), cell_grain, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      deform_cell(body, c, half_dt, nodal_velocity);
-      if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
-        average_dilatation(body, c);
-    }
-    const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
-    if (n == 0)
-      return;
-    constitutive::Inputs<dim> in;
-    in.n_points             = n;
-    in.deformation_gradient = &s.gradient[first];
-    in.increment            = s.increment.empty() ? nullptr : &s.increment[first];
-    in.history_old          = n_history > 0 ? &body.points.history[first * n_history] : nullptr;
-    constitutive::Outputs<dim> out;
-    out.stress = &s.stress[first];
-    if (wishes.tangent)
-      out.tangent = &s.tangent[first];
-    if (wishes.energy)
-    {
-      out.energy              = &s.energy[first];
-      out.dissipation         = &s.dissipation[first];
-      out.out_of_plane_stress = &s.out_of_plane_stress[first];
-    }
-    // The history is cheap and some laws need a place for it whatever is asked.
-    out.history_new        = n_history > 0 ? &s.history[first * n_history] : nullptr;
-    const std::size_t good = body.law->update(in, out);
-    if (good < n)
-    {
-      // The smallest index, so that the message does not depend on the number of threads.
-      std::size_t expected = bad.load();
-      while (first + good < expected && !bad.compare_exchange_weak(expected, first + good))
-        ;
-    }
-  });
+  parallel_for(body.field.n_cells(), cell_grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t c = begin; c < end; ++c)
+                 {
+                   deform_cell(body, c, half_dt, nodal_velocity);
+                   if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+                     average_dilatation(body, c);
+                 }
+                 const std::size_t first = body.field.first_point(begin),
+                                   n = body.field.first_point(end) - first;
+                 if (n == 0)
+                   return;
+                 constitutive::Inputs<dim> in;
+                 in.n_points = n;
+                 in.deformation_gradient = &s.gradient[first];
+                 in.increment = s.increment.empty() ? nullptr : &s.increment[first];
+                 in.history_old = n_history > 0 ? &body.points.history[first * n_history] : nullptr;
+                 constitutive::Outputs<dim> out;
+                 out.stress = &s.stress[first];
+                 if (wishes.tangent)
+                   out.tangent = &s.tangent[first];
+                 if (wishes.energy)
+                 {
+                   out.energy = &s.energy[first];
+                   out.dissipation = &s.dissipation[first];
+                   out.out_of_plane_stress = &s.out_of_plane_stress[first];
+                 }
+                 // The history is cheap and some laws need a place for it whatever is asked.
+                 out.history_new = n_history > 0 ? &s.history[first * n_history] : nullptr;
+                 const std::size_t good = body.law->update(in, out);
+                 if (good < n)
+                 {
+                   // The smallest index, so that the message does not depend on the number of threads.
+                   std::size_t expected = bad.load();
+                   while (first + good < expected && !bad.compare_exchange_weak(expected, first + good))
+                     ;
+                 }
+               });
   StressOutcome outcome;
   outcome.bad_point = bad.load();
   return outcome;
@@ -314,49 +354,54 @@ StressOutcome evaluate_stress(Body<dim> &body, const Eigen::VectorXd &displaceme
 template <int dim>
 void internal_force(Body<dim> &body, Eigen::VectorXd &force)
 {
-  StepState<dim>    &s = body.step;
+  StepState<dim> &s = body.step;
   const unsigned int n = body.field.nodes_per_cell();
   s.of_cells.assign(body.field.n_cells() * n * dim, 0.);
-  parallel_for(body.field.n_cells(), cell_grain, [&](const std::size_t begin, const std::size_t end) {
-    std::vector<dealii::Tensor<1, dim>> mean;
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      double *f        = &s.of_cells[c * n * dim];
-      double  pressure = 0.;
-      for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
-      {
-        auto stress = s.stress[p];
-        if (body.f_bar)
-        {
-          const double mean_stress = trace(stress) / dim;
-          pressure += s.volume[p] * mean_stress;
-          for (unsigned int d = 0; d < dim; ++d)
-            stress[d][d] -= mean_stress;
-        }
-        // -V tau G^-T, so that every node costs one product with its slope.
-        dealii::Tensor<2, dim> q = -s.volume[p] * dealii::Tensor<2, dim>(stress);
-        if (!body.small_strain())
-          q = q * transpose(invert(s.grid_gradient[p]));
-        const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int d = 0; d < dim; ++d)
-            f[dim * k + d] += q[d] * slope[k];
-      }
-      if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
-      {
-        mean_slopes(body, c, mean);
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int d = 0; d < dim; ++d)
-            f[dim * k + d] -= pressure * mean[k][d];
-      }
-    }
-  });
+  parallel_for(body.field.n_cells(), cell_grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 std::vector<dealii::Tensor<1, dim>> mean;
+                 for (std::size_t c = begin; c < end; ++c)
+                 {
+                   double *f = &s.of_cells[c * n * dim];
+                   double pressure = 0.;
+                   for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
+                   {
+                     auto stress = s.stress[p];
+                     if (body.f_bar)
+                     {
+                       const double mean_stress = trace(stress) / dim;
+                       pressure += s.volume[p] * mean_stress;
+                       for (unsigned int d = 0; d < dim; ++d)
+                         stress[d][d] -= mean_stress;
+                     }
+                     // -V tau G^-T, so that every node costs one product with its slope.
+                     dealii::Tensor<2, dim> q = -s.volume[p] * dealii::Tensor<2, dim>(stress);
+                     if (!body.small_strain())
+                       q = q * transpose(invert(s.grid_gradient[p]));
+                     const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] += q[d] * slope[k];
+                   }
+                   if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+                   {
+                     mean_slopes(body, c, mean);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] -= pressure * mean[k][d];
+                   }
+                 }
+               });
   body.field.gather(s.of_cells, s.nodal_increment);
   body.field.restrict(s.nodal_increment, force);
 }
 
 template <int dim>
-bool external_force(Body<dim> &body, const dealii::Tensor<1, dim> &gravity, const double time, Eigen::VectorXd &force)
+bool external_force(Body<dim> &body,
+                    const dealii::Tensor<1, dim> &gravity,
+                    const double time,
+                    Eigen::VectorXd &force)
 {
   force.setZero(body.field.n_dofs());
   if (gravity.norm_square() > 0.)
@@ -367,14 +412,14 @@ bool external_force(Body<dim> &body, const dealii::Tensor<1, dim> &gravity, cons
     return gravity.norm_square() > 0.;
 
   const unsigned int n = body.field.nodes_per_cell();
-  Eigen::VectorXd    all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own, displacement;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own, displacement;
   body.field.prolongate(body.displacement, displacement);
   std::vector<double> place(2 * dim + 1);
   place[2 * dim] = time;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const unsigned int *nodes = body.field.point_nodes(p);
-    const double       *value = body.field.values(p);
+    const double *value = body.field.values(p);
     for (unsigned int d = 0; d < dim; ++d)
     {
       place[d] = body.points.position[p][d];
@@ -395,32 +440,38 @@ bool external_force(Body<dim> &body, const dealii::Tensor<1, dim> &gravity, cons
 }
 
 template <int dim>
-void add_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
+void add_stiffness(const Body<dim> &body,
+                   const double factor,
+                   const bool guard_rotation,
+                   SystemMatrix &matrix)
 {
   for (const std::vector<unsigned int> &color : body.field.colors())
-    parallel_for(color.size(), 8, [&](const std::size_t begin, const std::size_t end) {
-      Eigen::MatrixXd local, reduced;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const unsigned int c = color[i];
-        cell_stiffness(body, c, local);
-        const Eigen::MatrixXd &extension = body.field.cell_extension(c);
-        if (extension.size() == 0)
-        {
-          matrix.add_cell<dim>(body.field, c, local, factor);
-          continue;
-        }
-        // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
-        const unsigned int m = extension.cols(), n = extension.rows();
-        Eigen::MatrixXd    wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < m; ++b)
-            for (unsigned int d = 0; d < dim; ++d)
-              wide(dim * a + d, dim * b + d) = extension(a, b);
-        reduced.noalias() = wide.transpose() * (local * wide);
-        matrix.add_cell<dim>(body.field, c, reduced, factor);
-      }
-    });
+    parallel_for(color.size(), 8,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   Eigen::MatrixXd local, reduced;
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const unsigned int c = color[i];
+                     cell_stiffness(body, c, guard_rotation, local);
+                     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+                     if (extension.size() == 0)
+                     {
+                       matrix.add_cell<dim>(body.field, c, local, factor);
+                       continue;
+                     }
+                     // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components
+                     // per node.
+                     const unsigned int m = extension.cols(), n = extension.rows();
+                     Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
+                     for (unsigned int a = 0; a < n; ++a)
+                       for (unsigned int b = 0; b < m; ++b)
+                         for (unsigned int d = 0; d < dim; ++d)
+                           wide(dim * a + d, dim * b + d) = extension(a, b);
+                     reduced.noalias() = wide.transpose() * (local * wide);
+                     matrix.add_cell<dim>(body.field, c, reduced, factor);
+                   }
+                 });
 }
 
 template <int dim>
@@ -433,11 +484,11 @@ double stored_energy(const Body<dim> &body)
 }
 
 #define INSTANTIATE(dim)                                                                                     \
-  template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, double, \
-                                              const StressWishes &);                                         \
+  template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
+                                              double, const StressWishes &);                                 \
   template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);                                         \
   template bool external_force<dim>(Body<dim> &, const dealii::Tensor<1, dim> &, double, Eigen::VectorXd &); \
-  template void add_stiffness<dim>(const Body<dim> &, double, SystemMatrix &);                               \
+  template void add_stiffness<dim>(const Body<dim> &, double, bool, SystemMatrix &);                         \
   template double stored_energy<dim>(const Body<dim> &);
 INSTANTIATE(2)
 INSTANTIATE(3)

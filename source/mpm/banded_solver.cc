@@ -15,7 +15,7 @@ namespace softgrain::mpm
 namespace
 {
 using Sparse = SystemMatrix::Sparse;
-using Panel  = Eigen::Map<Eigen::MatrixXd>;
+using Panel = Eigen::Map<Eigen::MatrixXd>;
 
 int bandwidth_of(const Sparse &matrix, const std::vector<int> &order)
 {
@@ -37,7 +37,8 @@ std::vector<int> reverse_cuthill_mckee(const Sparse &matrix)
       if (entry.row() > j)
         boost::add_edge(entry.row(), j, graph);
   std::vector<boost::graph_traits<Graph>::vertex_descriptor> inverse(matrix.rows());
-  boost::cuthill_mckee_ordering(graph, inverse.rbegin(), boost::get(boost::vertex_color, graph), boost::make_degree_map(graph));
+  boost::cuthill_mckee_ordering(graph, inverse.rbegin(), boost::get(boost::vertex_color, graph),
+                                boost::make_degree_map(graph));
   std::vector<int> order(matrix.rows());
   for (int i = 0; i < static_cast<int>(inverse.size()); ++i)
     order[inverse[i]] = i;
@@ -48,9 +49,10 @@ std::pair<std::vector<int>, int> best_order(const Sparse &matrix)
 {
   std::vector<int> natural(matrix.rows());
   std::iota(natural.begin(), natural.end(), 0);
-  std::vector<int> other         = reverse_cuthill_mckee(matrix);
-  const int        natural_width = bandwidth_of(matrix, natural), other_width = bandwidth_of(matrix, other);
-  return natural_width <= other_width ? std::make_pair(std::move(natural), natural_width) : std::make_pair(std::move(other), other_width);
+  std::vector<int> other = reverse_cuthill_mckee(matrix);
+  const int natural_width = bandwidth_of(matrix, natural), other_width = bandwidth_of(matrix, other);
+  return natural_width <= other_width ? std::make_pair(std::move(natural), natural_width)
+                                      : std::make_pair(std::move(other), other_width);
 }
 } // namespace
 
@@ -63,7 +65,7 @@ void BandedSolver::analyze(const Sparse &matrix)
 {
   int width;
   std::tie(order, width) = best_order(matrix);
-  band     = (width + block - 1) / block * block;
+  band = (width + block - 1) / block * block;
   n_panels = (matrix.rows() + block - 1) / block;
   panels.assign(static_cast<std::size_t>(n_panels) * (block + band) * block, 0.);
   target.resize(matrix.nonZeros());
@@ -73,7 +75,8 @@ void BandedSolver::analyze(const Sparse &matrix)
     {
       const int row = std::max(order[entry.row()], order[j]), column = std::min(order[entry.row()], order[j]);
       const int panel = column / block;
-      target[k] = panel * (block + band) * block + (column - panel * block) * (block + band) + (row - panel * block);
+      target[k] =
+          panel * (block + band) * block + (column - panel * block) * (block + band) + (row - panel * block);
     }
 }
 
@@ -87,7 +90,8 @@ void BandedSolver::fill(const Sparse &matrix)
   for (int i = matrix.rows(); i < n_panels * block; ++i)
   {
     const int column = i - (n_panels - 1) * block;
-    panels[static_cast<std::size_t>(n_panels - 1) * (block + band) * block + column * (block + band) + column] = 1.;
+    panels[static_cast<std::size_t>(n_panels - 1) * (block + band) * block + column * (block + band) +
+           column] = 1.;
   }
 }
 
@@ -102,25 +106,28 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
   const std::size_t size = static_cast<std::size_t>(block + band) * block;
   for (int k = 0; k < n_panels; ++k)
   {
-    Panel                       panel(&panels[k * size], block + band, block);
+    Panel panel(&panels[k * size], block + band, block);
     Eigen::Matrix<double, block, block> diagonal = panel.topRows(block);
     const Eigen::LLT<Eigen::Ref<Eigen::Matrix<double, block, block>>> llt(diagonal);
     if (llt.info() != Eigen::Success)
       return false;
     panel.topRows(block) = diagonal;
-    const int n_below    = std::min(band / block, n_panels - 1 - k);
+    const int n_below = std::min(band / block, n_panels - 1 - k);
     if (n_below == 0)
       continue;
     auto below = panel.middleRows(block, n_below * block);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-    parallel_for(n_below, 4, [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t j = begin; j < end; ++j)
-      {
-        const int rows = (n_below - static_cast<int>(j)) * block;
-        Panel     next(&panels[(k + 1 + j) * size], block + band, block);
-        next.topRows(rows).noalias() -= below.bottomRows(rows) * below.middleRows(j * block, block).transpose();
-      }
-    });
+    parallel_for(n_below, 4,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t j = begin; j < end; ++j)
+                   {
+                     const int rows = (n_below - static_cast<int>(j)) * block;
+                     Panel next(&panels[(k + 1 + j) * size], block + band, block);
+                     next.topRows(rows).noalias() -=
+                         below.bottomRows(rows) * below.middleRows(j * block, block).transpose();
+                   }
+                 });
   }
   return true;
 }
@@ -131,7 +138,7 @@ void BandedSolver::forward(Eigen::Ref<Eigen::MatrixXd> x) const
   for (int k = 0; k < n_panels; ++k)
   {
     const Eigen::Map<const Eigen::MatrixXd> panel(&panels[k * size], block + band, block);
-    auto                                    own = x.middleRows(k * block, block);
+    auto own = x.middleRows(k * block, block);
     panel.topRows(block).triangularView<Eigen::Lower>().solveInPlace(own);
     const int rows = std::min(band, (n_panels - 1 - k) * block);
     if (rows > 0)
@@ -145,8 +152,8 @@ void BandedSolver::backward(Eigen::Ref<Eigen::MatrixXd> x) const
   for (int k = n_panels - 1; k >= 0; --k)
   {
     const Eigen::Map<const Eigen::MatrixXd> panel(&panels[k * size], block + band, block);
-    auto                                    own  = x.middleRows(k * block, block);
-    const int                               rows = std::min(band, (n_panels - 1 - k) * block);
+    auto own = x.middleRows(k * block, block);
+    const int rows = std::min(band, (n_panels - 1 - k) * block);
     if (rows > 0)
       own.noalias() -= panel.middleRows(block, rows).transpose() * x.middleRows((k + 1) * block, rows);
     panel.topRows(block).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
@@ -169,12 +176,14 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
   // W = Y^T Y with L Y = P H^T: half of the work of full solves, and symmetric by construction.
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(n_panels * block, rows.cols());
-  parallel_for(rows.cols(), 8, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-      for (Rows::InnerIterator entry(rows, c); entry; ++entry)
-        Y(order[entry.row()], c) = entry.value();
-    forward(Y.middleCols(begin, end - begin));
-  });
+  parallel_for(rows.cols(), 8,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t c = begin; c < end; ++c)
+                   for (Rows::InnerIterator entry(rows, c); entry; ++entry)
+                     Y(order[entry.row()], c) = entry.value();
+                 forward(Y.middleCols(begin, end - begin));
+               });
   W.setZero(rows.cols(), rows.cols());
   W.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
   W.triangularView<Eigen::StrictlyUpper>() = W.transpose();

@@ -55,23 +55,24 @@ void sort_points(PointData<2> &points, const Lattice<2> &lattice, const unsigned
 
 void make_points(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
-  const GeneratedPoints<2> generated = generate_points(description, context.lattice, context.settings.points_per_direction);
+  const GeneratedPoints<2> generated =
+      generate_points(description, context.lattice, context.settings.points_per_direction);
   if (generated.position.empty())
     throw InputError("'Bodies/" + description.name + "' holds no material point: its area is zero");
-  PointData<2>     &points    = body.points;
-  const std::size_t n         = generated.position.size();
+  PointData<2> &points = body.points;
+  const std::size_t n = generated.position.size();
   const unsigned int n_history = body.law->n_history();
-  points.position             = generated.position;
-  points.rest_volume          = generated.volume;
-  points.volume               = generated.volume;
+  points.position = generated.position;
+  points.rest_volume = generated.volume;
+  points.volume = generated.volume;
   points.id.resize(n);
   points.mass.resize(n);
   points.half_extent.resize(n);
   points.history.resize(n * n_history);
   for (unsigned int p = 0; p < n; ++p)
   {
-    points.id[p]          = p;
-    points.mass[p]        = body.density * points.rest_volume[p];
+    points.id[p] = p;
+    points.mass[p] = body.density * points.rest_volume[p];
     points.half_extent[p] = 0.5 * std::sqrt(points.rest_volume[p]);
     body.rest_area += points.rest_volume[p];
     if (n_history > 0)
@@ -93,9 +94,9 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
 {
   // Four pieces of polyline between two places that look for contact: their sagitta is then a sixteenth.
   constexpr unsigned int pieces = 4;
-  const double           step   = context.settings.marker_spacing * context.lattice.cell_size();
-  Boundary<2>           &boundary = body.boundary;
-  boundary.contact_stride         = pieces;
+  const double step = context.settings.marker_spacing * context.lattice.cell_size();
+  Boundary<2> &boundary = body.boundary;
+  boundary.contact_stride = pieces;
   boundary.loop_start.assign(1, 0);
   for (const Polygon &coarse : make_outline(description, step))
   {
@@ -104,7 +105,8 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int k = 0; k < pieces; ++k)
       {
-        dealii::Point<2> x = coarse[i] + (static_cast<double>(k) / pieces) * (coarse[(i + 1) % n] - coarse[i]);
+        dealii::Point<2> x =
+            coarse[i] + (static_cast<double>(k) / pieces) * (coarse[(i + 1) % n] - coarse[i]);
         if (description.shape == BodyShape::disk)
         {
           const dealii::Tensor<1, 2> ray = x - description.center;
@@ -118,7 +120,8 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
 }
 
 /// Shift and stretch of the affine velocity at node @p x of point @p p.
-dealii::Tensor<1, 2> brought_velocity(const PointData<2> &points, const unsigned int p, const dealii::Point<2> &x)
+dealii::Tensor<1, 2>
+brought_velocity(const PointData<2> &points, const unsigned int p, const dealii::Point<2> &x)
 {
   dealii::Tensor<1, 2> v = points.velocity[p];
   if (!points.affine.empty())
@@ -126,19 +129,20 @@ dealii::Tensor<1, 2> brought_velocity(const PointData<2> &points, const unsigned
   return v;
 }
 
-/// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive mass.
+/// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive
+/// mass.
 bool points_to_nodes(Body<2> &body)
 {
-  const BodyField<2>  &field = body.field;
-  const PointData<2>  &points = body.points;
-  const unsigned int   n = field.nodes_per_cell();
-  std::vector<double>  mass(field.n_nodes(), 0.);
-  Eigen::VectorXd      momentum = Eigen::VectorXd::Zero(2 * field.n_nodes()), force = momentum;
+  const BodyField<2> &field = body.field;
+  const PointData<2> &points = body.points;
+  const unsigned int n = field.nodes_per_cell();
+  std::vector<double> mass(field.n_nodes(), 0.);
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes()), force = momentum;
   for (unsigned int p = 0; p < points.size(); ++p)
     for (unsigned int k = 0; k < n; ++k)
     {
       const unsigned int i = field.point_nodes(p)[k];
-      const double       m = points.mass[p] * field.values(p)[k];
+      const double m = points.mass[p] * field.values(p)[k];
       mass[i] += m;
       const dealii::Tensor<1, 2> v = brought_velocity(points, p, field.position(i));
       for (unsigned int d = 0; d < 2; ++d)
@@ -151,7 +155,8 @@ bool points_to_nodes(Body<2> &body)
   body.mass = field.restrict_scalar(mass);
   if (body.mass.size() == 0 || !(body.mass.minCoeff() > 0.))
     return false;
-  const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result) {
+  const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result)
+  {
     field.restrict(all, result);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       result.segment<2>(2 * i) /= body.mass[i];
@@ -168,28 +173,32 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   sort_points(body.points, context.lattice, body.law->n_history());
   std::vector<double> volume(body.points.size());
   for (unsigned int p = 0; p < volume.size(); ++p)
-    volume[p] = body.small_strain() ? body.points.volume[p] : body.points.rest_volume[p] * determinant(body.points.gradient[p]);
-  // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a negative mass.
-  // Then some of these cells have to count as well filled; at last all that hold points do, and masses are positive.
+    volume[p] = body.small_strain() ? body.points.volume[p]
+                                    : body.points.rest_volume[p] * determinant(body.points.gradient[p]);
+  // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
+  // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
+  // and masses are positive.
   for (double limit = context.settings.fill_limit;; limit *= 0.5)
   {
-    body.field.build(context.lattice, context.shape, {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
+    body.field.build(context.lattice, context.shape,
+                     {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
                      limit);
     if (points_to_nodes(body))
       break;
     if (limit < 1e-4)
-      throw ComputationError("body '" + body.name + "': a node has no positive mass; refine 'Mesh/Cell size'");
+      throw ComputationError("body '" + body.name +
+                             "': a node has no positive mass; refine 'Mesh/Cell size'");
   }
-  body.displacement       = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;
 }
 
 void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &shape, const double cell_size)
 {
   const BodyField<2> &field = body.field;
-  PointData<2>       &points = body.points;
-  const unsigned int  n = field.nodes_per_cell();
-  Eigen::VectorXd     u, v, before, a;
+  PointData<2> &points = body.points;
+  const unsigned int n = field.nodes_per_cell();
+  Eigen::VectorXd u, v, before, a;
   field.prolongate(body.displacement, u);
   field.prolongate(body.velocity, v);
   field.prolongate(body.velocity_of_points, before);
@@ -198,13 +207,14 @@ void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &sh
   for (unsigned int p = 0; p < points.size(); ++p)
   {
     const unsigned int *nodes = field.point_nodes(p);
-    const double       *value = field.values(p);
-    const auto         *slope = field.slopes(p);
+    const double *value = field.values(p);
+    const auto *slope = field.slopes(p);
     dealii::Tensor<1, 2> moved, interpolated, increment, acceleration;
     dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
     for (unsigned int k = 0; k < n; ++k)
     {
-      const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]}), vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]});
+      const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]}),
+          vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]});
       const dealii::Tensor<1, 2> bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
       const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - points.position[p];
       moved += value[k] * uk;
@@ -221,14 +231,18 @@ void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &sh
     points.gradient[p] = gradient * points.gradient[p];
     if (body.small_strain() && !body.driven) // what is driven is never stressed
       points.volume[p] = body.step.volume[p];
-    points.velocity[p] = settings.pic_fraction * interpolated + (1. - settings.pic_fraction) * (points.velocity[p] + increment);
+    points.velocity[p] = settings.pic_fraction * interpolated +
+                         (1. - settings.pic_fraction) * (points.velocity[p] + increment);
     if (!points.acceleration.empty())
       points.acceleration[p] = acceleration;
     if (!points.affine.empty())
     {
-      // APIC's B D^-1; hats lose D at a node, where B D^-1 is the velocity gradient anyway (Jiang et al. 2015).
+      // APIC's B D^-1; hats lose D at a node, where B D^-1 is the velocity gradient anyway (Jiang et al.
+      // 2015).
       points.velocity[p] = interpolated;
-      points.affine[p]   = shape.degree() > 1 && determinant(spread) > 1e-8 * std::pow(cell_size, 4) ? moment * invert(spread) : rate;
+      points.affine[p] = shape.degree() > 1 && determinant(spread) > 1e-8 * std::pow(cell_size, 4)
+                             ? moment * invert(spread)
+                             : rate;
     }
   }
   body.boundary.grid_position = body.boundary.position;
@@ -238,7 +252,7 @@ void move_boundary(Body<2> &body)
 {
   for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
   {
-    const NodeWeights   &weights = body.field.marker_weights(m);
+    const NodeWeights &weights = body.field.marker_weights(m);
     dealii::Tensor<1, 2> moved;
     for (unsigned int k = 0; k < weights.node.size(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
@@ -255,21 +269,25 @@ double grid_distortion(const Body<2> &body)
     // Singular values of a 2x2 matrix from its norm and determinant.
     const double sum = G.norm_square(), product = std::abs(determinant(G));
     const double root = std::sqrt(std::max(0., sum * sum - 4. * product * product));
-    worst             = std::max(worst, std::sqrt((sum + root) / std::max(sum - root, 1e-300)));
+    worst = std::max(worst, std::sqrt((sum + root) / std::max(sum - root, 1e-300)));
   }
   return worst;
 }
 
-Body<2> build_body(const BodyDescription<2> &description, const unsigned int index, std::shared_ptr<const constitutive::Law<2>> law,
-                   const double density, const BuildContext &context)
+Body<2> build_body(const BodyDescription<2> &description,
+                   const unsigned int index,
+                   std::shared_ptr<const constitutive::Law<2>> law,
+                   const double density,
+                   const BuildContext &context)
 {
   Body<2> body;
-  body.name    = description.name;
-  body.index   = index;
-  body.law     = std::move(law);
+  body.name = description.name;
+  body.index = index;
+  body.law = std::move(law);
   body.density = density;
-  body.driven  = description.driven;
-  body.f_bar   = context.settings.f_bar == "on" || (context.settings.f_bar == "automatic" && body.law->poisson_ratio() > 0.47);
+  body.driven = description.driven;
+  body.f_bar = context.settings.f_bar == "on" ||
+               (context.settings.f_bar == "automatic" && body.law->poisson_ratio() > 0.47);
   // The parameter's default says that there is no load, and then none is evaluated.
   if (!description.body_force.empty() && description.body_force != "0; 0")
     body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});
@@ -288,9 +306,10 @@ Body<2> build_body(const BodyDescription<2> &description, const unsigned int ind
   std::vector<Expression> formulas;
   if (!description.velocity.empty() && description.velocity != "0; 0")
     formulas = vector_expression(description.velocity, {"x", "y"});
-  const auto velocity_at = [&](const dealii::Point<2> &x) {
+  const auto velocity_at = [&](const dealii::Point<2> &x)
+  {
     const dealii::Tensor<1, 2> arm = x - description.center;
-    dealii::Tensor<1, 2>       v({-description.angular_velocity * arm[1], description.angular_velocity * arm[0]});
+    dealii::Tensor<1, 2> v({-description.angular_velocity * arm[1], description.angular_velocity * arm[0]});
     for (unsigned int d = 0; d < formulas.size(); ++d)
       v[d] += formulas[d]({x[0], x[1]});
     return v;
@@ -299,11 +318,13 @@ Body<2> build_body(const BodyDescription<2> &description, const unsigned int ind
   {
     body.drive = velocity_at(description.center);
     if (description.angular_velocity != 0.)
-      throw InputError("'Bodies/" + description.name + "/Angular velocity' is not allowed for a driven body: it moves without turning");
+      throw InputError("'Bodies/" + description.name +
+                       "/Angular velocity' is not allowed for a driven body: it moves without turning");
   }
   for (unsigned int i = 0; i < body.field.n_independent(); ++i)
   {
-    const auto v = body.driven ? body.drive : velocity_at(body.field.position(body.field.node_of_independent(i)));
+    const auto v =
+        body.driven ? body.drive : velocity_at(body.field.position(body.field.node_of_independent(i)));
     for (unsigned int d = 0; d < 2; ++d)
       body.velocity[2 * i + d] = v[d];
   }
@@ -312,7 +333,8 @@ Body<2> build_body(const BodyDescription<2> &description, const unsigned int ind
   {
     body.points.velocity[p] = body.driven ? body.drive : velocity_at(body.points.position[p]);
     if (!body.points.affine.empty())
-      body.points.affine[p] = dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});
+      body.points.affine[p] =
+          dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});
   }
   if (context.settings.scheme.stored_acceleration)
     body.acceleration = Eigen::VectorXd::Zero(body.field.n_dofs());
@@ -324,20 +346,24 @@ BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext 
 {
   const unsigned int axis = std::abs(wall.normal[0]) > std::abs(wall.normal[1]) ? 0 : 1;
   if (std::abs(std::abs(wall.normal[axis]) - 1.) > 1e-12)
-    throw InputError("'Walls/" + wall.name + "/Normal' is not allowed with 'Type' = 'material points': it must be parallel to an axis");
+    throw InputError(
+        "'Walls/" + wall.name +
+        "/Normal' is not allowed with 'Type' = 'material points': it must be parallel to an axis");
   const double h = context.lattice.cell_size(), thickness = 3. * h;
-  const auto  &settings = context.settings;
+  const auto &settings = context.settings;
   BodyDescription<2> slab;
-  slab.name   = wall.name;
-  slab.shape  = BodyShape::rectangle;
+  slab.name = wall.name;
+  slab.shape = BodyShape::rectangle;
   slab.driven = true;
-  slab.size[axis]     = thickness;
+  slab.size[axis] = thickness;
   slab.size[1 - axis] = settings.mesh_upper[1 - axis] - settings.mesh_lower[1 - axis] - 2. * h;
-  slab.center[axis]   = wall.point[axis] - 0.5 * thickness * wall.normal[axis];
+  slab.center[axis] = wall.point[axis] - 0.5 * thickness * wall.normal[axis];
   slab.center[1 - axis] = 0.5 * (settings.mesh_upper[1 - axis] + settings.mesh_lower[1 - axis]);
-  if (slab.center[axis] - 0.5 * thickness < settings.mesh_lower[axis] + h || slab.center[axis] + 0.5 * thickness > settings.mesh_upper[axis] - h ||
-      slab.size[1 - axis] <= 0.)
-    throw InputError("'Walls/" + wall.name + "' is made of material points and needs four cells of mesh behind its face: enlarge 'Mesh/Lower' and 'Mesh/Upper'");
+  if (slab.center[axis] - 0.5 * thickness < settings.mesh_lower[axis] + h ||
+      slab.center[axis] + 0.5 * thickness > settings.mesh_upper[axis] - h || slab.size[1 - axis] <= 0.)
+    throw InputError("'Walls/" + wall.name +
+                     "' is made of material points and needs four cells of mesh behind its face: enlarge "
+                     "'Mesh/Lower' and 'Mesh/Upper'");
   return slab;
 }
 } // namespace softgrain::mpm

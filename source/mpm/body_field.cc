@@ -35,8 +35,8 @@ double lagrange(const unsigned int n, const unsigned int k, const int x)
   return value;
 }
 
-/// Nodes of a cell that its points always reach and that carry its polynomial; GIMP's outer ring is reached by points
-/// near a face alone, and may have no mass however full the cell is.
+/// Nodes of a cell that its points always reach and that carry its polynomial; GIMP's outer ring is reached
+/// by points near a face alone, and may have no mass however full the cell is.
 std::vector<unsigned int> core_nodes(const ShapeFunction &shape, const int dim)
 {
   const unsigned int n = shape.n_nodes(), core = shape.degree() + 1, skipped = (n - core) / 2;
@@ -414,8 +414,9 @@ void BodyField<dim>::extend_node(const unsigned int node,
       double weight = 1. / nearest.size();
       for (unsigned int d = 0; d < dim; ++d)
       {
-        weight *= lagrange(core, rest % n - skipped,
-                           node_lattice_index[node][d] - c[d] - shape->first_node() - static_cast<int>(skipped));
+        weight *=
+            lagrange(core, rest % n - skipped,
+                     node_lattice_index[node][d] - c[d] - shape->first_node() - static_cast<int>(skipped));
         rest /= n;
       }
       if (weight != 0.)
@@ -465,7 +466,8 @@ void BodyField<dim>::color_cells()
       continue; // nothing to integrate there
     const std::vector<unsigned int> &list = cell_dependence[c];
     unsigned int color = 0;
-    while (color < cell_colors.size() && std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
+    while (color < cell_colors.size() &&
+           std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
       ++color;
     if (color == cell_colors.size())
     {
@@ -479,7 +481,8 @@ void BodyField<dim>::color_cells()
 }
 
 template <int dim>
-std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places)
+std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice,
+                                                     const std::vector<dealii::Point<dim>> &places)
 {
   std::vector<std::int64_t> key(places.size());
   for (unsigned int p = 0; p < places.size(); ++p)
@@ -491,7 +494,8 @@ std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice
   std::vector<unsigned int> order(places.size());
   std::iota(order.begin(), order.end(), 0u);
   if (!std::is_sorted(key.begin(), key.end()))
-    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
   return order;
 }
 
@@ -499,17 +503,19 @@ template <int dim>
 void BodyField<dim>::gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const
 {
   all.resize(dim * n_nodes());
-  parallel_for(n_nodes(), 1024, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      double sum[dim] = {};
-      for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
-        for (unsigned int d = 0; d < dim; ++d)
-          sum[d] += of_cells[dim * node_cell[e] + d];
-      for (unsigned int d = 0; d < dim; ++d)
-        all[dim * i + d] = sum[d];
-    }
-  });
+  parallel_for(n_nodes(), 1024,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   double sum[dim] = {};
+                   for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
+                     for (unsigned int d = 0; d < dim; ++d)
+                       sum[d] += of_cells[dim * node_cell[e] + d];
+                   for (unsigned int d = 0; d < dim; ++d)
+                     all[dim * i + d] = sum[d];
+                 }
+               });
 }
 
 template <int dim>

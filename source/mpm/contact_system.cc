@@ -21,7 +21,10 @@ namespace
 {
 /// Weights of one row on one body's dofs for a unit impulse along @p direction, added to column @p column.
 template <int dim>
-void add_side(const NodeWeights &weights, const dealii::Tensor<1, dim> &direction, const double sign, const unsigned int column,
+void add_side(const NodeWeights &weights,
+              const dealii::Tensor<1, dim> &direction,
+              const double sign,
+              const unsigned int column,
               std::vector<Eigen::Triplet<double>> &entries)
 {
   for (unsigned int k = 0; k < weights.node.size(); ++k)
@@ -34,16 +37,18 @@ void add_side(const NodeWeights &weights, const dealii::Tensor<1, dim> &directio
 template <int dim>
 void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std::vector<Body<dim>> &bodies)
 {
-  rows                = std::move(new_rows);
-  const bool friction = std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
-  components          = friction ? dim : 1;
+  rows = std::move(new_rows);
+  const bool friction =
+      std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
+  components = friction ? dim : 1;
   body_components.assign(bodies.size(), {});
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (unsigned int c = 0; c < components; ++c)
     {
       const dealii::Tensor<1, dim> direction = rows[r].direction(c);
-      const auto                   side      = [&](const unsigned int b, const NodeWeights &weights, const double sign) {
+      const auto side = [&](const unsigned int b, const NodeWeights &weights, const double sign)
+      {
         if (b == ContactRow<dim>::none || bodies[b].driven)
           return;
         add_side(weights, direction, sign, body_components[b].size(), entries[b]);
@@ -85,7 +90,7 @@ void ContactSystem<dim>::remember()
 }
 
 template <int dim>
-std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>>       &bodies,
+std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>> &bodies,
                                                           const std::vector<Eigen::VectorXd> &nodal) const
 {
   std::vector<double> w(rows.size() * components, 0.);
@@ -104,7 +109,9 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body
 }
 
 template <int dim>
-void ContactSystem<dim>::add_impulses(const unsigned int b, const std::vector<double> &P, Eigen::VectorXd &nodal) const
+void ContactSystem<dim>::add_impulses(const unsigned int b,
+                                      const std::vector<double> &P,
+                                      Eigen::VectorXd &nodal) const
 {
   if (body_components.size() <= b || body_components[b].empty())
     return;
@@ -115,14 +122,17 @@ void ContactSystem<dim>::add_impulses(const unsigned int b, const std::vector<do
 }
 
 template <int dim>
-void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies, std::vector<std::unique_ptr<LinearSolver>> &solvers)
+void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
+                                  std::vector<std::unique_ptr<LinearSolver>> &solvers)
 {
   std::vector<Eigen::MatrixXd> blocks(bodies.size());
-  parallel_for(bodies.size(), 1, [&](const std::size_t begin, const std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-      if (!bodies[b].driven && !body_components[b].empty())
-        solvers[b]->condense(body_rows[b], blocks[b]);
-  });
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!bodies[b].driven && !body_components[b].empty())
+                     solvers[b]->condense(body_rows[b], blocks[b]);
+               });
   contact::BlockDelassus W(rows.size(), components);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)
@@ -148,7 +158,7 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
       for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
         list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());
   std::vector<unsigned int> start(1, 0), dofs;
-  std::vector<double>       weights;
+  std::vector<double> weights;
   for (const auto &row : list)
   {
     for (const auto &[dof, weight] : row)
@@ -158,41 +168,44 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
     }
     start.push_back(dofs.size());
   }
-  delassus = std::make_shared<Operator>(Operator{
-    contact::MassDelassus(components, std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
+  delassus = std::make_shared<Operator>(Operator{contact::MassDelassus(
+      components, std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
 }
 
 template <int dim>
-contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocity, const contact::SolverSettings &settings,
+contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocity,
+                                                const contact::SolverSettings &settings,
                                                 const bool relative)
 {
   contact::Problem problem;
-  problem.n_components  = components;
+  problem.n_components = components;
   problem.free_velocity = std::move(free_velocity);
   if (components > 1)
     for (const auto &row : rows)
       problem.friction.push_back(row.friction);
   return std::visit(
-    [&](auto &W) {
-      if (relative)
+      [&](auto &W)
       {
-        // free velocity = (velocity with the present impulses) - W (present impulses)
-        contact::Problem zero    = problem;
-        zero.free_velocity.assign(problem.free_velocity.size(), 0.);
-        std::vector<double> effect;
-        contact::compute_velocities(W, zero, impulse, effect);
-        for (unsigned int k = 0; k < effect.size(); ++k)
-          problem.free_velocity[k] -= effect[k];
-      }
-      last_free_velocity = problem.free_velocity;
-      last_start         = impulse;
-      return contact::solve(W, problem, settings, impulse, velocity);
-    },
-    delassus->kind);
+        if (relative)
+        {
+          // free velocity = (velocity with the present impulses) - W (present impulses)
+          contact::Problem zero = problem;
+          zero.free_velocity.assign(problem.free_velocity.size(), 0.);
+          std::vector<double> effect;
+          contact::compute_velocities(W, zero, impulse, effect);
+          for (unsigned int k = 0; k < effect.size(); ++k)
+            problem.free_velocity[k] -= effect[k];
+        }
+        last_free_velocity = problem.free_velocity;
+        last_start = impulse;
+        return contact::solve(W, problem, settings, impulse, velocity);
+      },
+      delassus->kind);
 }
 
 template <int dim>
-std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap, const contact::SolverSettings &settings)
+std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap,
+                                               const contact::SolverSettings &settings)
 {
   contact::Problem problem;
   problem.n_components = components;
@@ -207,16 +220,19 @@ std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap, c
 }
 
 template <int dim>
-void ContactSystem<dim>::save_problem(const std::string &file, const std::string &description,
+void ContactSystem<dim>::save_problem(const std::string &file,
+                                      const std::string &description,
                                       const contact::SolverSettings &settings) const
 {
   contact::Problem problem;
-  problem.n_components  = components;
+  problem.n_components = components;
   problem.free_velocity = last_free_velocity;
   if (components > 1)
     for (const auto &row : rows)
       problem.friction.push_back(row.friction);
-  std::visit([&](const auto &W) { contact::save_problem(file, W, problem, settings, last_start, description); }, delassus->kind);
+  std::visit([&](const auto &W)
+             { contact::save_problem(file, W, problem, settings, last_start, description); },
+             delassus->kind);
 }
 
 template class ContactSystem<2>;

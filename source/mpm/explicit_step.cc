@@ -11,7 +11,8 @@ namespace
 using Vectors = std::vector<Eigen::VectorXd>;
 
 /// Contact impulses on the free velocities @p v; they become the velocities at the end of the step.
-void solve_contacts(World &world, const double dt, const std::vector<WallMotion<2>> &motion, Vectors &v, StepOutcome &outcome)
+void solve_contacts(
+    World &world, const double dt, const std::vector<WallMotion<2>> &motion, Vectors &v, StepOutcome &outcome)
 {
   {
     dealii::TimerOutput::Scope section(*world.timer, "contact search");
@@ -23,9 +24,9 @@ void solve_contacts(World &world, const double dt, const std::vector<WallMotion<
     return;
   dealii::TimerOutput::Scope section(*world.timer, "contact solve");
   world.contact.lump(world.bodies);
-  std::vector<double> q          = world.contact.relative_velocity(world.bodies, v);
-  const auto         &rows       = world.contact.contact_rows();
-  const unsigned int  components = world.contact.n_components();
+  std::vector<double> q = world.contact.relative_velocity(world.bodies, v);
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     if (rows[r].partner == ContactRow<2>::none)
@@ -35,12 +36,13 @@ void solve_contacts(World &world, const double dt, const std::vector<WallMotion<
       q[r * components] += rows[r].gap / dt;
   }
   const contact::SolverReport report = world.contact.solve(std::move(q), world.settings.contact_solver);
-  outcome.contact_sweeps             = report.sweeps;
-  outcome.contact_residual           = report.residual;
+  outcome.contact_sweeps = report.sweeps;
+  outcome.contact_residual = report.residual;
   if (!report.converged)
   {
     std::ostringstream text;
-    text << "the contact solver left a residual of " << report.residual << " after " << report.sweeps << " sweeps ('Contact/Maximum sweeps')";
+    text << "the contact solver left a residual of " << report.residual << " after " << report.sweeps
+         << " sweeps ('Contact/Maximum sweeps')";
     outcome.reason = text.str();
     return;
   }
@@ -57,17 +59,17 @@ void solve_contacts(World &world, const double dt, const std::vector<WallMotion<
 
 StepOutcome explicit_step(World &world, const double dt)
 {
-  StepOutcome                      outcome;
-  const std::vector<WallMotion<2>> motion   = world.wall_motion(dt);
-  const unsigned int               n_bodies = world.bodies.size();
-  Vectors                          v(n_bodies), external(n_bodies), increment(n_bodies);
+  StepOutcome outcome;
+  const std::vector<WallMotion<2>> motion = world.wall_motion(dt);
+  const unsigned int n_bodies = world.bodies.size();
+  Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
   for (Wall &wall : world.walls)
     if (wall.body != ContactRow<2>::none)
       world.bodies[wall.body].drive = motion[&wall - world.walls.data()].velocity * wall.description.normal;
   for (unsigned int b = 0; b < n_bodies; ++b)
   {
     Body<2> &body = world.bodies[b];
-    v[b]          = body.velocity;
+    v[b] = body.velocity;
     if (body.driven)
       continue;
     if (!external_force(body, world.scene.gravity, world.time, external[b]))
@@ -84,19 +86,21 @@ StepOutcome explicit_step(World &world, const double dt)
     return outcome;
 
   dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
-  Vectors                    forces(n_bodies);
+  Vectors forces(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
   {
     Body<2> &body = world.bodies[b];
-    increment[b]  = dt * v[b];
+    increment[b] = dt * v[b];
     if (body.driven)
       continue;
-    const double        half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
-    const StressOutcome stress  = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b], half_dt, {false, true});
+    const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+    const StressOutcome stress = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]),
+                                                 increment[b], half_dt, {false, true});
     if (!stress.good())
     {
       std::ostringstream text;
-      text << "a material point of body '" << body.name << "' turned inside out near (" << body.points.position[stress.bad_point]
+      text << "a material point of body '" << body.name << "' turned inside out near ("
+           << body.points.position[stress.bad_point]
            << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
       outcome.reason = text.str();
       return outcome;
@@ -109,8 +113,8 @@ StepOutcome explicit_step(World &world, const double dt)
   if (!world.contact.empty())
     for (const double g : end_gaps(world, increment, motion, dt))
       outcome.max_penetration = std::max(outcome.max_penetration, -g);
-  // Impulses act between the velocities before and after: their work is that of the mean, which makes the energy
-  // balance of symplectic Euler exact up to the stored energy.
+  // Impulses act between the velocities before and after: their work is that of the mean, which makes the
+  // energy balance of symplectic Euler exact up to the stored energy.
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
     rate[b] = 0.5 * (world.bodies[b].velocity + v[b]);

@@ -7,7 +7,8 @@
 
 namespace softgrain::mpm
 {
-std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, const unsigned int dim)
+std::unique_ptr<LinearSolver>
+create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, const unsigned int dim)
 {
   std::string type = settings.type;
   if (type == "automatic")

@@ -42,6 +42,8 @@ public:
 };
 
 [[maybe_unused]] const bool registered = Registry<ModelFactory>::instance().add(
-  "mpm", "Implicit or explicit material point method with contact dynamics.", [] { return std::make_unique<MpmFactory>(); });
+    "mpm",
+    "Implicit or explicit material point method with contact dynamics.",
+    [] { return std::make_unique<MpmFactory>(); });
 } // namespace
 } // namespace softgrain::mpm

@@ -14,12 +14,15 @@
 
 namespace softgrain::mpm
 {
-MpmModel::MpmModel(const Scene<2> &scene, const Settings &settings, std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
-  : timer(std::make_unique<dealii::TimerOutput>(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
+MpmModel::MpmModel(const Scene<2> &scene,
+                   const Settings &settings,
+                   std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
+    : timer(std::make_unique<dealii::TimerOutput>(
+          std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
-  world.scene    = scene;
+  world.scene = scene;
   world.settings = settings;
-  world.timer    = timer.get();
+  world.timer = timer.get();
   build(std::move(laws));
 }
 
@@ -28,11 +31,12 @@ MpmModel::~MpmModel() = default;
 void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
 {
   const Settings &settings = world.settings;
-  world.lattice            = std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
-  world.shape              = create_shape_function(settings.shape);
+  world.lattice = std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
+  world.shape = create_shape_function(settings.shape);
   const BuildContext context{*world.lattice, *world.shape, settings};
   for (const BodyDescription<2> &body : world.scene.bodies)
-    world.bodies.push_back(build_body(body, world.bodies.size(), laws[body.material], world.scene.materials[body.material].density, context));
+    world.bodies.push_back(build_body(body, world.bodies.size(), laws[body.material],
+                                      world.scene.materials[body.material].density, context));
   for (const WallDescription<2> &description : world.scene.walls)
   {
     Wall wall;
@@ -42,7 +46,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     if (description.type == WallDescription<2>::Type::material_points)
     {
       wall.body = world.bodies.size();
-      world.bodies.push_back(build_body(wall_slab(description, context), wall.body, laws[0], world.scene.materials[0].density, context));
+      world.bodies.push_back(build_body(wall_slab(description, context), wall.body, laws[0],
+                                        world.scene.materials[0].density, context));
       world.bodies.back().wall = world.walls.size();
     }
     world.walls.push_back(std::move(wall));
@@ -66,7 +71,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;
-    message << "'Time/Time step' = " << settings.time_step << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
+    message << "'Time/Time step' = " << settings.time_step
+            << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
             << cfl_step() << " s";
     throw InputError(message.str());
   }
@@ -81,7 +87,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             body.acceleration[2 * i + d] /= body.mass[i];
           }
   world.balance.initial_momentum = momentum();
-  initial_energy                 = energies().kinetic;
+  initial_energy = energies().kinetic;
   update_momentum_scale();
 }
 
@@ -100,24 +106,26 @@ double MpmModel::wanted_step() const
   if (settings.time_step > 0.)
     return settings.time_step;
   // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
-  return (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl_step();
+  return (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) *
+         cfl_step();
 }
 
 StepReport MpmModel::advance(const double dt_limit)
 {
-  StepReport   report;
+  StepReport report;
   const double wanted = wanted_step();
-  double       dt     = std::min(wanted * step_scale, dt_limit);
+  double dt = std::min(wanted * step_scale, dt_limit);
   for (;; ++report.attempts)
   {
-    const StepOutcome outcome = world.settings.scheme.implicit ? implicit_step(world, dt) : explicit_step(world, dt);
+    const StepOutcome outcome =
+        world.settings.scheme.implicit ? implicit_step(world, dt) : explicit_step(world, dt);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
     if (outcome.accepted)
     {
-      report.newton_residual  = outcome.newton_residual;
+      report.newton_residual = outcome.newton_residual;
       report.contact_residual = outcome.contact_residual;
-      report.max_penetration  = outcome.max_penetration;
+      report.max_penetration = outcome.max_penetration;
       if (outcome.newton_iterations <= world.settings.max_newton / 2)
         step_scale = std::min(1., 1.5 * step_scale);
       break;
@@ -127,7 +135,8 @@ StepReport MpmModel::advance(const double dt_limit)
     if (dt < world.settings.smallest_step * std::min(wanted, dt_limit))
     {
       std::ostringstream message;
-      message << "at time " << world.time << " s no step longer than " << dt << " s succeeds: " << outcome.reason;
+      message << "at time " << world.time << " s no step longer than " << dt
+              << " s succeeds: " << outcome.reason;
       throw ComputationError(message.str());
     }
   }
@@ -145,15 +154,16 @@ StepReport MpmModel::advance(const double dt_limit)
 void MpmModel::check_energy() const
 {
   // An unstable explicit step may settle again after a burst, with stresses that look right and are not.
-  const Energies now     = energies();
-  const double   scale   = std::max({now.kinetic + now.elastic, std::abs(now.external_work), initial_energy});
-  const double   created = now.kinetic + now.elastic + now.dissipated - now.external_work - initial_energy;
+  const Energies now = energies();
+  const double scale = std::max({now.kinetic + now.elastic, std::abs(now.external_work), initial_energy});
+  const double created = now.kinetic + now.elastic + now.dissipated - now.external_work - initial_energy;
   if (created <= 0.5 * scale)
     return;
   std::ostringstream message;
   message << "at time " << world.time << " s the bodies hold " << created
           << " J/m more than they were given: the explicit step of " << last_dt
-          << " s is not stable; lower 'Time/CFL multiple', or raise 'Material points/Fill limit' so that no node has little mass";
+          << " s is not stable; lower 'Time/CFL multiple', or raise 'Material points/Fill limit' so that no "
+             "node has little mass";
   throw ComputationError(message.str());
 }
 
@@ -170,11 +180,11 @@ void MpmModel::update_momentum_scale()
 void MpmModel::refresh_forces(Body<2> &body)
 {
   StepState<2> &s = body.step;
-  const auto    n = body.points.size();
+  const auto n = body.points.size();
   s.grid_gradient.assign(n, dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}}));
   s.gradient = body.points.gradient;
-  s.stress   = body.points.stress;
-  s.volume   = body.small_strain() ? body.points.volume : body.points.rest_volume;
+  s.stress = body.points.stress;
+  s.volume = body.small_strain() ? body.points.volume : body.points.rest_volume;
   internal_force(body, body.internal_force);
 }
 
@@ -183,10 +193,11 @@ void MpmModel::renew_grids()
   if (world.settings.grid_update == GridUpdate::never)
     return;
   dealii::TimerOutput::Scope section(*timer, "grid update");
-  const BuildContext         context{*world.lattice, *world.shape, world.settings};
+  const BuildContext context{*world.lattice, *world.shape, world.settings};
   for (Body<2> &body : world.bodies)
   {
-    if (world.settings.grid_update == GridUpdate::distortion && grid_distortion(body) < world.settings.distortion_limit)
+    if (world.settings.grid_update == GridUpdate::distortion &&
+        grid_distortion(body) < world.settings.distortion_limit)
       continue;
     leave_grid(body, world.settings, *world.shape, world.lattice->cell_size());
     lay_grid(body, context);
@@ -217,7 +228,8 @@ double MpmModel::momentum_error() const
   const Balance &balance = world.balance;
   if (!world.settings.scheme.inertia)
     return 0.;
-  const auto error = momentum() - balance.initial_momentum - balance.wall_impulse - balance.body_force_impulse;
+  const auto error =
+      momentum() - balance.initial_momentum - balance.wall_impulse - balance.body_force_impulse;
   return balance.largest_momentum > 0. ? error.norm() / balance.largest_momentum : error.norm();
 }
 
@@ -231,7 +243,7 @@ Energies MpmModel::energies() const
         energies.kinetic += body.kinetic_energy();
       energies.elastic += body.elastic_energy;
     }
-  energies.dissipated    = world.balance.contact_loss + world.balance.law_loss;
+  energies.dissipated = world.balance.contact_loss + world.balance.law_loss;
   energies.external_work = world.balance.wall_work + world.balance.body_force_work;
   return energies;
 }
@@ -251,7 +263,8 @@ std::size_t MpmModel::n_bodies() const
 
 SizeReport MpmModel::size_report() const
 {
-  const auto text = [](const double value, const std::string &unit) {
+  const auto text = [](const double value, const std::string &unit)
+  {
     std::ostringstream s;
     s.precision(4);
     s << value << unit;
@@ -263,13 +276,16 @@ SizeReport MpmModel::size_report() const
   const auto &cells = world.lattice->n_cells();
   return {{"bodies", std::to_string(n_bodies())},
           {"material points", std::to_string(n_points())},
-          {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " + text(world.lattice->cell_size(), " m")},
+          {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
+                                  text(world.lattice->cell_size(), " m")},
           {"unknowns", std::to_string(dofs)},
           {"shape functions", world.settings.shape},
           {"time scheme", world.settings.scheme.name},
           {"CFL step", text(cfl_step(), " s")},
           {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
-          {"steps to the end time", world.scene.stop.end_time > 0. ? text(std::ceil(world.scene.stop.end_time / wanted_step()), "") : "open"}};
+          {"steps to the end time", world.scene.stop.end_time > 0.
+                                        ? text(std::ceil(world.scene.stop.end_time / wanted_step()), "")
+                                        : "open"}};
 }
 
 std::map<std::string, double> MpmModel::phases() const

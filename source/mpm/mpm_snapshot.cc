@@ -15,13 +15,14 @@ namespace
 using Row = ContactRow<2>;
 
 /// Value and gradient of a nodal vector at one point.
-std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>> field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
+std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>>
+field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
 {
   dealii::Tensor<1, 2> value;
   dealii::Tensor<2, 2> gradient;
   for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
   {
-    const unsigned int         i = field.point_nodes(p)[k];
+    const unsigned int i = field.point_nodes(p)[k];
     const dealii::Tensor<1, 2> u({nodal[2 * i], nodal[2 * i + 1]});
     value += field.values(p)[k] * u;
     gradient += outer_product(u, field.slopes(p)[k]);
@@ -45,17 +46,17 @@ void add_points(const Body<2> &body, PointStates<2> &points)
   body.field.prolongate(body.velocity, v);
   for (unsigned int p = 0; p < n; ++p)
   {
-    const std::size_t at       = first + body.points.id[p];
-    auto [moved, gradient]     = field_at(body.field, p, u);
+    const std::size_t at = first + body.points.id[p];
+    auto [moved, gradient] = field_at(body.field, p, u);
     gradient[0][0] += 1.;
     gradient[1][1] += 1.;
-    const auto   F             = gradient * body.points.gradient[p];
-    const double J             = body.small_strain() ? 1. : determinant(F);
-    points.position[at]        = body.points.position[p] + moved;
-    points.velocity[at]        = field_at(body.field, p, v).first;
-    points.size[at]            = body.points.rest_volume[p] * determinant(F);
-    points.stress[at]          = body.points.stress[p] / J;
-    points.out_of_plane_stress[at]  = body.points.out_of_plane_stress[p] / J;
+    const auto F = gradient * body.points.gradient[p];
+    const double J = body.small_strain() ? 1. : determinant(F);
+    points.position[at] = body.points.position[p] + moved;
+    points.velocity[at] = field_at(body.field, p, v).first;
+    points.size[at] = body.points.rest_volume[p] * determinant(F);
+    points.stress[at] = body.points.stress[p] / J;
+    points.out_of_plane_stress[at] = body.points.out_of_plane_stress[p] / J;
     points.deformation_gradient[at] = F;
   }
 }
@@ -77,11 +78,12 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
   for (unsigned int l = 0; l < body.boundary.n_loops(); ++l)
     state.outline.emplace_back(body.boundary.position.begin() + body.boundary.loop_start[l],
                                body.boundary.position.begin() + body.boundary.loop_start[l + 1]);
-  state.area           = outline_area(body);
+  state.area = outline_area(body);
   state.reference_area = body.rest_area;
-  state.mass           = body.mass.sum();
+  state.mass = body.mass.sum();
   dealii::Tensor<1, 2> moment;
-  const auto           place = [&](const unsigned int i) {
+  const auto place = [&](const unsigned int i)
+  {
     dealii::Point<2> x = body.field.position(body.field.node_of_independent(i));
     for (unsigned int d = 0; d < 2; ++d)
       x[d] += body.displacement[2 * i + d];
@@ -89,12 +91,13 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
   };
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     moment += body.mass[i] * (place(i) - dealii::Point<2>());
-  state.center   = dealii::Point<2>(moment / state.mass);
+  state.center = dealii::Point<2>(moment / state.mass);
   state.velocity = body.momentum() / state.mass;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
   {
     const dealii::Tensor<1, 2> arm = place(i) - state.center;
-    state.angular_momentum += body.mass[i] * (arm[0] * body.velocity[2 * i + 1] - arm[1] * body.velocity[2 * i]);
+    state.angular_momentum +=
+        body.mass[i] * (arm[0] * body.velocity[2 * i + 1] - arm[1] * body.velocity[2 * i]);
   }
   double volume = 0.;
   for (unsigned int p = 0; p < body.points.size(); ++p)
@@ -120,9 +123,9 @@ Snapshot<2> MpmModel::snapshot() const
     add_points(body, snapshot.points);
     snapshot.bodies.push_back(body_state(body));
   }
-  snapshot.walls    = walls();
+  snapshot.walls = walls();
   snapshot.energies = energies();
-  const auto        &rows       = world.contact.contact_rows();
+  const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
@@ -134,14 +137,14 @@ Snapshot<2> MpmModel::snapshot() const
       contact.wall = rows[r].wall;
     else
       contact.body_b = rows[r].partner;
-    contact.place  = rows[r].place;
+    contact.place = rows[r].place;
     contact.normal = rows[r].normal;
     contact.length = rows[r].length;
-    contact.gap    = rows[r].gap;
+    contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
       // The impulse of newmark is half a step of the force at its end.
-      contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) * world.contact.impulses()[r * components + c] / last_dt *
-                       rows[r].direction(c);
+      contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
+                       world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     snapshot.contacts.push_back(contact);
   }
   return snapshot;
@@ -153,14 +156,16 @@ std::vector<WallState<2>> MpmModel::walls() const
   for (const Wall &wall : world.walls)
   {
     WallState<2> state;
-    state.name     = wall.description.name;
-    state.point    = wall.point();
-    state.normal   = wall.description.normal;
+    state.name = wall.description.name;
+    state.point = wall.point();
+    state.normal = wall.description.normal;
     // Along the axis that the wall is square to; of an inclined wall the distance from the origin.
     const unsigned int axis = std::abs(state.normal[0]) > std::abs(state.normal[1]) ? 0 : 1;
-    state.position = std::abs(state.normal[axis]) > 1. - 1e-12 ? state.point[axis] : (state.point - dealii::Point<2>()) * state.normal;
+    state.position = std::abs(state.normal[axis]) > 1. - 1e-12
+                         ? state.point[axis]
+                         : (state.point - dealii::Point<2>()) * state.normal;
     state.velocity = wall.speed;
-    state.normal_force     = -(wall.force * state.normal);
+    state.normal_force = -(wall.force * state.normal);
     state.tangential_force = wall.force * dealii::Tensor<1, 2>({state.normal[1], -state.normal[0]});
     states.push_back(state);
   }
@@ -179,7 +184,7 @@ double MpmModel::solid_area() const
 double MpmModel::coordination() const
 {
   std::set<std::pair<unsigned int, unsigned int>> touching;
-  const auto                                     &rows = world.contact.contact_rows();
+  const auto &rows = world.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (world.contact.impulses()[r * world.contact.n_components()] > 0.)
     {

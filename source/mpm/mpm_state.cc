@@ -15,7 +15,8 @@ namespace
 template <typename T>
 std::vector<double> flat(const std::vector<T> &values)
 {
-  static_assert(sizeof(T) % sizeof(double) == 0 && std::is_trivially_destructible<T>::value, "not a pack of doubles");
+  static_assert(sizeof(T) % sizeof(double) == 0 && std::is_trivially_destructible<T>::value,
+                "not a pack of doubles");
   std::vector<double> numbers(values.size() * sizeof(T) / sizeof(double));
   if (!numbers.empty())
     std::memcpy(numbers.data(), values.data(), numbers.size() * sizeof(double));
@@ -46,19 +47,23 @@ void MpmModel::save(StateWriter &out) const
   const Balance &b = world.balance;
   out.write("mpm/scalars", std::vector<double>{world.time, step_scale, last_dt});
   out.write("mpm/step", std::vector<std::uint64_t>{steps});
-  out.write("mpm/balance", std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0], b.body_force_impulse[1],
-                                               b.wall_impulse[0], b.wall_impulse[1], b.largest_momentum, b.wall_work, b.body_force_work,
-                                               b.contact_loss, b.law_loss, b.carried_load[0], b.carried_load[1]});
+  out.write("mpm/balance",
+            std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
+                                b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
+                                b.largest_momentum, b.wall_work, b.body_force_work, b.contact_loss,
+                                b.law_loss, b.carried_load[0], b.carried_load[1]});
   std::vector<double> walls;
   for (const Wall &wall : world.walls)
-    walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1], wall.carried[0], wall.carried[1]});
+    walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
+                               wall.impulse[1], wall.carried[0], wall.carried[1]});
   out.write("mpm/walls", walls);
 
   // Sorted by key, so that equal states give equal files.
-  std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(), world.contact.memory().end());
+  std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(),
+                                                                      world.contact.memory().end());
   std::sort(memory.begin(), memory.end());
   std::vector<std::uint64_t> keys;
-  std::vector<double>        impulses;
+  std::vector<double> impulses;
   for (const auto &[key, impulse] : memory)
   {
     keys.push_back(key);
@@ -69,8 +74,8 @@ void MpmModel::save(StateWriter &out) const
 
   for (const Body<2> &body : world.bodies)
   {
-    const std::string    at     = "mpm/bodies/" + body.name + "/";
-    const PointData<2>  &points = body.points;
+    const std::string at = "mpm/bodies/" + body.name + "/";
+    const PointData<2> &points = body.points;
     out.write(at + "id", std::vector<std::uint64_t>(points.id.begin(), points.id.end()));
     out.write(at + "position", flat(points.position));
     out.write(at + "volume", points.volume);
@@ -102,39 +107,45 @@ void MpmModel::load(StateReader &in)
     throw InputError("the checkpoint was made with another number of walls");
   world.time = scalars.at(0);
   step_scale = scalars.at(1);
-  last_dt    = scalars.at(2);
-  steps      = in.read_integers("mpm/step").at(0);
+  last_dt = scalars.at(2);
+  steps = in.read_integers("mpm/step").at(0);
   const std::vector<double> b = in.read_doubles("mpm/balance");
-  world.balance               = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}), dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
-                                 dealii::Tensor<1, 2>({b.at(4), b.at(5)}), b.at(6), b.at(7), b.at(8), b.at(9), b.at(10),
-                                 dealii::Tensor<1, 2>({b.at(11), b.at(12)})};
+  world.balance = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
+                   dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
+                   dealii::Tensor<1, 2>({b.at(4), b.at(5)}),
+                   b.at(6),
+                   b.at(7),
+                   b.at(8),
+                   b.at(9),
+                   b.at(10),
+                   dealii::Tensor<1, 2>({b.at(11), b.at(12)})};
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
-    const double *v       = &walls[8 * w];
+    const double *v = &walls[8 * w];
     world.walls[w].travel = v[0];
-    world.walls[w].speed  = v[1];
+    world.walls[w].speed = v[1];
     world.walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     world.walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
     world.walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
   }
-  const std::vector<std::uint64_t> keys     = in.read_integers("mpm/contact/keys");
-  const std::vector<double>        impulses = in.read_doubles("mpm/contact/impulses");
+  const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
+  const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
   for (std::size_t k = 0; k < keys.size(); ++k)
     world.contact.memory()[keys[k]] = {{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
   const BuildContext context{*world.lattice, *world.shape, world.settings};
   for (Body<2> &body : world.bodies)
   {
-    const std::string at     = "mpm/bodies/" + body.name + "/";
-    PointData<2>     &points = body.points;
-    const auto        ids    = in.read_integers(at + "id");
+    const std::string at = "mpm/bodies/" + body.name + "/";
+    PointData<2> &points = body.points;
+    const auto ids = in.read_integers(at + "id");
     if (ids.size() != points.size())
       throw InputError("the checkpoint was made with another number of points in body '" + body.name + "'");
     points.id.assign(ids.begin(), ids.end());
     unflat(in.read_doubles(at + "position"), points.position);
-    points.volume      = in.read_doubles(at + "volume");
+    points.volume = in.read_doubles(at + "volume");
     points.rest_volume = in.read_doubles(at + "rest_volume");
-    points.mass        = in.read_doubles(at + "mass");
+    points.mass = in.read_doubles(at + "mass");
     points.half_extent = in.read_doubles(at + "half_extent");
     unflat(in.read_doubles(at + "gradient"), points.gradient);
     unflat(in.read_doubles(at + "velocity"), points.velocity);
@@ -146,12 +157,12 @@ void MpmModel::load(StateReader &in)
     unflat(in.read_doubles(at + "boundary_grid_position"), body.boundary.grid_position);
     lay_grid(body, context);
     unflat(in.read_doubles(at + "boundary_position"), body.boundary.position);
-    body.displacement       = vector_of(in.read_doubles(at + "nodes/displacement"));
-    body.velocity           = vector_of(in.read_doubles(at + "nodes/velocity"));
+    body.displacement = vector_of(in.read_doubles(at + "nodes/displacement"));
+    body.velocity = vector_of(in.read_doubles(at + "nodes/velocity"));
     body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
-    body.acceleration       = vector_of(in.read_doubles(at + "nodes/acceleration"));
-    body.internal_force     = vector_of(in.read_doubles(at + "nodes/internal_force"));
-    body.elastic_energy     = in.read_doubles(at + "elastic_energy").at(0);
+    body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
+    body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
+    body.elastic_energy = in.read_doubles(at + "elastic_energy").at(0);
     if (world.settings.scheme.implicit && !body.driven)
       world.matrices[body.index].reinit(body.field);
   }

@@ -10,9 +10,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Point  = dealii::Point<2>;
+using Point = dealii::Point<2>;
 using Vector = dealii::Tensor<1, 2>;
-using Row    = ContactRow<2>;
+using Row = ContactRow<2>;
 
 /// Unit outward normal of the edge from @p a to @p b; the solid lies to the left.
 Vector edge_normal(const Point &a, const Point &b)
@@ -26,7 +26,8 @@ Vector edge_normal(const Point &a, const Point &b)
 Vector marker_normal(const Boundary<2> &boundary, const unsigned int m)
 {
   const Point &x = boundary.position[m];
-  Vector       n = edge_normal(boundary.position[boundary.previous(m)], x) + edge_normal(x, boundary.position[boundary.next(m)]);
+  Vector n = edge_normal(boundary.position[boundary.previous(m)], x) +
+             edge_normal(x, boundary.position[boundary.next(m)]);
   const double norm = n.norm();
   return norm > 0. ? n / norm : n;
 }
@@ -46,19 +47,20 @@ struct Box
   }
   bool near(const Point &x, const double margin) const
   {
-    return x[0] > lower[0] - margin && x[0] < upper[0] + margin && x[1] > lower[1] - margin && x[1] < upper[1] + margin;
+    return x[0] > lower[0] - margin && x[0] < upper[0] + margin && x[1] > lower[1] - margin &&
+           x[1] < upper[1] + margin;
   }
   bool near(const Box &other, const double margin) const
   {
-    return other.upper[0] > lower[0] - margin && other.lower[0] < upper[0] + margin && other.upper[1] > lower[1] - margin &&
-           other.lower[1] < upper[1] + margin;
+    return other.upper[0] > lower[0] - margin && other.lower[0] < upper[0] + margin &&
+           other.upper[1] > lower[1] - margin && other.lower[1] < upper[1] + margin;
   }
 };
 
 /// What find() works out once per body.
 struct Surface
 {
-  Box    box;
+  Box box;
   double speed = 0.; ///< of its fastest node [m/s]
 };
 
@@ -78,27 +80,31 @@ Surface look_at(const Body<2> &body)
 /// Half the way to the neighbouring contact markers on both sides.
 double tributary_length(const Boundary<2> &boundary, const unsigned int m)
 {
-  double       length = 0.;
+  double length = 0.;
   unsigned int forward = m, backward = m;
   for (unsigned int k = 0; k < boundary.contact_stride; ++k)
   {
     const unsigned int f = boundary.next(forward), b = boundary.previous(backward);
     length += 0.5 * (boundary.position[f].distance(boundary.position[forward]) +
                      boundary.position[b].distance(boundary.position[backward]));
-    forward  = f;
+    forward = f;
     backward = b;
   }
   return length;
 }
 
-std::uint64_t row_key(const unsigned int body, const unsigned int marker, const unsigned int partner, const bool wall)
+std::uint64_t
+row_key(const unsigned int body, const unsigned int marker, const unsigned int partner, const bool wall)
 {
   // 24 bits for bodies, 16 for the marker, 23 for the partner: beyond that warm starts mix, results do not.
   return (static_cast<std::uint64_t>(body) << 40) | (static_cast<std::uint64_t>(marker & 0xffff) << 24) |
          (static_cast<std::uint64_t>(wall) << 23) | (partner & 0x7fffff);
 }
 
-void find_wall_rows(const ContactScene<2> &scene, const Body<2> &body, const Surface &surface, std::vector<Row> &rows)
+void find_wall_rows(const ContactScene<2> &scene,
+                    const Body<2> &body,
+                    const Surface &surface,
+                    std::vector<Row> &rows)
 {
   for (unsigned int w = 0; w < scene.walls.size(); ++w)
   {
@@ -112,15 +118,15 @@ void find_wall_rows(const ContactScene<2> &scene, const Body<2> &body, const Sur
       if (gap > margin)
         continue;
       Row row;
-      row.body         = body.index;
-      row.wall         = w;
+      row.body = body.index;
+      row.wall = w;
       row.body_weights = body.field.marker_weights(m);
-      row.place        = body.boundary.position[m];
-      row.normal       = wall.normal;
-      row.gap          = gap;
-      row.length       = tributary_length(body.boundary, m);
-      row.friction     = wall.friction;
-      row.key          = row_key(body.index, m, w, true);
+      row.place = body.boundary.position[m];
+      row.normal = wall.normal;
+      row.gap = gap;
+      row.length = tributary_length(body.boundary, m);
+      row.friction = wall.friction;
+      row.key = row_key(body.index, m, w, true);
       rows.push_back(row);
     }
   }
@@ -129,38 +135,43 @@ void find_wall_rows(const ContactScene<2> &scene, const Body<2> &body, const Sur
 /// Place on a polyline nearest to a marker.
 struct Projection
 {
-  double       distance = std::numeric_limits<double>::max();
-  unsigned int first    = 0; ///< marker at the start of the segment
-  double       share    = 0; ///< of the way to the next one
-  Vector       normal;
-  double       gap = 0;
+  double distance = std::numeric_limits<double>::max();
+  unsigned int first = 0; ///< marker at the start of the segment
+  double share = 0;       ///< of the way to the next one
+  Vector normal;
+  double gap = 0;
 };
 
-Projection project(const Point &x, const Vector &own_normal, const Boundary<2> &boundary, const std::vector<unsigned int> &segments)
+Projection project(const Point &x,
+                   const Vector &own_normal,
+                   const Boundary<2> &boundary,
+                   const std::vector<unsigned int> &segments)
 {
   Projection best;
   for (const unsigned int s : segments)
   {
     const Point &a = boundary.position[s], &b = boundary.position[boundary.next(s)];
-    const Vector edge   = b - a;
+    const Vector edge = b - a;
     const double square = edge.norm_square();
     if (square == 0.)
       continue;
-    const double share    = std::clamp((x - a) * edge / square, 0., 1.);
+    const double share = std::clamp((x - a) * edge / square, 0., 1.);
     const double distance = x.distance(a + share * edge);
     if (distance >= best.distance || edge_normal(a, b) * own_normal > 0.2)
       continue;
     best.distance = distance;
-    best.first    = s;
-    best.share    = share;
+    best.first = s;
+    best.share = share;
   }
   if (best.distance < std::numeric_limits<double>::max())
   {
-    const unsigned int next   = boundary.next(best.first);
-    const Point        c      = boundary.position[best.first] + best.share * (boundary.position[next] - boundary.position[best.first]);
-    const Vector       normal = (1. - best.share) * marker_normal(boundary, best.first) + best.share * marker_normal(boundary, next);
-    best.normal               = normal / normal.norm();
-    best.gap                  = (x - c) * best.normal;
+    const unsigned int next = boundary.next(best.first);
+    const Point c = boundary.position[best.first] +
+                    best.share * (boundary.position[next] - boundary.position[best.first]);
+    const Vector normal =
+        (1. - best.share) * marker_normal(boundary, best.first) + best.share * marker_normal(boundary, next);
+    best.normal = normal / normal.norm();
+    best.gap = (x - c) * best.normal;
   }
   return best;
 }
@@ -181,7 +192,11 @@ NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share
   return result;
 }
 
-void find_pair_rows(const ContactScene<2> &scene, const Body<2> &body, const Surface &own, const Body<2> &partner, const Surface &other,
+void find_pair_rows(const ContactScene<2> &scene,
+                    const Body<2> &body,
+                    const Surface &own,
+                    const Body<2> &partner,
+                    const Surface &other,
                     std::vector<Row> &rows)
 {
   const double margin = 0.5 * scene.cell_size + 2. * scene.dt * (own.speed + other.speed);
@@ -191,7 +206,8 @@ void find_pair_rows(const ContactScene<2> &scene, const Body<2> &body, const Sur
   std::vector<unsigned int> segments;
   for (unsigned int s = 0; s < partner.boundary.position.size(); ++s)
     if (own.box.near(partner.boundary.position[s], margin + 2. * scene.cell_size) ||
-        own.box.near(partner.boundary.position[partner.boundary.next(s)], margin + 2. * scene.cell_size) || partner.driven)
+        own.box.near(partner.boundary.position[partner.boundary.next(s)], margin + 2. * scene.cell_size) ||
+        partner.driven)
       segments.push_back(s);
   const double friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
   for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
@@ -204,18 +220,18 @@ void find_pair_rows(const ContactScene<2> &scene, const Body<2> &body, const Sur
     if (at.distance > margin + 2. * scene.cell_size || at.gap > margin)
       continue;
     Row row;
-    row.body            = body.index;
-    row.partner         = partner.index;
-    row.wall            = partner.wall;
-    row.body_weights    = body.field.marker_weights(m);
+    row.body = body.index;
+    row.partner = partner.index;
+    row.wall = partner.wall;
+    row.body_weights = body.field.marker_weights(m);
     row.partner_weights = blend(partner.field.marker_weights(at.first),
                                 partner.field.marker_weights(partner.boundary.next(at.first)), at.share);
-    row.place           = x;
-    row.normal          = at.normal;
-    row.gap             = at.gap;
-    row.length          = tributary_length(body.boundary, m);
-    row.friction        = friction;
-    row.key             = row_key(body.index, m, partner.index, false);
+    row.place = x;
+    row.normal = at.normal;
+    row.gap = at.gap;
+    row.length = tributary_length(body.boundary, m);
+    row.friction = friction;
+    row.key = row_key(body.index, m, partner.index, false);
     rows.push_back(row);
   }
 }

@@ -8,24 +8,24 @@ namespace softgrain::mpm
 template <int dim>
 void SystemMatrix::reinit(const BodyField<dim> &field)
 {
-  const unsigned int                     n = field.n_independent();
+  const unsigned int n = field.n_independent();
   std::vector<std::vector<unsigned int>> rows(n); // of the lower blocks of each block column
-  std::vector<char>                      used(field.n_cells(), 0);
+  std::vector<char> used(field.n_cells(), 0);
   for (const auto &color : field.colors())
     for (const unsigned int c : color)
-      {
-        used[c] = 1;
-        for (const unsigned int i : field.cell_independent(c))
-          for (const unsigned int j : field.cell_independent(c))
-            if (i >= j)
-              rows[j].push_back(i);
-      }
-  for (unsigned int j = 0; j < n; ++j)
     {
-      rows[j].push_back(j);
-      std::sort(rows[j].begin(), rows[j].end());
-      rows[j].erase(std::unique(rows[j].begin(), rows[j].end()), rows[j].end());
+      used[c] = 1;
+      for (const unsigned int i : field.cell_independent(c))
+        for (const unsigned int j : field.cell_independent(c))
+          if (i >= j)
+            rows[j].push_back(i);
     }
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    rows[j].push_back(j);
+    std::sort(rows[j].begin(), rows[j].end());
+    rows[j].erase(std::unique(rows[j].begin(), rows[j].end()), rows[j].end());
+  }
 
   matrix.resize(dim * n, dim * n);
   Eigen::VectorXi sizes(dim * n);
@@ -46,7 +46,9 @@ void SystemMatrix::reinit(const BodyField<dim> &field)
       for (const unsigned int j : field.cell_independent(c))
         for (const unsigned int i : field.cell_independent(c))
           cell_rank[c].push_back(
-            i < j ? -1 : static_cast<int>(std::lower_bound(rows[j].begin(), rows[j].end(), i) - rows[j].begin()));
+              i < j
+                  ? -1
+                  : static_cast<int>(std::lower_bound(rows[j].begin(), rows[j].end(), i) - rows[j].begin()));
   new_pattern = true;
 }
 
@@ -56,33 +58,37 @@ void SystemMatrix::set_zero()
 }
 
 template <int dim>
-void SystemMatrix::add_cell(const BodyField<dim> &field, const unsigned int cell, const Eigen::MatrixXd &local, const double factor)
+void SystemMatrix::add_cell(const BodyField<dim> &field,
+                            const unsigned int cell,
+                            const Eigen::MatrixXd &local,
+                            const double factor)
 {
-  const std::vector<unsigned int> &nodes  = field.cell_independent(cell);
-  const int                       *rank   = cell_rank[cell].data();
-  double                          *values = matrix.valuePtr();
-  const int                       *start  = matrix.outerIndexPtr();
-  const unsigned int               n      = nodes.size();
+  const std::vector<unsigned int> &nodes = field.cell_independent(cell);
+  const int *rank = cell_rank[cell].data();
+  double *values = matrix.valuePtr();
+  const int *start = matrix.outerIndexPtr();
+  const unsigned int n = nodes.size();
   for (unsigned int b = 0; b < n; ++b)
     for (unsigned int a = 0; a < n; ++a, ++rank)
+    {
+      if (*rank < 0)
+        continue;
+      for (unsigned int d = 0; d < dim; ++d)
       {
-        if (*rank < 0)
-          continue;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            // In the column of direction d the diagonal block holds dim - d entries, every other block dim.
-            double *entry = values + start[dim * nodes[b] + d] + (*rank == 0 ? 0 : *rank * dim - static_cast<int>(d));
-            for (unsigned int e = (*rank == 0 ? d : 0); e < dim; ++e)
-              *entry++ += factor * local(dim * a + e, dim * b + d);
-          }
+        // In the column of direction d the diagonal block holds dim - d entries, every other block dim.
+        double *entry =
+            values + start[dim * nodes[b] + d] + (*rank == 0 ? 0 : *rank * dim - static_cast<int>(d));
+        for (unsigned int e = (*rank == 0 ? d : 0); e < dim; ++e)
+          *entry++ += factor * local(dim * a + e, dim * b + d);
       }
+    }
 }
 
 template <int dim>
 void SystemMatrix::add_mass(const Eigen::VectorXd &mass, const double factor)
 {
-  double    *values = matrix.valuePtr();
-  const int *start  = matrix.outerIndexPtr();
+  double *values = matrix.valuePtr();
+  const int *start = matrix.outerIndexPtr();
   for (unsigned int i = 0; i < mass.size(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
       values[start[dim * i + d]] += factor * mass[i];

@@ -13,7 +13,8 @@ std::vector<std::string> TimeScheme::names()
 TimeScheme TimeScheme::create(const std::string &name, const double theta)
 {
   if (!(theta >= 0.5 && theta <= 1.))
-    throw InputError("'Time/Theta' = " + std::to_string(theta) + " is not allowed: a number from 0.5 to 1 is needed");
+    throw InputError("'Time/Theta' = " + std::to_string(theta) +
+                     " is not allowed: a number from 0.5 to 1 is needed");
   if (name == "moreau_jean")
     return {name, theta, true, true, false};
   if (name == "newmark")

@@ -84,11 +84,11 @@ public:
 
 protected:
   virtual void prepare() = 0;
-  virtual void apply()   = 0;
+  virtual void apply() = 0;
 
-  dealii::IndexSet        all;
-  Wrappers::SparseMatrix  matrix;
-  Wrappers::MPI::Vector   right, solution;
+  dealii::IndexSet all;
+  Wrappers::SparseMatrix matrix;
+  Wrappers::MPI::Vector right, solution;
 };
 
 class TrilinosDirect final : public TrilinosBase
@@ -100,7 +100,7 @@ class TrilinosDirect final : public TrilinosBase
   }
   void apply() override { solver->solve(solution, right); }
 
-  dealii::SolverControl                   control;
+  dealii::SolverControl control;
   std::unique_ptr<Wrappers::SolverDirect> solver;
 };
 
@@ -108,10 +108,9 @@ class TrilinosCg final : public TrilinosBase
 {
 public:
   TrilinosCg(const LinearSolverSettings &settings, const bool amg, const unsigned int dim)
-    : settings(settings)
-    , use_amg(amg)
-    , dim(dim)
-  {}
+      : settings(settings), use_amg(amg), dim(dim)
+  {
+  }
 
 private:
   void prepare() override
@@ -119,9 +118,9 @@ private:
     if (use_amg)
     {
       Wrappers::PreconditionAMG::AdditionalData data;
-      data.elliptic              = true;
+      data.elliptic = true;
       data.higher_order_elements = true;
-      data.smoother_sweeps       = 2;
+      data.smoother_sweeps = 2;
       data.aggregation_threshold = 0.02;
       data.constant_modes.assign(dim, std::vector<bool>(matrix.m(), false));
       for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -134,7 +133,7 @@ private:
 
   void apply() override
   {
-    dealii::SolverControl                    control(settings.max_iterations, settings.tolerance * right.l2_norm());
+    dealii::SolverControl control(settings.max_iterations, settings.tolerance * right.l2_norm());
     dealii::SolverCG<Wrappers::MPI::Vector> cg(control);
     try
     {
@@ -145,20 +144,22 @@ private:
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {
-      throw ComputationError("conjugate gradients did not converge in " + std::to_string(settings.max_iterations) +
-                             " iterations ('Linear solver/Maximum iterations'); 'Linear solver/Type' = 'cholesky' always does");
+      throw ComputationError(
+          "conjugate gradients did not converge in " + std::to_string(settings.max_iterations) +
+          " iterations ('Linear solver/Maximum iterations'); 'Linear solver/Type' = 'cholesky' always does");
     }
   }
 
   const LinearSolverSettings settings;
-  const bool                 use_amg;
-  const unsigned int         dim;
-  Wrappers::PreconditionAMG  amg;
-  Wrappers::PreconditionILU  ilu;
+  const bool use_amg;
+  const unsigned int dim;
+  Wrappers::PreconditionAMG amg;
+  Wrappers::PreconditionILU ilu;
 };
 } // namespace
 
-std::unique_ptr<LinearSolver> create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, const unsigned int dim)
+std::unique_ptr<LinearSolver>
+create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, const unsigned int dim)
 {
   if (type == "trilinos_direct")
     return std::make_unique<TrilinosDirect>();

@@ -13,21 +13,24 @@ std::vector<WallMotion<2>> World::wall_motion(const double dt) const
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
     // The middle of the step: exact for speeds linear in time.
-    motion.push_back({wall.point(), wall.description.normal, wall.velocity.empty() ? 0. : wall.velocity[0]({time + 0.5 * dt}),
+    motion.push_back({wall.point(), wall.description.normal,
+                      wall.velocity.empty() ? 0. : wall.velocity[0]({time + 0.5 * dt}),
                       wall.description.friction, wall.body == ContactRow<2>::none});
   return motion;
 }
 
-std::vector<double> end_gaps(const World &world, const std::vector<Eigen::VectorXd> &increment, const std::vector<WallMotion<2>> &motion,
+std::vector<double> end_gaps(const World &world,
+                             const std::vector<Eigen::VectorXd> &increment,
+                             const std::vector<WallMotion<2>> &motion,
                              const double dt)
 {
-  const auto         &rows       = world.contact.contact_rows();
-  const unsigned int  components = world.contact.n_components();
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
   std::vector<Eigen::VectorXd> rate(increment.size());
   for (unsigned int b = 0; b < increment.size(); ++b)
     rate[b] = increment[b] / dt;
   const std::vector<double> w = world.contact.relative_velocity(world.bodies, rate);
-  std::vector<double>       gap(rows.size());
+  std::vector<double> gap(rows.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     gap[r] = rows[r].gap + dt * w[r * components];
@@ -40,17 +43,22 @@ std::vector<double> end_gaps(const World &world, const std::vector<Eigen::Vector
 namespace
 {
 /// Impulses felt by the walls and the work done at the contacts during the step.
-void account_contacts(World &world, const double dt, const std::vector<Eigen::VectorXd> &rate, const std::vector<WallMotion<2>> &motion)
+void account_contacts(World &world,
+                      const double dt,
+                      const std::vector<Eigen::VectorXd> &rate,
+                      const std::vector<WallMotion<2>> &motion)
 {
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
     world.walls[w].force = 0.;
     world.walls[w].speed = motion[w].velocity;
   }
-  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first half, so what a
-  // wall gives is the mean of both ends, and the impulses of this step are half of the force at its end.
+  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
+  // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
+  // at its end.
   const bool half = world.settings.scheme.stored_acceleration;
-  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given) {
+  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
+  {
     wall.force -= given / dt;
     wall.impulse += given;
     world.balance.wall_impulse += given;
@@ -62,10 +70,11 @@ void account_contacts(World &world, const double dt, const std::vector<Eigen::Ve
       give(wall, 0.5 * dt * wall.carried);
       wall.carried = 0.;
     }
-  const auto                &rows       = world.contact.contact_rows();
-  const unsigned int         components = world.contact.n_components();
-  const std::vector<double> &P          = world.contact.impulses();
-  const std::vector<double>  w          = rows.empty() ? std::vector<double>() : world.contact.relative_velocity(world.bodies, rate);
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
+  const std::vector<double> &P = world.contact.impulses();
+  const std::vector<double> w =
+      rows.empty() ? std::vector<double>() : world.contact.relative_velocity(world.bodies, rate);
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (unsigned int c = 0; c < components; ++c)
     {
@@ -75,9 +84,9 @@ void account_contacts(World &world, const double dt, const std::vector<Eigen::Ve
       double relative = w[r * components + c];
       if (rows[r].wall != ContactRow<2>::none)
       {
-        Wall                       &wall  = world.walls[rows[r].wall];
-        const dealii::Tensor<1, 2>  given = impulse * rows[r].direction(c);
-        const dealii::Tensor<1, 2>  drive = wall.speed * wall.description.normal;
+        Wall &wall = world.walls[rows[r].wall];
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        const dealii::Tensor<1, 2> drive = wall.speed * wall.description.normal;
         give(wall, given);
         if (half)
           wall.carried += 2. / dt * given;
@@ -102,12 +111,16 @@ void account_contacts(World &world, const double dt, const std::vector<Eigen::Ve
 }
 } // namespace
 
-void accept_step(World &world, const double dt, std::vector<Eigen::VectorXd> &end_velocity, const std::vector<Eigen::VectorXd> &increment,
-                 const std::vector<Eigen::VectorXd> &rate, const std::vector<WallMotion<2>> &motion,
+void accept_step(World &world,
+                 const double dt,
+                 std::vector<Eigen::VectorXd> &end_velocity,
+                 const std::vector<Eigen::VectorXd> &increment,
+                 const std::vector<Eigen::VectorXd> &rate,
+                 const std::vector<WallMotion<2>> &motion,
                  const std::vector<Eigen::VectorXd> &external)
 {
   account_contacts(world, dt, rate, motion);
-  const bool           half = world.settings.scheme.stored_acceleration;
+  const bool half = world.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
   for (unsigned int b = 0; b < world.bodies.size(); ++b)
   {
@@ -133,7 +146,7 @@ void accept_step(World &world, const double dt, std::vector<Eigen::VectorXd> &en
     body.displacement += increment[b];
     std::swap(body.velocity, end_velocity[b]);
     move_boundary(body);
-    body.points.stress              = body.step.stress;
+    body.points.stress = body.step.stress;
     body.points.out_of_plane_stress = body.step.out_of_plane_stress;
     std::swap(body.points.history, body.step.history);
     body.elastic_energy = stored_energy(body);

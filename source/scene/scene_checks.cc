@@ -88,7 +88,11 @@ std::vector<Expression> parse_at(const std::string &path, const Parse &parse)
 
 void check_formulas(const BodyDescription<2> &body)
 {
-  const double x = body.shape == BodyShape::polygon ? body.vertices[0][0] : body.center[0];
+  // A place in the body; the centre of a ring is not.
+  const double middle = body.inner_radius > 0. ? 0.5 * (body.inner_radius + body.radius) : 0.;
+  const double x = body.shape == BodyShape::polygon ? body.vertices[0][0]
+                   : body.shape == BodyShape::disk  ? body.center[0] + middle
+                                                    : body.center[0];
   const double y = body.shape == BodyShape::polygon ? body.vertices[0][1] : body.center[1];
   const std::string velocity = "Bodies/" + body.name + "/Velocity";
   check_finite(velocity,

@@ -11,10 +11,11 @@ namespace softgrain::mpm
 /**
  * @brief Cholesky factors of a band matrix in dense panels.
  *
- * The field of a compact body on a lattice has a band of about twice its width in nodes, and dense kernels on that band
- * do ten times the arithmetic per second of a sparse factorisation: for bodies up to some ten thousand unknowns this is
- * several times faster than general sparse Cholesky, and condensation to contact rows gains as much. Unknowns are
- * ordered as they come or by reverse Cuthill-McKee, whichever gives the narrower band.
+ * The field of a compact body on a lattice has a band of about twice its width in nodes, and dense kernels on
+ * that band do ten times the arithmetic per second of a sparse factorisation: for bodies up to some ten
+ * thousand unknowns this is several times faster than general sparse Cholesky, and condensation to contact
+ * rows gains as much. Unknowns are ordered as they come or by reverse Cuthill-McKee, whichever gives the
+ * narrower band.
  */
 class BandedSolver final : public LinearSolver
 {
@@ -32,12 +33,12 @@ private:
   void forward(Eigen::Ref<Eigen::MatrixXd> x) const;
   void backward(Eigen::Ref<Eigen::MatrixXd> x) const;
 
-  static constexpr int         block = 32; ///< columns of a panel; the fastest of 16 to 64 with AVX2
-  int                          band  = 0;  ///< rows of a panel below its diagonal block, a multiple of block
-  int                          n_panels = 0;
-  std::vector<int>             order;      ///< new place of every unknown
-  std::vector<int>             target;     ///< place in panels of every entry of the matrix
-  std::vector<double>          panels;     ///< n_panels matrices of (block + band) x block, by columns
+  static constexpr int block = 32; ///< columns of a panel; the fastest of 16 to 64 with AVX2
+  int band = 0;                    ///< rows of a panel below its diagonal block, a multiple of block
+  int n_panels = 0;
+  std::vector<int> order;     ///< new place of every unknown
+  std::vector<int> target;    ///< place in panels of every entry of the matrix
+  std::vector<double> panels; ///< n_panels matrices of (block + band) x block, by columns
 };
 } // namespace softgrain::mpm
 

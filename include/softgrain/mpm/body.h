@@ -27,19 +27,19 @@ namespace softgrain::mpm
 template <int dim>
 struct PointData
 {
-  std::vector<unsigned int>                    id;           ///< number at generation; points are sorted by cell
-  std::vector<dealii::Point<dim>>              position;     ///< when the grid was built [m]
-  std::vector<double>                          rest_volume;  ///< [m^dim]
-  std::vector<double>                          mass;         ///< [kg]
-  std::vector<double>                          half_extent;  ///< half the edge of the domain at rest [m]
-  std::vector<double>                          volume;       ///< small-strain laws: when the grid was built [m^dim]
-  std::vector<dealii::Tensor<2, dim>>          gradient;     ///< F from rest to the configuration of the grid
-  std::vector<dealii::Tensor<1, dim>>          velocity;     ///< when the grid was built [m/s]
-  std::vector<dealii::Tensor<1, dim>>          acceleration; ///< `newmark` only [m/s^2]
-  std::vector<dealii::Tensor<2, dim>>          affine;       ///< APIC matrix, when wanted [1/s]
-  std::vector<double>                          history;      ///< rows of Law::n_history() values, end of the last step
-  std::vector<dealii::SymmetricTensor<2, dim>> stress;       ///< as the law returns it, end of the last step [Pa]
-  std::vector<double>                          out_of_plane_stress; ///< [Pa]
+  std::vector<unsigned int> id;                     ///< number at generation; points are sorted by cell
+  std::vector<dealii::Point<dim>> position;         ///< when the grid was built [m]
+  std::vector<double> rest_volume;                  ///< [m^dim]
+  std::vector<double> mass;                         ///< [kg]
+  std::vector<double> half_extent;                  ///< half the edge of the domain at rest [m]
+  std::vector<double> volume;                       ///< small-strain laws: when the grid was built [m^dim]
+  std::vector<dealii::Tensor<2, dim>> gradient;     ///< F from rest to the configuration of the grid
+  std::vector<dealii::Tensor<1, dim>> velocity;     ///< when the grid was built [m/s]
+  std::vector<dealii::Tensor<1, dim>> acceleration; ///< `newmark` only [m/s^2]
+  std::vector<dealii::Tensor<2, dim>> affine;       ///< APIC matrix, when wanted [1/s]
+  std::vector<double> history;                      ///< rows of Law::n_history() values, end of the last step
+  std::vector<dealii::SymmetricTensor<2, dim>> stress; ///< as the law returns it, end of the last step [Pa]
+  std::vector<double> out_of_plane_stress;             ///< [Pa]
 
   std::size_t size() const { return position.size(); }
 };
@@ -48,33 +48,34 @@ struct PointData
 template <int dim>
 struct StepState
 {
-  std::vector<dealii::Tensor<2, dim>>          grid_gradient; ///< I + grad U, from the grid's configuration to the trial
-  std::vector<dealii::Tensor<2, dim>>          gradient;      ///< F of the trial
-  std::vector<dealii::Tensor<2, dim>>          increment;     ///< displacement gradient over the step
-  std::vector<double>                          volume;        ///< that multiplies the stress: at rest, or (3.17) [m^dim]
-  std::vector<dealii::SymmetricTensor<2, dim>> stress;        ///< [Pa]
-  std::vector<double>                          out_of_plane_stress;
+  std::vector<dealii::Tensor<2, dim>>
+      grid_gradient;                             ///< I + grad U, from the grid's configuration to the trial
+  std::vector<dealii::Tensor<2, dim>> gradient;  ///< F of the trial
+  std::vector<dealii::Tensor<2, dim>> increment; ///< displacement gradient over the step
+  std::vector<double> volume;                    ///< that multiplies the stress: at rest, or (3.17) [m^dim]
+  std::vector<dealii::SymmetricTensor<2, dim>> stress; ///< [Pa]
+  std::vector<double> out_of_plane_stress;
   std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
-  std::vector<double>                          energy;  ///< per rest volume [J/m^dim]
-  std::vector<double>                          dissipation;
-  std::vector<double>                          history;
-  Eigen::VectorXd                              nodal, nodal_increment; ///< scratch, all nodes
-  std::vector<double>                          of_cells;               ///< scratch, dim per node of every cell
+  std::vector<double> energy;                           ///< per rest volume [J/m^dim]
+  std::vector<double> dissipation;
+  std::vector<double> history;
+  Eigen::VectorXd nodal, nodal_increment; ///< scratch, all nodes
+  std::vector<double> of_cells;           ///< scratch, dim per node of every cell
 };
 
 /**
  * @brief The boundary of a body: closed polylines of markers that move with the field.
  *
- * Every `contact_stride`-th marker is a place where contact is looked for; those between make the polyline smooth, so
- * that what touches this body meets its true shape.
+ * Every `contact_stride`-th marker is a place where contact is looked for; those between make the polyline
+ * smooth, so that what touches this body meets its true shape.
  */
 template <int dim>
 struct Boundary
 {
-  std::vector<dealii::Point<dim>>     grid_position; ///< in the configuration of the grid [m]
-  std::vector<dealii::Point<dim>>     position;      ///< now [m]
-  std::vector<unsigned int>           loop_start;    ///< first marker of every closed loop, and the end
-  unsigned int                        contact_stride = 1;
+  std::vector<dealii::Point<dim>> grid_position; ///< in the configuration of the grid [m]
+  std::vector<dealii::Point<dim>> position;      ///< now [m]
+  std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
+  unsigned int contact_stride = 1;
 
   unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
   /// Marker after @p m in its loop.
@@ -86,42 +87,43 @@ struct Boundary
 /**
  * @brief One body: its law, its points, its boundary and its nodal field.
  *
- * Nodal vectors hold dim components per independent node of the field. `displacement` runs from the configuration in
- * which the grid was built, so that a grid may serve for one step (updated Lagrangian) or for ever (total Lagrangian).
+ * Nodal vectors hold dim components per independent node of the field. `displacement` runs from the
+ * configuration in which the grid was built, so that a grid may serve for one step (updated Lagrangian) or
+ * for ever (total Lagrangian).
  */
 template <int dim>
 struct Body
 {
-  std::string                                      name;
-  unsigned int                                     index = 0;
-  std::shared_ptr<const constitutive::Law<dim>>    law;
-  double                                           density = 0;    ///< at rest [kg/m^3]
-  double                                           rest_area = 0;  ///< [m^dim]
-  bool                                             driven  = false; ///< moves rigidly with `drive`
-  dealii::Tensor<1, dim>                           drive;          ///< velocity of a driven body [m/s]
-  unsigned int                                     wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
-  std::vector<Expression>                          body_force;     ///< components, of x, y, X, Y, t [N/kg]; empty: none
-  std::vector<dealii::Point<dim>>                  rest_position;  ///< of the points, when a load needs it [m]
+  std::string name;
+  unsigned int index = 0;
+  std::shared_ptr<const constitutive::Law<dim>> law;
+  double density = 0;                                ///< at rest [kg/m^3]
+  double rest_area = 0;                              ///< [m^dim]
+  bool driven = false;                               ///< moves rigidly with `drive`
+  dealii::Tensor<1, dim> drive;                      ///< velocity of a driven body [m/s]
+  unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
+  std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
+  std::vector<dealii::Point<dim>> rest_position;     ///< of the points, when a load needs it [m]
 
   PointData<dim> points;
   StepState<dim> step;
-  Boundary<dim>  boundary;
+  Boundary<dim> boundary;
   BodyField<dim> field;
 
-  Eigen::VectorXd mass;                ///< per independent node, lumped (3.10) [kg]
-  Eigen::VectorXd displacement;        ///< since the grid was built [m]
-  Eigen::VectorXd velocity;            ///< [m/s]
-  Eigen::VectorXd velocity_of_points;  ///< what the points brought when the grid was built [m/s]
-  Eigen::VectorXd acceleration;        ///< `newmark` only [m/s^2]
-  Eigen::VectorXd internal_force;      ///< end of the last step [N]
-  double          elastic_energy = 0;  ///< end of the last step [J]
+  Eigen::VectorXd mass;               ///< per independent node, lumped (3.10) [kg]
+  Eigen::VectorXd displacement;       ///< since the grid was built [m]
+  Eigen::VectorXd velocity;           ///< [m/s]
+  Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]
+  Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
+  Eigen::VectorXd internal_force;     ///< end of the last step [N]
+  double elastic_energy = 0;          ///< end of the last step [J]
 
-  bool            f_bar          = false; ///< cell-averaged dilatation against volumetric locking
+  bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
 
   bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
   /// Momentum of the nodal field [kg m/s].
   dealii::Tensor<1, dim> momentum() const;
-  double                 kinetic_energy() const;
+  double kinetic_energy() const;
 };
 } // namespace softgrain::mpm
 

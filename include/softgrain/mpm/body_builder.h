@@ -15,30 +15,35 @@ namespace softgrain::mpm
 /// What all bodies of a scene share when they are built.
 struct BuildContext
 {
-  const Lattice<2>    &lattice;
+  const Lattice<2> &lattice;
   const ShapeFunction &shape;
-  const Settings      &settings;
+  const Settings &settings;
 };
 
 /**
  * @brief A body at rest in its place: points, boundary, grid, and the initial velocity on its nodes.
  * @throw InputError when it holds no point or reaches out of the mesh
  */
-Body<2> build_body(const BodyDescription<2> &description, unsigned int index, std::shared_ptr<const constitutive::Law<2>> law,
-                   double density, const BuildContext &context);
+Body<2> build_body(const BodyDescription<2> &description,
+                   unsigned int index,
+                   std::shared_ptr<const constitutive::Law<2>> law,
+                   double density,
+                   const BuildContext &context);
 
-/// The slab of material points, three cells thick, that stands for a wall; it is driven and has no law of its own use.
+/// The slab of material points, three cells thick, that stands for a wall; it is driven and has no law of its
+/// own use.
 /// @throw InputError when the wall is not parallel to an axis or the slab leaves the mesh
 BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context);
 
 /**
- * @brief Lays the grid anew under the points of a body: numbering, shape values, lumped mass (3.10) and what the
- * points bring to the nodes (3.13).
+ * @brief Lays the grid anew under the points of a body: numbering, shape values, lumped mass (3.10) and what
+ * the points bring to the nodes (3.13).
  */
 void lay_grid(Body<2> &body, const BuildContext &context);
 
 /**
- * @brief Gives what the nodes have reached to the points, before the grid is laid anew: places, deformation, velocities.
+ * @brief Gives what the nodes have reached to the points, before the grid is laid anew: places, deformation,
+ * velocities.
  */
 void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &shape, double cell_size);
 

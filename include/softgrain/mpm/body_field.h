@@ -82,11 +82,12 @@ public:
   const dealii::Tensor<1, dim> *slopes(const unsigned int p) const { return &point_slopes[p * n_cell_nodes]; }
 
   /// Points are sorted by cell: those of cell @p c are first_point(c) ... first_point(c + 1) - 1.
-  unsigned int        first_point(const unsigned int c) const { return cell_point_start[c]; }
+  unsigned int first_point(const unsigned int c) const { return cell_point_start[c]; }
   const unsigned int *nodes_of_cell(const unsigned int c) const { return &cell_nodes[c * n_cell_nodes]; }
 
   /// Order in which points at @p places must stand for build(): by cell, and within a cell as they are.
-  static std::vector<unsigned int> cell_order(const Lattice<dim> &lattice, const std::vector<dealii::Point<dim>> &places);
+  static std::vector<unsigned int> cell_order(const Lattice<dim> &lattice,
+                                              const std::vector<dealii::Point<dim>> &places);
 
   /**
    * @brief Sums what cells give to their nodes, in an order that does not depend on the number of threads.

@@ -13,11 +13,11 @@ namespace softgrain::mpm
 template <int dim>
 struct ContactScene
 {
-  const std::vector<Body<dim>>       &bodies;
+  const std::vector<Body<dim>> &bodies;
   const std::vector<WallMotion<dim>> &walls;
-  double                              friction;  ///< between bodies
-  double                              dt;        ///< of the step to come [s]
-  double                              cell_size; ///< [m]
+  double friction;  ///< between bodies
+  double dt;        ///< of the step to come [s]
+  double cell_size; ///< [m]
 };
 
 /**
@@ -29,7 +29,8 @@ class ContactGeometry
 public:
   virtual ~ContactGeometry() = default;
 
-  /// Rows for the positions at the start of the step, in an order that does not depend on the number of threads.
+  /// Rows for the positions at the start of the step, in an order that does not depend on the number of
+  /// threads.
   virtual void find(const ContactScene<dim> &scene, std::vector<ContactRow<dim>> &rows) const = 0;
 };
 } // namespace softgrain::mpm

@@ -33,11 +33,12 @@ public:
 /// What the `Linear solver` section may say.
 struct LinearSolverSettings
 {
-  std::string  type           = "automatic"; ///< automatic, banded_cholesky, cholesky, trilinos_direct, cg_ilu, cg_amg
-  double       tolerance      = 1e-10;       ///< relative residual of the iterative solvers
-  unsigned int max_iterations = 2000;        ///< of the iterative solvers
-  unsigned int automatic_dofs = 60000;       ///< up to this size `automatic` is a Cholesky solver, above it `cg_amg`
-  unsigned int automatic_band = 600;         ///< half band width up to which `automatic` is `banded_cholesky`
+  std::string type = "automatic"; ///< automatic, banded_cholesky, cholesky, trilinos_direct, cg_ilu, cg_amg
+  double tolerance = 1e-10;       ///< relative residual of the iterative solvers
+  unsigned int max_iterations = 2000; ///< of the iterative solvers
+  unsigned int automatic_dofs =
+      60000;                         ///< up to this size `automatic` is a Cholesky solver, above it `cg_amg`
+  unsigned int automatic_band = 600; ///< half band width up to which `automatic` is `banded_cholesky`
 };
 
 /**
@@ -45,7 +46,8 @@ struct LinearSolverSettings
  * @param dim number of rigid translations, for the near null space of AMG
  * @throw InputError when the type is unknown
  */
-std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, unsigned int dim);
+std::unique_ptr<LinearSolver>
+create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, unsigned int dim);
 } // namespace softgrain::mpm
 
 #endif

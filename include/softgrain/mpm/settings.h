@@ -43,36 +43,36 @@ enum class ContactCoupling
 struct Settings
 {
   dealii::Point<2> mesh_lower, mesh_upper; ///< [m]
-  double           cell_size = 0;          ///< [m]
+  double cell_size = 0;                    ///< [m]
 
-  std::string  shape              = "bspline";
+  std::string shape = "bspline";
   unsigned int points_per_direction = 2;
-  double       fill_limit         = 0.6;
-  GridUpdate   grid_update        = GridUpdate::never;
-  double       distortion_limit   = 3.;  ///< ratio of the largest to the smallest stretch of the grid
-  bool         affine_transfer    = false; ///< APIC
-  double       pic_fraction       = 0.;
-  std::string  f_bar              = "automatic";
+  double fill_limit = 0.6;
+  GridUpdate grid_update = GridUpdate::never;
+  double distortion_limit = 3.; ///< ratio of the largest to the smallest stretch of the grid
+  bool affine_transfer = false; ///< APIC
+  double pic_fraction = 0.;
+  std::string f_bar = "automatic";
 
   TimeScheme scheme;
-  double     time_step     = 0;    ///< [s], 0: cfl_multiple times the CFL step
-  double     cfl_multiple  = 20.;
-  double     smallest_step = 1e-4; ///< relative to the wanted step; below it the run gives up
+  double time_step = 0; ///< [s], 0: cfl_multiple times the CFL step
+  double cfl_multiple = 20.;
+  double smallest_step = 1e-4; ///< relative to the wanted step; below it the run gives up
 
-  double       displacement_tolerance = 1e-5;  ///< epsilon_1 of (3.22)
-  double       energy_tolerance       = 1e-8;  ///< epsilon_2 of (3.22)
-  double       residual_tolerance     = 1e-5;
-  unsigned int max_newton             = 25;
+  double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
+  double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
+  double residual_tolerance = 1e-5;
+  unsigned int max_newton = 25;
 
   LinearSolverSettings linear_solver;
 
-  ContactKind             contact_kind   = ContactKind::surface;
-  ContactCoupling         coupling       = ContactCoupling::condensed;
-  bool                    nodal_gap      = true;
-  double                  marker_spacing = 0.5; ///< [cells]
-  bool                    repair_positions = true;
+  ContactKind contact_kind = ContactKind::surface;
+  ContactCoupling coupling = ContactCoupling::condensed;
+  bool nodal_gap = true;
+  double marker_spacing = 0.5; ///< [cells]
+  bool repair_positions = true;
   contact::SolverSettings contact_solver;
-  std::string             failed_problem_directory; ///< where contact problems that do not converge are kept
+  std::string failed_problem_directory; ///< where contact problems that do not converge are kept
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);

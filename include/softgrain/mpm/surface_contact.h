@@ -7,11 +7,13 @@
 namespace softgrain::mpm
 {
 /**
- * @brief Rows between boundaries: a marker of one body against a plane wall or against the polyline of another body.
+ * @brief Rows between boundaries: a marker of one body against a plane wall or against the polyline of
+ * another body.
  *
- * Gap and normal come from the polylines, not from the grid, so bodies touch where they are, not a cell early. Markers
- * that look for contact stand about one cell apart: that many rows the field can tell apart, more make W singular.
- * Between two bodies the markers of one meet the segments of the other; the roles depend on the indices alone.
+ * Gap and normal come from the polylines, not from the grid, so bodies touch where they are, not a cell
+ * early. Markers that look for contact stand about one cell apart: that many rows the field can tell apart,
+ * more make W singular. Between two bodies the markers of one meet the segments of the other; the roles
+ * depend on the indices alone.
  */
 class SurfaceContact final : public ContactGeometry<2>
 {

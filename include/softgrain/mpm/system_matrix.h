@@ -40,9 +40,9 @@ public:
   void clear_pattern_flag() { new_pattern = false; }
 
 private:
-  Sparse                                 matrix;
-  std::vector<std::vector<int>>          cell_rank; ///< rank of block (row, column) in its column, lower pairs by cell
-  bool                                   new_pattern = true;
+  Sparse matrix;
+  std::vector<std::vector<int>> cell_rank; ///< rank of block (row, column) in its column, lower pairs by cell
+  bool new_pattern = true;
 };
 } // namespace softgrain::mpm
 

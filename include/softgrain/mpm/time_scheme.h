@@ -21,11 +21,11 @@ namespace softgrain::mpm
  */
 struct TimeScheme
 {
-  std::string name           = "moreau_jean";
-  double      theta          = 0.55;
-  bool        inertia        = true;
-  bool        implicit       = true;
-  bool        stored_acceleration = false;
+  std::string name = "moreau_jean";
+  double theta = 0.55;
+  bool inertia = true;
+  bool implicit = true;
+  bool stored_acceleration = false;
 
   /// @throw InputError when the name is unknown or theta is outside of [1/2, 1]
   static TimeScheme create(const std::string &name, double theta);

@@ -15,7 +15,8 @@ namespace softgrain::mpm
  * Meant for single large bodies; condensation to contact rows takes one solve per row.
  * @throw InputError for another type
  */
-std::unique_ptr<LinearSolver> create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, unsigned int dim);
+std::unique_ptr<LinearSolver>
+create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, unsigned int dim);
 } // namespace softgrain::mpm
 
 #endif

@@ -24,14 +24,15 @@ namespace softgrain::mpm
 /// A wall with its formula of motion and what it has felt.
 struct Wall
 {
-  WallDescription<2>     description;
-  std::vector<Expression> velocity;       ///< one formula of t [m/s]
-  unsigned int           body     = ContactRow<2>::none; ///< slab of material points, if it is made of one
-  double                 travel   = 0;    ///< along the normal since the start [m]
-  double                 speed    = 0;    ///< mean over the last step [m/s]
-  dealii::Tensor<1, 2>   force;           ///< on the wall, mean over the last step [N/m]
-  dealii::Tensor<1, 2>   impulse;         ///< given to the bodies since the start [N s/m]
-  dealii::Tensor<1, 2>   carried;         ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
+  WallDescription<2> description;
+  std::vector<Expression> velocity;        ///< one formula of t [m/s]
+  unsigned int body = ContactRow<2>::none; ///< slab of material points, if it is made of one
+  double travel = 0;                       ///< along the normal since the start [m]
+  double speed = 0;                        ///< mean over the last step [m/s]
+  dealii::Tensor<1, 2> force;              ///< on the wall, mean over the last step [N/m]
+  dealii::Tensor<1, 2> impulse;            ///< given to the bodies since the start [N s/m]
+  dealii::Tensor<1, 2>
+      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
 
   dealii::Point<2> point() const { return description.point + travel * description.normal; }
 };
@@ -40,9 +41,10 @@ struct Wall
 struct Balance
 {
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
-  double               largest_momentum = 0;   ///< scale of the momentum error [N s/m]
-  double               wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
-  dealii::Tensor<1, 2> carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
+  double largest_momentum = 0; ///< scale of the momentum error [N s/m]
+  double wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
+  dealii::Tensor<1, 2>
+      carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
 };
 
 /**
@@ -50,19 +52,19 @@ struct Balance
  */
 struct World
 {
-  Scene<2>                                   scene;
-  Settings                                   settings;
-  std::unique_ptr<Lattice<2>>                lattice;
-  std::unique_ptr<ShapeFunction>             shape;
-  std::vector<Body<2>>                       bodies;
-  std::vector<Wall>                          walls;
-  std::vector<SystemMatrix>                  matrices; ///< one per body, implicit schemes
-  std::vector<std::unique_ptr<LinearSolver>> solvers;  ///< one per body, implicit schemes
-  std::unique_ptr<ContactGeometry<2>>        geometry;
-  ContactSystem<2>                           contact;
-  Balance                                    balance;
-  double                                     time = 0; ///< [s]
-  dealii::TimerOutput                       *timer = nullptr;
+  Scene<2> scene;
+  Settings settings;
+  std::unique_ptr<Lattice<2>> lattice;
+  std::unique_ptr<ShapeFunction> shape;
+  std::vector<Body<2>> bodies;
+  std::vector<Wall> walls;
+  std::vector<SystemMatrix> matrices;                 ///< one per body, implicit schemes
+  std::vector<std::unique_ptr<LinearSolver>> solvers; ///< one per body, implicit schemes
+  std::unique_ptr<ContactGeometry<2>> geometry;
+  ContactSystem<2> contact;
+  Balance balance;
+  double time = 0; ///< [s]
+  dealii::TimerOutput *timer = nullptr;
 
   /// Walls as the contact search sees them for a step of length @p dt from now.
   std::vector<WallMotion<2>> wall_motion(double dt) const;
@@ -71,13 +73,14 @@ struct World
 /// What a step tried and found; only an accepted one is written into the world.
 struct StepOutcome
 {
-  bool        accepted = false;
+  bool accepted = false;
   std::string reason; ///< why not: names body, place and what happened
   unsigned int newton_iterations = 0, contact_sweeps = 0;
-  double      newton_residual = 0, contact_residual = 0, max_penetration = 0;
+  double newton_residual = 0, contact_residual = 0, max_penetration = 0;
 };
 
-/// One implicit step (moreau_jean, newmark, quasi_static) of length @p dt; the world changes only if it is accepted.
+/// One implicit step (moreau_jean, newmark, quasi_static) of length @p dt; the world changes only if it is
+/// accepted.
 StepOutcome implicit_step(World &world, double dt);
 
 /// One step of symplectic Euler.
@@ -89,11 +92,19 @@ StepOutcome explicit_step(World &world, double dt);
  * @param increment    their displacement over the step, repair of positions included [m]
  * @param rate         mean velocity over the step without the repair, with which impulses do their work [m/s]
  */
-void accept_step(World &world, double dt, std::vector<Eigen::VectorXd> &end_velocity, const std::vector<Eigen::VectorXd> &increment,
-                 const std::vector<Eigen::VectorXd> &rate, const std::vector<WallMotion<2>> &motion, const std::vector<Eigen::VectorXd> &external);
+void accept_step(World &world,
+                 double dt,
+                 std::vector<Eigen::VectorXd> &end_velocity,
+                 const std::vector<Eigen::VectorXd> &increment,
+                 const std::vector<Eigen::VectorXd> &rate,
+                 const std::vector<WallMotion<2>> &motion,
+                 const std::vector<Eigen::VectorXd> &external);
 
 /// Gap of every row at the end of the step, to first order in the increments [m].
-std::vector<double> end_gaps(const World &world, const std::vector<Eigen::VectorXd> &increment, const std::vector<WallMotion<2>> &motion, double dt);
+std::vector<double> end_gaps(const World &world,
+                             const std::vector<Eigen::VectorXd> &increment,
+                             const std::vector<WallMotion<2>> &motion,
+                             double dt);
 } // namespace softgrain::mpm
 
 #endif

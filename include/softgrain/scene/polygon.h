@@ -26,8 +26,8 @@ Polygon clip_to_box(const Polygon &polygon, const dealii::Point<2> &lower, const
 /**
  * @brief Boundary of a body at rest as closed polylines with edges of at most @p spacing [m].
  *
- * The outer boundary comes first, counter-clockwise; a hole follows, clockwise, so that the solid lies to the left of
- * every edge. Vertices of disks lie on the circle; corners are always vertices.
+ * The outer boundary comes first, counter-clockwise; a hole follows, clockwise, so that the solid lies to the
+ * left of every edge. Vertices of disks lie on the circle; corners are always vertices.
  */
 std::vector<Polygon> make_outline(const BodyDescription<2> &body, double spacing);
 } // namespace softgrain

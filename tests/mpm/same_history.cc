@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
+// twice.
+#include "scene_of.h"
+
+#include <softgrain/base/parallel.h>
+#include <softgrain/output/checkpoint.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+using Changes = std::vector<std::string>;
+
+/// Numbers that differ as soon as anything does, one line per step.
+std::string state(const mpm::MpmModel &model, const StepReport &report)
+{
+  std::ostringstream text;
+  text << std::hexfloat << model.time() << ' ' << report.contact_sweeps << ' ' << report.newton_residual
+       << ' ' << model.energies().elastic << ' ' << model.energies().dissipated << ' '
+       << model.momentum_error();
+  for (const auto &body : model.bodies())
+    text << ' ' << body.velocity.sum() << ' ' << body.displacement.squaredNorm();
+  for (const auto &wall : model.walls())
+    text << ' ' << wall.normal_force << ' ' << wall.tangential_force;
+  return text.str() + '\n';
+}
+
+/// Steps number @p from to @p to.
+std::string steps(mpm::MpmModel &model, const unsigned int from, const unsigned int to)
+{
+  std::string text;
+  for (unsigned int i = from; i < to; ++i)
+  {
+    const StepReport report = model.advance(1.);
+    text += state(model, report);
+  }
+  return text;
+}
+
+std::string
+whole(const std::string &file, const Changes &changes, const unsigned int n, const unsigned int threads)
+{
+  set_n_threads(threads);
+  return steps(*shipped_scene(file, changes), 0, n);
+}
+
+std::string in_parts(const std::string &file, const Changes &changes, const unsigned int n)
+{
+  std::string text;
+  const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
+  for (unsigned int part = 0; part < 3; ++part)
+  {
+    const auto model = shipped_scene(file, changes);
+    if (part > 0)
+    {
+      CheckpointReader reader("state.h5");
+      model->load(reader);
+    }
+    text += steps(*model, cuts[part], cuts[part + 1]);
+    CheckpointWriter writer("state.h5");
+    model->save(writer);
+    writer.commit();
+  }
+  return text;
+}
+
+void compare(const std::string &what, const std::string &file, const Changes &changes, const unsigned int n)
+{
+  const std::string two = whole(file, changes, n, 2);
+  std::cout << what << ": two threads " << (whole(file, changes, n, 1) == two ? "same" : "differ");
+  set_n_threads(2);
+  std::cout << ", in three parts " << (in_parts(file, changes, n) == two ? "same" : "differs") << '\n';
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  compare("impact", "gallery/two_disks.prm", {"Contact/Friction=0.3"}, 30);
+  compare("grid update", "gallery/two_disks.prm", {"Material points/Grid update=every step"}, 30);
+  compare("apic", "gallery/two_disks.prm",
+          {"Material points/Grid update=every step", "Material points/Transfer=apic"}, 30);
+  compare("newmark", "gallery/two_disks.prm", {"Time/Scheme=newmark"}, 30);
+  compare("explicit", "gallery/two_disks.prm", {"Time/Scheme=explicit"}, 60);
+  compare("sliding block", "verification/sliding_block.prm", {}, 20);
+  compare("small strain", "verification/patch_test.prm",
+          {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
+}
