@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/row_velocity.h>
+#include <softgrain/mpm/whole_rotation.h>
 #include <softgrain/mpm/world.h>
 
 #include <algorithm>
@@ -121,47 +123,12 @@ private:
       if (!scheme.inertia)
       {
         shift[b] = 1e-3 * dt * dt * body.law->young_modulus() / body.mass.sum();
-        resist_rotation(b);
+        rotation[b] = whole_rotation(body);
+        rotation_stiffness[b] = rotation_resistance(body);
       }
     }
     start_relative = world.contact.empty() ? std::vector<double>()
                                            : world.contact.relative_velocity(world.bodies, velocities());
-  }
-
-  /**
-   * A round body between frictionless walls may turn at no cost, and its few contact rows may even push it
-   * round. So rotation of a whole body is resisted without inertia: a torque of 2.5 p A per radian of the
-   * step, p the mean pressure and A the area, enough to outweigh the -2 p A of forces that keep their
-   * direction. It vanishes with the step, and deformation and translation never feel it.
-   */
-  void resist_rotation(const unsigned int b)
-  {
-    const Body<2> &body = world.bodies[b];
-    dealii::Tensor<1, 2> moment;
-    std::vector<dealii::Point<2>> place(body.mass.size());
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-    {
-      place[i] = body.field.position(body.field.node_of_independent(i));
-      for (unsigned int d = 0; d < 2; ++d)
-        place[i][d] += body.displacement[2 * i + d];
-      moment += body.mass[i] * (place[i] - dealii::Point<2>());
-    }
-    const dealii::Point<2> center(moment / body.mass.sum());
-    rotation[b].resize(body.field.n_dofs());
-    double inertia = 0.;
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-    {
-      const dealii::Tensor<1, 2> arm = place[i] - center;
-      rotation[b][2 * i] = -body.mass[i] * arm[1];
-      rotation[b][2 * i + 1] = body.mass[i] * arm[0];
-      inertia += body.mass[i] * arm.norm_square();
-    }
-    rotation[b] /= inertia;
-    double pressure_area = 0.;
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-      pressure_area -= 0.5 * body.points.rest_volume[p] * trace(body.points.stress[p]);
-    rotation_stiffness[b] =
-        2.5 * std::max(0., pressure_area) + 1e-3 * body.law->young_modulus() * body.rest_area;
   }
 
   Vectors velocities() const
@@ -303,27 +270,9 @@ private:
     return "";
   }
 
-  /// Free relative velocity of every row, gap terms and motion of the walls included, for end velocities @p
-  /// v.
-  std::vector<double> row_velocity(const Vectors &v) const
+  std::vector<double> approach(const Vectors &v) const
   {
-    const auto &rows = world.contact.contact_rows();
-    const unsigned int components = world.contact.n_components();
-    std::vector<double> q = world.contact.relative_velocity(world.bodies, v);
-    for (unsigned int r = 0; r < rows.size(); ++r)
-    {
-      const bool plane = rows[r].partner == ContactRow<2>::none;
-      const double wall = plane ? motion[rows[r].wall].velocity : 0.;
-      double &w = q[r * components];
-      w -= wall;
-      // Gap left when the part of the displacement that is known already has happened. While it is open the
-      // condition holds for the gap at the end of the step, so nothing touches early; once closed it holds
-      // for the velocity.
-      const double predicted = rows[r].gap + (1. - theta) * dt * (start_relative[r * components] - wall);
-      if (predicted > 0. || theta == 1.)
-        w += predicted / (theta * dt);
-    }
-    return q;
+    return row_velocity(world, v, motion, start_relative, theta, dt);
   }
 
   std::string newton_step()
@@ -371,7 +320,7 @@ private:
       dealii::TimerOutput::Scope section(*world.timer, "condensation");
       world.contact.condense(world.bodies, world.solvers);
     }
-    return solve_contact(row_velocity(free), false);
+    return solve_contact(approach(free), false);
   }
 
   std::string contact_lumped()
@@ -387,7 +336,7 @@ private:
         for (unsigned int i = 0; i < world.bodies[b].mass.size(); ++i)
           v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / world.bodies[b].mass[i];
       }
-    return solve_contact(row_velocity(v), true);
+    return solve_contact(approach(v), true);
   }
 
   std::string solve_contact(std::vector<double> q, const bool relative)

@@ -35,7 +35,7 @@ void attempt(const std::string &what,
   }
   catch (const InputError &error)
   {
-    std::cout << "refused: " << std::string(error.what()).substr(std::string(error.what()).rfind('/') + 1)
+    std::cout << "refused: " << std::string(error.what()).substr(std::string(error.what()).find(".prm") + 6)
               << '\n';
   }
   catch (const ComputationError &error)
@@ -52,7 +52,8 @@ int main()
   for (const std::string value : {"0", "0.49", "0.4999"})
     attempt("nu " + value, two, {nu + value, slow}, 20);
   for (const std::string value : {"0.01", "1", "100", "1000"})
-    attempt("CFL multiple " + value, two, {"Time/CFL multiple=" + value});
+    attempt("CFL multiple " + value, two,
+            {"Time/CFL multiple=" + value, "Bodies/left/Center=-5e-3, 0", "Bodies/right/Center=5e-3, 0"});
   for (const std::string value : {"0", "1", "10"})
     attempt("mu " + value, two,
             {"Contact/Friction=" + value, "Bodies/left/Center=-5.1e-3, 2e-3", "Mesh/Upper=0.0105, 0.009"},
@@ -61,12 +62,7 @@ int main()
           {"Mesh/Lower=-0.065, -0.065", "Mesh/Upper=0.065, 0.065", "Mesh/Cell size=1.3e-2",
            "Material points/Points per direction=1", "Time/Time step=5e-5"},
           20);
-  attempt("initial overlap", two,
-          {"Bodies/left/Center=-4.98e-3, 0", "Bodies/left/Velocity=0; 0", "Bodies/right/Velocity=0; 0"}, 20);
-  attempt("initial overlap, theta 1", two,
-          {"Bodies/left/Center=-4.98e-3, 0", "Bodies/left/Velocity=0; 0", "Bodies/right/Velocity=0; 0",
-           "Time/Theta=1"},
-          20);
+  attempt("initial overlap", two, {"Bodies/left/Center=-4.98e-3, 0", "Bodies/right/Center=4.98e-3, 0"});
   attempt("no gravity, no velocity", two, {"Bodies/left/Velocity=0; 0", "Bodies/right/Velocity=0; 0"});
   attempt("at rest, touching", two,
           {"Bodies/left/Center=-5e-3, 0", "Bodies/right/Center=5e-3, 0", "Bodies/left/Velocity=0; 0",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nearly incompressible disk between plates (line_contact): with F-bar the force is right on a coarse mesh
-// already and does not depend on how near to 1/2 Poisson's ratio is; without it the mesh locks. And Newton
-// converges quadratically.
+// already and does not depend on how near to 1/2 Poisson's ratio is; without it the mesh locks.
 #include "scene_of.h"
 
 #include <iostream>

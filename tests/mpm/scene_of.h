@@ -17,13 +17,21 @@
 
 namespace softgrain
 {
+/// The model of a parameter file, changed by assignments; nothing is written, but the folder for it must be
+/// possible, and `output` is the file that the test driver keeps.
+inline std::unique_ptr<mpm::MpmModel> scene_of_file(const std::string &file, std::vector<std::string> changes)
+{
+  changes.insert(changes.begin(), "Output directory=results");
+  Input input(file, changes);
+  return std::unique_ptr<mpm::MpmModel>(dynamic_cast<mpm::MpmModel *>(input.create_model().release()));
+}
+
 /// The model of a shipped parameter file, `verification/bar_period.prm` for example, changed by
 /// "Section/Key=value".
 inline std::unique_ptr<mpm::MpmModel> shipped_scene(const std::string &file,
                                                     const std::vector<std::string> &changes = {})
 {
-  Input input(SOFTGRAIN_SOURCE_DIR "/parameters/" + file, changes);
-  return std::unique_ptr<mpm::MpmModel>(dynamic_cast<mpm::MpmModel *>(input.create_model().release()));
+  return scene_of_file(SOFTGRAIN_SOURCE_DIR "/parameters/" + file, changes);
 }
 
 /// The model of a parameter file given as text.
@@ -31,8 +39,7 @@ inline std::unique_ptr<mpm::MpmModel> scene_of_text(const std::string &text,
                                                     const std::vector<std::string> &changes = {})
 {
   std::ofstream("scene.prm") << text;
-  Input input("scene.prm", changes);
-  return std::unique_ptr<mpm::MpmModel>(dynamic_cast<mpm::MpmModel *>(input.create_model().release()));
+  return scene_of_file("scene.prm", changes);
 }
 
 /// A figure that only has to be small: its limit when it is below, itself when it is not.

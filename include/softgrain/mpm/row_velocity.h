@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_row_velocity_h
+#define softgrain_mpm_row_velocity_h
+
+#include <softgrain/mpm/world.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
+ * [m/s].
+ *
+ * While a gap is open, once the part of the displacement that is known has happened, the condition holds for
+ * the gap at the end of the step, so nothing touches early; once it is closed the condition holds for the
+ * velocity.
+ * @param start_relative H v at the start of the step [m/s]
+ */
+std::vector<double> row_velocity(const World &world,
+                                 const std::vector<Eigen::VectorXd> &v,
+                                 const std::vector<WallMotion<2>> &motion,
+                                 const std::vector<double> &start_relative,
+                                 double theta,
+                                 double dt);
+} // namespace softgrain::mpm
+
+#endif
