@@ -40,6 +40,7 @@ struct BodyViews
 {
   std::vector<unsigned int> slot; ///< by local node, Row::none where nothing was asked
   std::vector<View> views;
+  double uncut = 0.; ///< half the edge of a point's domain that no boundary has cut [m]
 
   void ask(const unsigned int node)
   {
@@ -56,6 +57,7 @@ void look(const Body<2> &body, BodyViews &at)
 {
   const BodyField<2> &field = body.field;
   const unsigned int n = field.nodes_per_cell();
+  at.uncut = *std::max_element(body.points.half_extent.begin(), body.points.half_extent.end());
   for (unsigned int c = 0; c < field.n_cells(); ++c)
   {
     const unsigned int *nodes = field.nodes_of_cell(c);
@@ -86,21 +88,27 @@ Vector outward(const View &view, const double cell_size)
 }
 
 /// How far the points that reach @p node stand out of the body along @p direction [m].
-double extent(
-    const Body<2> &body, const View &view, const Vector &direction, const Point &node, const double cell_size)
+double extent(const Body<2> &body,
+              const BodyViews &at,
+              const unsigned int node,
+              const Vector &direction,
+              const double cell_size)
 {
   // Points reach a node from two cells, over which a curved boundary rises or falls: those beside the node
   // count, and the others only where there are none.
   const Vector tangent({direction[1], -direction[0]});
   double beside = std::numeric_limits<double>::lowest(), anywhere = beside;
-  for (const unsigned int p : view.points)
+  for (const unsigned int p : at(node).points)
   {
     // Half the thickness along the normal of the ellipse that the circle in the domain of the point has
-    // become.
-    const double r = body.points.half_extent[p] * (transpose(body.points.gradient[p]) * direction).norm();
+    // become. The boundary has cut the domains of its points to a thickness V / edge; half_extent is sqrt(V)
+    // / 2.
+    const double cut = body.points.half_extent[p] / at.uncut;
+    const double r =
+        cut * body.points.half_extent[p] * (transpose(body.points.gradient[p]) * direction).norm();
     const double furthest = body.points.position[p] * direction + r;
     anywhere = std::max(anywhere, furthest);
-    if (std::abs((body.points.position[p] - node) * tangent) <= 0.5 * cell_size)
+    if (std::abs((body.points.position[p] - body.field.position(node)) * tangent) <= 0.5 * cell_size)
       beside = std::max(beside, furthest);
   }
   return beside > std::numeric_limits<double>::lowest() ? beside : anywhere;
@@ -206,43 +214,41 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
           Row row = start_row(body, i, h);
           row.wall = w;
           row.normal = wall.normal;
-          row.gap = with_gap ? -extent(body, views[body.index](i), -wall.normal, row.place, h) -
-                                   wall.point * wall.normal
-                             : 0.;
+          row.gap =
+              with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
           row.friction = wall.friction;
           row.key = row_key(body.field.lattice_node(i), body.index, w, true);
           rows.push_back(std::move(row));
         }
 
-  for_shared_nodes(visits,
-                   [&](Visit first, Visit second)
-                   {
-                     if (bodies[first.body].driven)
-                       std::swap(first, second); // what is driven can only be the partner
-                     const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
-                     if (body.driven)
-                       return;
-                     const View &own = views[first.body](first.node),
-                                &other = views[second.body](second.node);
-                     if (own.points.empty() || other.points.empty())
-                       return;
-                     const Vector normal = outward(other, h) - outward(own, h); // (3.23)
-                     // Both look the same way, or neither shows a surface here: the nodes around tell them
-                     // apart.
-                     if (normal.norm() < 0.2)
-                       return;
-                     Row row = start_row(body, first.node, h);
-                     row.partner = partner.index;
-                     row.wall = partner.wall;
-                     row.partner_weights = partner.field.extension(second.node);
-                     row.normal = normal / normal.norm();
-                     row.gap = with_gap ? -extent(body, own, -row.normal, row.place, h) -
-                                              extent(partner, other, row.normal, row.place, h)
-                                        : 0.;
-                     row.friction =
-                         partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
-                     row.key = row_key(first.lattice, body.index, partner.index, false);
-                     rows.push_back(std::move(row));
-                   });
+  for_shared_nodes(
+      visits,
+      [&](Visit first, Visit second)
+      {
+        if (bodies[first.body].driven)
+          std::swap(first, second); // what is driven can only be the partner
+        const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
+        if (body.driven)
+          return;
+        const View &own = views[first.body](first.node), &other = views[second.body](second.node);
+        if (own.points.empty() || other.points.empty())
+          return;
+        const Vector normal = outward(other, h) - outward(own, h); // (3.23)
+        // Both look the same way, or neither shows a surface here: the nodes around tell them
+        // apart.
+        if (normal.norm() < 0.2)
+          return;
+        Row row = start_row(body, first.node, h);
+        row.partner = partner.index;
+        row.wall = partner.wall;
+        row.partner_weights = partner.field.extension(second.node);
+        row.normal = normal / normal.norm();
+        row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
+                                 extent(partner, views[partner.index], second.node, row.normal, h)
+                           : 0.;
+        row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+        row.key = row_key(first.lattice, body.index, partner.index, false);
+        rows.push_back(std::move(row));
+      });
 }
 } // namespace softgrain::mpm
