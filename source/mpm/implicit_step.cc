@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -16,6 +17,13 @@ namespace softgrain::mpm
 namespace
 {
 using Vectors = std::vector<Eigen::VectorXd>;
+
+std::string number(const double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
 
 /// Newton iterations of one implicit step; see doc/theory.md for the equations.
 class ImplicitStep
@@ -60,14 +68,6 @@ public:
   }
 
 private:
-  static std::string number(const double value)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << value;
-    return text.str();
-  }
-
   StepOutcome reject(const std::string &reason)
   {
     outcome.accepted = false;
@@ -177,6 +177,14 @@ private:
     return true;
   }
 
+  /// Impulse that is missing for balance at every node of a body [N s/m].
+  Eigen::VectorXd unbalanced(const unsigned int b) const
+  {
+    Eigen::VectorXd R = -free_residual[b];
+    world.contact.add_impulses(b, world.contact.impulses(), R);
+    return R;
+  }
+
   /// Norm of the unbalanced impulse with contact, over the largest impulse of the step.
   double residual_norm()
   {
@@ -194,8 +202,7 @@ private:
           floor = std::max(floor, body.mass[i] * body.velocity.segment<2>(2 * i).norm());
       if (external[b].size() > 0)
         scale = std::max(scale, dt * external[b].norm());
-      R = free_residual[b] - R;
-      sum += R.squaredNorm();
+      sum += unbalanced(b).squaredNorm();
       // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
       const double h = world.lattice->cell_size();
       const double moved = body.displacement.lpNorm<Eigen::Infinity>();
@@ -270,11 +277,6 @@ private:
     return "";
   }
 
-  std::vector<double> approach(const Vectors &v) const
-  {
-    return row_velocity(world, v, motion, start_relative, theta, dt);
-  }
-
   std::string newton_step()
   {
     std::string trouble;
@@ -306,9 +308,7 @@ private:
       for (unsigned int b = 0; b < n_bodies; ++b)
         if (moves(b))
         {
-          Eigen::VectorXd rhs = -free_residual[b];
-          world.contact.add_impulses(b, world.contact.impulses(), rhs);
-          world.solvers[b]->solve(rhs, direction[b]);
+          world.solvers[b]->solve(unbalanced(b), direction[b]);
         }
     }
     return line_search();
@@ -320,7 +320,7 @@ private:
       dealii::TimerOutput::Scope section(*world.timer, "condensation");
       world.contact.condense(world.bodies, world.solvers);
     }
-    return solve_contact(approach(free), false);
+    return solve_contact(row_velocity(world, free, motion, start_relative, theta, dt), false);
   }
 
   std::string contact_lumped()
@@ -331,12 +331,11 @@ private:
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (moves(b))
       {
-        Eigen::VectorXd R = -free_residual[b];
-        world.contact.add_impulses(b, world.contact.impulses(), R);
+        const Eigen::VectorXd R = unbalanced(b);
         for (unsigned int i = 0; i < world.bodies[b].mass.size(); ++i)
           v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / world.bodies[b].mass[i];
       }
-    return solve_contact(approach(v), true);
+    return solve_contact(row_velocity(world, v, motion, start_relative, theta, dt), true);
   }
 
   std::string solve_contact(std::vector<double> q, const bool relative)
@@ -370,8 +369,7 @@ private:
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (moves(b))
       {
-        Eigen::VectorXd R = -free_residual[b];
-        world.contact.add_impulses(b, world.contact.impulses(), R);
+        const Eigen::VectorXd R = unbalanced(b);
         length += direction[b].squaredNorm();
         work += direction[b].dot(R);
         merit += R.squaredNorm();
@@ -397,9 +395,7 @@ private:
       for (unsigned int b = 0; b < n_bodies; ++b)
         if (moves(b))
         {
-          Eigen::VectorXd R = -free_residual[b];
-          world.contact.add_impulses(b, world.contact.impulses(), R);
-          now += R.squaredNorm();
+          now += unbalanced(b).squaredNorm();
         }
       now = std::sqrt(now);
       best = std::min(best, now);
@@ -433,7 +429,11 @@ private:
       outcome.max_penetration = std::max(outcome.max_penetration, -g);
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (moves(b))
+      {
         world.bodies[b].internal_force = new_internal[b];
+        if (scheme.inertia)
+          spread_imbalance(world.bodies[b], unbalanced(b), trial[b]);
+      }
     accept_step(world, dt, trial, increment, rate, motion, external);
     outcome.accepted = true;
     return outcome;

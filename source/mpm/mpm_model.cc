@@ -169,11 +169,15 @@ void MpmModel::check_energy() const
 
 void MpmModel::update_momentum_scale()
 {
-  // The sum of the bodies may vanish while each of them moves.
+  // The sum over bodies, or over the nodes of a body that vibrates, may vanish while everything moves.
   double scale = std::max(world.balance.wall_impulse.norm(), world.balance.body_force_impulse.norm());
   for (const Body<2> &body : world.bodies)
-    if (!body.driven)
-      scale = std::max(scale, body.momentum().norm());
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < body.mass.size() && !body.driven; ++i)
+      sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+    scale = std::max(scale, sum);
+  }
   world.balance.largest_momentum = std::max(world.balance.largest_momentum, scale);
 }
 

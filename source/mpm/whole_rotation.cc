@@ -36,4 +36,16 @@ double rotation_resistance(const Body<2> &body)
     pressure_area -= 0.5 * body.points.rest_volume[p] * trace(body.points.stress[p]);
   return 2.5 * std::max(0., pressure_area) + 1e-3 * body.law->young_modulus() * body.rest_area;
 }
+
+void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity)
+{
+  dealii::Tensor<1, 2> sum;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      sum[d] += impulse[2 * i + d];
+  sum /= body.mass.sum();
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      velocity[2 * i + d] += sum[d];
+}
 } // namespace softgrain::mpm

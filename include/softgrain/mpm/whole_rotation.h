@@ -20,6 +20,10 @@ Eigen::VectorXd whole_rotation(const Body<2> &body);
  * direction. The resistance vanishes with the step, and deformation and translation never feel it.
  */
 double rotation_resistance(const Body<2> &body);
+
+/// Adds the sum of nodal impulses [N s/m] over the mass of the body to every nodal velocity [m/s]: what
+/// Newton left unbalanced on the body as a whole, so that momentum is exact.
+void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity);
 } // namespace softgrain::mpm
 
 #endif
