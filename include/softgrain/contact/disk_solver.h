@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_contact_disk_solver_h
+#define softgrain_contact_disk_solver_h
+
+#include <softgrain/contact/disk_system.h>
+
+#include <string>
+
+namespace softgrain::contact
+{
+/// Ways to solve the contacts between disks.
+enum class DiskAlgorithm
+{
+  gauss_seidel, ///< plain sweeps, with relaxation
+  accelerated   ///< sweeps with momentum and restart; falls back to plain ones when the residual grows
+};
+
+/// What solve_disks() may be told; a solution has to pass all the tolerances.
+struct DiskSolverSettings
+{
+  DiskAlgorithm algorithm = DiskAlgorithm::accelerated;
+  double tolerance = 1e-3;           ///< natural-map residual over the approach speed
+  double wall_tolerance = 1e-2;      ///< estimated error of the forces on walls over the largest of them
+  double penetration_tolerance = 0.; ///< worst approach speed that contacts may be left with [m/s]; 0: no matter
+  unsigned int max_sweeps = 10000;
+  double relaxation = 1.; ///< in (0, 2); for plain sweeps
+  unsigned int check_interval = 5;
+};
+
+/// What solve_disks() did.
+struct DiskSolverReport
+{
+  unsigned int sweeps = 0;
+  double residual = 0;    ///< of the solution returned
+  double wall_change = 0; ///< estimated relative error of the wall forces
+  double approach = 0;    ///< worst approach speed left in a contact [m/s]
+  bool converged = false;
+  unsigned int restarts = 0;    ///< of the momentum
+  bool fell_back = false;       ///< the accelerated solver gave up and plain sweeps finished
+};
+
+/**
+ * @brief Solves the contacts: velocities of @p bodies go from free ones to those after contact.
+ *
+ * @p contacts brings the impulses to start from and takes those found. All threads work; the answer does not
+ * depend on their number.
+ * @throw ComputationError when something is not finite.
+ */
+DiskSolverReport solve_disks(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings);
+} // namespace softgrain::contact
+
+#endif
