@@ -117,7 +117,7 @@ void Dynamics::detect(const std::vector<MovingWall> &walls)
   std::optional<dealii::TimerOutput::Scope> section;
   if (timer != nullptr)
     section.emplace(*timer, "neighbour list");
-  list.update(primaries.position);
+  n_lists += list.update(primaries.position);
   if (timer != nullptr)
   {
     section.reset();
@@ -183,9 +183,12 @@ void Dynamics::collect(const std::vector<MovingWall> &walls)
     for (const Found &contact : contacts)
     {
       const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
+      if (inverse_mass[a] == 0. && inverse_mass[b] == 0.)
+        continue;
       const bool same = primaries.body[a] == primaries.body[b];
       // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a plane.
-      const double r = 2. * primaries.radius[a] * primaries.radius[b] / (primaries.radius[a] + primaries.radius[b]);
+      const double r =
+          2. * primaries.radius[a] * primaries.radius[b] / (primaries.radius[a] + primaries.radius[b]);
       add_row(a, b, contact.normal, contact.gap, same ? 0. : settings.friction,
               r * (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
               list.memory()[contact.pair]);

@@ -50,8 +50,8 @@ struct DynamicsReport
 /**
  * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction (3.1), contacts (Signorini, Coulomb), walls.
  *
- * A step: forces and contacts are known for the present places; free velocities; contacts; places move with the
- * velocities after contact; forces and contacts for the new places.
+ * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
+ * the velocities after contact; forces and contacts for the new places.
  */
 class Dynamics
 {
@@ -67,7 +67,8 @@ public:
            std::vector<bool> fixed,
            const DynamicsSettings &settings);
 
-  /// Forces and contacts of the present places; called once before the first step and after a change of state.
+  /// Forces and contacts of the present places; called once before the first step and after a change of
+  /// state.
   void detect(const std::vector<MovingWall> &walls);
 
   /**
@@ -77,9 +78,8 @@ public:
    * @param acceleration of every primary by body forces [m/s^2], or empty
    * @throw ComputationError when something is not finite.
    */
-  DynamicsReport step(double dt,
-                      std::vector<MovingWall> &walls,
-                      const std::vector<std::array<double, 2>> &acceleration);
+  DynamicsReport
+  step(double dt, std::vector<MovingWall> &walls, const std::vector<std::array<double, 2>> &acceleration);
 
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
@@ -101,6 +101,9 @@ public:
   /// Deepest overlap of the present places [m].
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
+
+  /// How often neighbours have been searched.
+  std::size_t lists_made() const { return n_lists; }
 
   /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
   double attraction_of(std::size_t pair) const;
@@ -148,6 +151,7 @@ private:
   std::vector<std::array<double, 2>> force;
   std::vector<WallMemory> remembered_at_walls;
   double stored_energy = 0, deepest = 0;
+  std::size_t n_lists = 0;
 
   struct Found
   {
