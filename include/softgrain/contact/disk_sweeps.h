@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_contact_disk_sweeps_h
+#define softgrain_contact_disk_sweeps_h
+
+#include <softgrain/contact/disk_rows.h>
+#include <softgrain/contact/disk_system.h>
+#include <softgrain/contact/thread_team.h>
+
+#include <array>
+#include <vector>
+
+namespace softgrain::contact
+{
+/**
+ * @brief Contacts packed for sweeping, and the loops over them, on all threads and with the same bits for any
+ * number of them.
+ *
+ * A sweep lives on the latency of a velocity that the contact before has just written. So the contacts of a
+ * tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
+ * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
+ * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
+ */
+template <unsigned int n>
+class DiskSweeps
+{
+public:
+  /// What measure() finds.
+  struct Measure
+  {
+    double natural_map = 0.; ///< largest over the contacts [m/s]; not a number when anything is not
+    double approach = 0.;    ///< largest speed of approach that an impulse could still change [m/s]
+  };
+
+  /// Packs; set_free_velocities() comes next. The first two arguments have to stay.
+  DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team);
+
+  /// Velocities of the bodies as they are without impulses.
+  void set_free_velocities();
+
+  /// Adds what the impulses make of the velocities.
+  void apply_impulses();
+
+  /// No impulses.
+  void clear_impulses();
+
+  /// Every contact once, with the change of its impulse multiplied by @p relaxation.
+  void sweep(double relaxation);
+
+  /**
+   * Every contact once, from the impulses and velocities extrapolated by @p momentum times their last change.
+   *
+   * @return Σ W (y - P)·(P - P_old), y extrapolated, P after, P_old before: above 0 the momentum points
+   * uphill.
+   */
+  double sweep_with_momentum(double momentum);
+
+  /// Forgets the last change, as before the first sweep_with_momentum().
+  void forget();
+
+  Measure measure();
+
+  /// Sum of the normal impulses on every wall, by first appearance in the contacts [N s/m].
+  void wall_impulses(std::vector<double> &sums) const;
+
+  /// Impulses to @p contacts, in the order that they came in.
+  void store_impulses(DiskContacts &contacts);
+  /// Velocities to @p bodies; those without contact stay as they are.
+  void store_velocities(DiskBodies &bodies) const;
+
+private:
+  using Row = DiskRow<n>;
+  using State = DiskState<(n > 1)>;
+  static constexpr unsigned int n_velocities = n > 1 ? 3 : 2;
+
+  struct Range
+  {
+    std::uint32_t first, last;
+  };
+
+  void number_bodies();
+  void make_ranges();
+  void pack(Range range, bool wall);
+  void extrapolate(double momentum);
+
+  /// Calls work(range, is_wall, index of the range): ranges of one colour at the same time, walls last.
+  template <class Work>
+  void for_ranges(const Work &work);
+  /// As for_ranges(), but all ranges at the same time: for work that only reads bodies.
+  template <class Work>
+  void for_ranges_at_once(const Work &work);
+  /// Calls work(packed row, index in the contacts) in the order of the rows.
+  template <class Work>
+  static void interleave(Range range, const Work &work);
+
+  const DiskBodies &bodies;
+  const DiskContacts &contacts;
+  ThreadTeam &team;
+
+  std::vector<Row> rows;
+  std::vector<State> states;
+  std::vector<std::array<double, n_velocities>> last_velocity;
+  std::vector<std::uint32_t> packed_of;   ///< of a body of the caller
+  std::vector<std::uint32_t> original_of; ///< of a packed body
+  std::vector<Range> ranges;              ///< by colour; the last one is the walls
+  std::vector<std::uint32_t> colour_end;  ///< ranges before the end of each colour
+  std::vector<std::uint32_t> wall_of;     ///< per contact with a wall, in the order of the rows
+  unsigned int n_walls = 0;
+  std::vector<double> sums; ///< one per range
+};
+
+extern template class DiskSweeps<1>;
+extern template class DiskSweeps<2>;
+extern template class DiskSweeps<3>;
+} // namespace softgrain::contact
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/thread_team.h>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace softgrain::contact
+{
+namespace
+{
+/// Tells the processor that this is a waiting loop.
+void relax()
+{
+#if defined(__x86_64__)
+  _mm_pause();
+#endif
+}
+
+/// Turns of a waiting loop before the thread offers its core to others, some 0.1 ms.
+constexpr unsigned int n_spins = 4000;
+} // namespace
+
+ThreadTeam::ThreadTeam(const unsigned int n_threads)
+{
+  for (unsigned int i = 1; i < n_threads; ++i)
+    threads.emplace_back([this] { help(); });
+}
+
+ThreadTeam::~ThreadTeam()
+{
+  stop.store(true);
+  for (std::thread &thread : threads)
+    thread.join();
+}
+
+void ThreadTeam::distribute(const std::uint32_t n_items, const Call loop_call, const void *loop_object)
+{
+  call = loop_call;
+  object = loop_object;
+  loop_start = loop_end.load(std::memory_order_relaxed);
+  const std::uint64_t end = loop_start + n_items;
+  loop_end.store(end, std::memory_order_release); // hands over what stands above
+  while (take_one())
+  {
+  }
+  for (unsigned int turn = 0; done.load(std::memory_order_acquire) != end; ++turn)
+    if (turn < n_spins)
+      relax();
+    else
+      std::this_thread::yield();
+}
+
+bool ThreadTeam::take_one()
+{
+  std::uint64_t item = next.load(std::memory_order_relaxed);
+  while (item < loop_end.load(std::memory_order_acquire))
+    if (next.compare_exchange_weak(item, item + 1, std::memory_order_relaxed))
+    {
+      // The loop of this item cannot end before the item does, so its data stand.
+      call(object, item - loop_start);
+      done.fetch_add(1, std::memory_order_acq_rel);
+      return true;
+    }
+  return false;
+}
+
+void ThreadTeam::help()
+{
+  for (unsigned int turn = 0; !stop.load(std::memory_order_relaxed); ++turn)
+    if (take_one())
+      turn = 0;
+    else if (turn < n_spins)
+      relax();
+    else
+      std::this_thread::yield();
+}
+} // namespace softgrain::contact
