@@ -69,8 +69,10 @@ BodyContact merged(const std::vector<ContactState<2>> &rows)
     mean += (row.place - rows[0].place) / static_cast<double>(rows.size());
   }
   contact.place = rows[0].place + (weight > 0. ? moment / weight : mean);
-  if (contact.length == 0.)
-    contact.length = extent(rows, contact.normal);
+  // Disks that fit into each other's gaps touch twice on the way along a contact, and some models write a row
+  // from either side: lengths then add up to more than there is room for.
+  const double room = extent(rows, contact.normal) + contact.length / rows.size();
+  contact.length = contact.length > 0. ? std::min(contact.length, room) : room;
   return contact;
 }
 } // namespace

@@ -109,6 +109,21 @@ int main()
     }
   std::cout << "numbers that differ when contacts are cut into rows: " << n_different << '\n';
 
+  // A contact of 0.4 m as primaries write it that fit into each other's gaps: seven rows of 0.1 m, one each
+  // 0.05 m.
+  Snapshot<2> rough;
+  add_ellipse(rough, {0, 0}, 1, 1, 0);
+  add_ellipse(rough, {0, 2}, 1, 1, 0);
+  for (int i = -3; i <= 3; ++i)
+  {
+    add_contact(rough, 0, 1, 1, 0.1);
+    rough.contacts.back().place[0] = 0.05 * i;
+    rough.contacts.back().normal = Vector({std::sin(0.2 * i), -std::cos(0.2 * i)});
+  }
+  const BodyContact contact = Assembly(rough).contacts.at(0);
+  std::cout << "rough contact: length " << contact.length << ", normal force " << contact.normal_force
+            << '\n';
+
   // Without its right wall there is no box; without bodies there is nothing.
   Snapshot<2> open = whole;
   open.walls.pop_back();

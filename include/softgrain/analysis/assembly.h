@@ -20,7 +20,7 @@ struct BodyContact
   dealii::Tensor<1, 2> normal; ///< unit, to body_a; mean of the normals, weighted by length
   dealii::Tensor<1, 2> force;  ///< on body_a, sum [N/m]
   double normal_force = 0;     ///< force * normal, compression positive [N/m]
-  double length = 0;           ///< sum; where rows have none, how far their places are apart [m]
+  double length = 0;           ///< sum, but not more than from the first to the last row [m]
 
   bool with_wall() const { return body_b == ContactState<2>::not_a_body; }
 };
