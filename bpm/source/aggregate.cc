@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/random.h>
 #include <softgrain/bpm/aggregate.h>
-#include <softgrain/bpm/random_sizes.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/neighbour_list.h>
 #include <softgrain/scene/body_geometry.h>
@@ -23,6 +23,22 @@ using Place = std::array<double, 2>;
 constexpr double loose_fraction = 0.40;
 /// Share of area of a dense disordered packing of disks in the plane.
 constexpr double dense_fraction = 0.84;
+
+/// Radii [m] of a given number of primaries, or of as many as come nearest to @p area [m^2] in all.
+std::vector<double> random_radii(const PrimarySettings &settings, const double area, Uniform &random)
+{
+  std::vector<double> radii;
+  double filled = 0.;
+  for (;;)
+  {
+    const double r = 0.5 * settings.sizes.draw(random);
+    const double own = dealii::numbers::PI * r * r;
+    if (settings.number > 0 ? radii.size() == settings.number : filled + 0.5 * own > area)
+      return radii;
+    radii.push_back(r);
+    filled += own;
+  }
+}
 
 /// Places without overlap in @p body blown up by @p scale about its centre, largest disks first.
 std::vector<Place> loose_places(const BodyDescription<2> &body,

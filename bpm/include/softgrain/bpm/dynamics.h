@@ -133,8 +133,9 @@ private:
                       const std::vector<std::array<double, 2>> &acceleration);
   void prepare_gap_velocities(double dt, const std::vector<MovingWall> &walls);
   void remember();
-  double twice_kinetic_energy(const std::vector<std::array<double, 2>> &velocity,
-                              const std::vector<double> &angular_velocity) const;
+  void move_walls(double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const;
+  void
+  account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
 
   Primaries primaries;
   std::vector<std::shared_ptr<const Attraction>> laws;
