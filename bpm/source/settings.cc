@@ -21,8 +21,6 @@ void declare_primaries(dealii::ParameterHandler &prm)
   prm.declare_entry("Number per body", "0", Integer(0),
                     "0: as many as fill the shape of the body. Otherwise so many, and the body is smaller or "
                     "larger than its shape, of the same form.");
-  prm.declare_entry("Solid fraction", "0.80", Double(0.1, 0.9),
-                    "Area of the primaries over that of the shape they fill. Units: none.");
   prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
   prm.declare_entry("Library", "", dealii::Patterns::Anything(),
                     "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
@@ -89,7 +87,6 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   prm.enter_subsection("Primaries");
   primaries.sizes.parse_parameters(prm, "Primaries");
   primaries.number = prm.get_integer("Number per body");
-  primaries.solid_fraction = prm.get_double("Solid fraction");
   primaries.seed = prm.get_integer("Seed");
   primaries.library = prm.get("Library");
   prm.leave_subsection();

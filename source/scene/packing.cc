@@ -195,22 +195,21 @@ double Packing::solid_area() const
   return area;
 }
 
-Packing make_packing(const PackingRequest &request)
+Packing pack_disks(const std::vector<double> &radius,
+                   const dealii::Point<2> &lower,
+                   const dealii::Point<2> &upper,
+                   Uniform &random)
 {
-  Uniform random(request.seed);
-  std::vector<double> radius(request.number);
-  for (double &r : radius)
-    r = 0.5 * request.sizes.draw(random);
   double solid = 0., sum = 0.;
   for (const double r : radius)
   {
     solid += dealii::numbers::PI * r * r;
     sum += r;
   }
-  const dealii::Tensor<1, 2> edges = request.upper - request.lower;
+  const dealii::Tensor<1, 2> edges = upper - lower;
   const double fraction = solid / (edges[0] * edges[1]);
   std::ostringstream numbers;
-  numbers << request.number << " disks fill " << fraction << " of the box";
+  numbers << radius.size() << " disks fill " << fraction << " of the box";
   if (fraction > 0.9)
     throw InputError("'Packing': " + numbers.str() + "; at most about 0.82 is possible");
   const double growth = std::max(1., std::sqrt(fraction / loose_fraction));
@@ -219,7 +218,7 @@ Packing make_packing(const PackingRequest &request)
 
   // Overlaps are relative to the final radii; a share of them may stay and is taken from the radii at the
   // end.
-  const double mean = sum / request.number, allowed = 1e-3 * mean, end = 0.5 * edges[0];
+  const double mean = sum / radius.size(), allowed = 1e-3 * mean, end = 0.5 * edges[0];
   unsigned int settling = 0;
   for (bool there = growth == 1.; !there;)
   {
@@ -234,11 +233,20 @@ Packing make_packing(const PackingRequest &request)
   }
 
   Packing packing;
-  const dealii::Point<2> middle = request.lower + 0.5 * edges;
+  const dealii::Point<2> middle = lower + 0.5 * edges;
   for (std::size_t i = 0; i < radius.size(); ++i)
     packing.disks.push_back(
         {dealii::Point<2>(middle[0] + shrinking.disks()[i][0], middle[1] + shrinking.disks()[i][1]),
          radius[i] - (growth == 1. ? 0. : allowed)});
   return packing;
+}
+
+Packing make_packing(const PackingRequest &request)
+{
+  Uniform random(request.seed);
+  std::vector<double> radii(request.number);
+  for (double &r : radii)
+    r = 0.5 * request.sizes.draw(random);
+  return pack_disks(radii, request.lower, request.upper, random);
 }
 } // namespace softgrain

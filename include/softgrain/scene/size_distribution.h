@@ -16,12 +16,22 @@ namespace softgrain
 /// Diameters of disks between a smallest and a largest one.
 struct SizeDistribution
 {
-  double smallest = 0;         ///< [m]
-  double largest = 0;          ///< [m]
-  bool uniform_by_area = true; ///< every class of diameters holds the same area; false: the same number
+  enum class Form
+  {
+    uniform_area,     ///< areas are uniform between the smallest and the largest (the thesis): density ∝ d
+    uniform_diameter, ///< diameters are uniform
+    equal_areas       ///< every class of diameters holds the same area in all: density ∝ d^-2
+  };
 
-  /// One diameter [m]: density ∝ d^-2 when uniform by area, constant when by number.
+  double smallest = 0; ///< [m]
+  double largest = 0;  ///< [m]
+  Form form = Form::uniform_area;
+
+  /// One diameter [m].
   double draw(Uniform &random) const;
+
+  /// Mean area of a disk [m^2].
+  double mean_area() const;
 
   /// Declares `Smallest diameter`, `Largest diameter` and `Size distribution` where the handler stands.
   static void

@@ -30,7 +30,7 @@ struct DynamicsSettings
   double contact_range = 0.02;         ///< pairs nearer than this are contacts of the step
   double skin = 0.3;                   ///< of the neighbour list
   double solver_penetration = 1e-4;    ///< that a step may add by an unfinished contact solution
-  contact::DiskSolverSettings solver;
+  contact::DiskSolverSettings solver;  ///< its penetration_tolerance is set from solver_penetration
 
   /// Whether rotations of the primaries matter.
   bool rotations(const std::vector<MovingWall> &walls) const;

@@ -20,7 +20,6 @@ struct PrimarySettings
 {
   SizeDistribution sizes;
   unsigned int number = 0; ///< per body; 0: as many as fill its shape
-  double solid_fraction = 0;
   std::uint64_t seed = 0;
   std::string library; ///< file of prepared aggregates, or empty
 };
