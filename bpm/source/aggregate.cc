@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/random.h>
 #include <softgrain/bpm/aggregate.h>
-#include <softgrain/bpm/random_sizes.h>
-#include <softgrain/contact/disk_solver.h>
-#include <softgrain/contact/neighbour_list.h>
 #include <softgrain/scene/body_geometry.h>
+#include <softgrain/scene/packing.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -17,57 +16,49 @@ namespace softgrain::bpm
 {
 namespace
 {
-using Place = std::array<double, 2>;
+/// Share of area of the packing that aggregates are cut from; attraction makes it denser.
+constexpr double packed_fraction = 0.80;
 
-/// Share of area that random places without overlap reach at once.
-constexpr double loose_fraction = 0.40;
-/// Share of area of a dense disordered packing of disks in the plane.
-constexpr double dense_fraction = 0.84;
-
-/// Places without overlap in @p body blown up by @p scale about its centre, largest disks first.
-std::vector<Place> loose_places(const BodyDescription<2> &body,
-                                const std::vector<double> &radius,
-                                const double scale,
-                                Uniform &random)
+/// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
+/// all that lie wholly inside.
+Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
 {
   const auto box = bounding_box(body);
-  const double cell = 2. * *std::max_element(radius.begin(), radius.end());
-  const auto n_cells = [&](const unsigned int d)
-  { return static_cast<int>(scale * (box.second[d] - box.first[d]) / cell) + 1; };
-  const int nx = n_cells(0), ny = n_cells(1);
-  std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(nx) * ny);
-  std::vector<std::uint32_t> order(radius.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radius[a] > radius[b]; });
+  const dealii::Tensor<1, 2> edges = box.second - box.first;
+  // A given number may need more room than the shape has.
+  const double enlargement = settings.number > 0
+                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
+                                                          (packed_fraction * area(body))))
+                                 : 1.;
+  dealii::Tensor<1, 2> half;
+  for (unsigned int d = 0; d < 2; ++d)
+    half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
+  const double wanted = packed_fraction * 4. * half[0] * half[1];
+  std::vector<double> radii;
+  double filled = 0.;
+  while (filled < wanted)
+  {
+    radii.push_back(0.5 * settings.sizes.draw(random));
+    filled += dealii::numbers::PI * radii.back() * radii.back();
+  }
+  half *= std::sqrt(filled / wanted);
+  const dealii::Point<2> middle = box.first + 0.5 * edges;
+  const Packing packing = pack_disks(radii, middle - half, middle + half, random);
 
-  std::vector<Place> places(radius.size());
-  for (const std::uint32_t i : order)
-    for (unsigned int attempt = 0;; ++attempt)
-    {
-      if (attempt == 1000000)
-        throw InputError("the primaries do not fit into body '" + body.name +
-                         "': they are too large for its shape");
-      dealii::Point<2> inside;
-      for (unsigned int d = 0; d < 2; ++d)
-        inside[d] = box.first[d] + random() * (box.second[d] - box.first[d]);
-      if (depth_inside(body, inside) < 0.)
-        continue;
-      const Place x = {scale * (inside[0] - body.center[0]), scale * (inside[1] - body.center[1])};
-      const auto cell_at = [&](const unsigned int d)
-      { return static_cast<int>((x[d] - scale * (box.first[d] - body.center[d])) / cell); };
-      const int cx = std::clamp(cell_at(0), 0, nx - 1), cy = std::clamp(cell_at(1), 0, ny - 1);
-      bool overlaps = false;
-      for (int a = std::max(0, cx - 1); a <= std::min(nx - 1, cx + 1); ++a)
-        for (int b = std::max(0, cy - 1); b <= std::min(ny - 1, cy + 1); ++b)
-          for (const std::uint32_t j : cells[static_cast<std::size_t>(a) * ny + b])
-            overlaps |= std::hypot(x[0] - places[j][0], x[1] - places[j][1]) < radius[i] + radius[j];
-      if (overlaps)
-        continue;
-      places[i] = x;
-      cells[static_cast<std::size_t>(cx) * ny + cy].push_back(i);
+  std::vector<std::pair<double, std::uint32_t>> depth;
+  for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
+    depth.emplace_back(radii[i] - depth_inside(body, packing.disks[i].center), i);
+  std::sort(depth.begin(), depth.end());
+  Aggregate aggregate;
+  for (const auto &[outside, i] : depth)
+  {
+    if (settings.number > 0 ? aggregate.size() == settings.number : outside > 0.)
       break;
-    }
-  return places;
+    const dealii::Tensor<1, 2> x = packing.disks[i].center - body.center;
+    aggregate.position.push_back({x[0], x[1]});
+    aggregate.radius.push_back(radii[i]);
+  }
+  return aggregate;
 }
 
 /// Walls that hold nothing: the primaries of an aggregate in the making are alone.
@@ -85,39 +76,6 @@ Primaries disks_of(const Aggregate &aggregate, const double density)
   return disks;
 }
 
-/// Draws all places to the origin, each in proportion to its distance, until contacts stop them or @p scale.
-void shrink(Aggregate &aggregate, const double scale, const double density, const DynamicsSettings &settings)
-{
-  DynamicsSettings still = settings;
-  still.friction = still.rolling_resistance = still.inner_rolling_resistance = still.restitution = 0.;
-  Dynamics dynamics(disks_of(aggregate, density), {}, {}, still);
-  dynamics.detect(no_walls);
-  const double rate = 0.01;
-  const double extent = [&]
-  {
-    double sum = 0.;
-    for (const Place &x : aggregate.position)
-      sum += std::hypot(x[0], x[1]);
-    return sum;
-  }();
-  double before = extent;
-  for (unsigned int step = 0; step < 2000; ++step)
-  {
-    Primaries &disks = dynamics.disks();
-    // Time has no meaning here: one step of length 1 with velocities that are displacements.
-    for (std::size_t i = 0; i < disks.size(); ++i)
-      disks.velocity[i] = {-rate * disks.position[i][0], -rate * disks.position[i][1]};
-    dynamics.step(1., no_walls, {});
-    double now = 0.;
-    for (const Place &x : disks.position)
-      now += std::hypot(x[0], x[1]);
-    if (now <= scale * extent || before - now < 0.05 * rate * before)
-      break;
-    before = now;
-  }
-  aggregate.position = dynamics.disks().position;
-}
-
 /// Attraction and inelastic contacts until the kinetic energy is small beside what attraction could give.
 void relax(Aggregate &aggregate,
            const std::string &name,
@@ -125,13 +83,11 @@ void relax(Aggregate &aggregate,
            const std::shared_ptr<const Attraction> &attraction,
            const DynamicsSettings &settings)
 {
-  DynamicsSettings still = settings;
-  still.friction = still.rolling_resistance = still.inner_rolling_resistance = still.restitution = 0.;
-  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, still);
+  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
   dynamics.detect(no_walls);
   const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
   const double dt = 0.05 * attraction_time(a0, density, force);
-  const double rest = 1e-7 * force * a0 * aggregate.size();
+  const double rest = 1e-6 * force * a0 * aggregate.size();
   const unsigned int most = 20000;
   for (unsigned int step = 0;; ++step)
   {
@@ -151,24 +107,6 @@ void relax(Aggregate &aggregate,
         component *= 0.98;
   }
   aggregate.position = dynamics.disks().position;
-}
-
-/// Takes away the primaries that reach beyond the outline. @return how many.
-std::size_t trim(Aggregate &aggregate, const BodyDescription<2> &body)
-{
-  Aggregate kept;
-  for (std::size_t i = 0; i < aggregate.size(); ++i)
-  {
-    const dealii::Point<2> x(body.center[0] + aggregate.position[i][0],
-                             body.center[1] + aggregate.position[i][1]);
-    if (depth_inside(body, x) < aggregate.radius[i])
-      continue;
-    kept.position.push_back(aggregate.position[i]);
-    kept.radius.push_back(aggregate.radius[i]);
-  }
-  const std::size_t removed = aggregate.size() - kept.size();
-  aggregate = kept;
-  return removed;
 }
 
 /// Neighbours in space become neighbours in memory.
@@ -203,36 +141,16 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
                          const std::uint64_t seed)
 {
   Uniform random(seed);
-  const double shape_area = area(body);
-  Aggregate aggregate;
-  aggregate.radius = random_radii(settings.primaries, settings.primaries.solid_fraction * shape_area, random);
-  if (aggregate.radius.empty())
+  Aggregate aggregate = cut_out(body, settings.primaries, random);
+  if (aggregate.size() == 0)
     throw InputError("not one primary fits into body '" + body.name +
                      "': lower 'Primaries/Largest diameter'");
-  double filled = 0.;
-  for (const double r : aggregate.radius)
-    filled += dealii::numbers::PI * r * r;
-  aggregate.position =
-      loose_places(body, aggregate.radius, std::sqrt(filled / loose_fraction / shape_area), random);
-  if (aggregate.size() > 1)
+  if (aggregate.size() > 1 && attraction && attraction->contact_force() > 0.)
   {
-    const double fraction =
-        settings.primaries.number > 0 ? dense_fraction : settings.primaries.solid_fraction;
-    shrink(aggregate, std::sqrt(loose_fraction / fraction), density, settings.dynamics);
-    if (attraction && attraction->contact_force() > 0.)
-      relax(aggregate, body.name, density, attraction, settings.dynamics);
-    if (settings.primaries.number == 0)
-    {
-      // What is taken away leaves dents that attraction smooths; a few rounds settle it.
-      for (unsigned int round = 0; trim(aggregate, body) > 0; ++round)
-      {
-        if (aggregate.size() == 0 || round == 20)
-          throw InputError("the primaries do not stay inside of body '" + body.name +
-                           "': lower 'Primaries/Solid fraction'");
-        if (attraction && attraction->contact_force() > 0.)
-          relax(aggregate, body.name, density, attraction, settings.dynamics);
-      }
-    }
+    // How the run is to be solved does not matter here, so that one aggregate serves many runs.
+    DynamicsSettings plain;
+    plain.solver.tolerance = 1e-4;
+    relax(aggregate, body.name, density, attraction, plain);
   }
   sort_by_place(aggregate);
   return aggregate;

@@ -97,11 +97,8 @@ std::string aggregate_key(const BodyDescription<2> &body,
     for (const dealii::Point<2> &corner : corners(body))
       text << corner - body.center << ';';
   const PrimarySettings &p = settings.primaries;
-  const DynamicsSettings &d = settings.dynamics;
-  text << p.smallest_diameter << ';' << p.largest_diameter << ';' << static_cast<int>(p.distribution) << ';'
-       << p.number << ';' << p.solid_fraction << ';' << d.gap_correction << ';' << d.contact_range << ';'
-       << d.skin << ';' << d.solver_penetration << ';' << d.solver.tolerance << ';'
-       << static_cast<int>(d.solver.algorithm) << ';' << d.solver.relaxation;
+  text << p.sizes.smallest << ';' << p.sizes.largest << ';' << static_cast<int>(p.sizes.form) << ';'
+       << p.number;
   // FNV-1a: short, and the same everywhere.
   std::uint64_t hash = 14695981039346656037ull;
   for (const char c : text.str())

@@ -62,8 +62,8 @@ void BpmModel::save(StateWriter &out) const
     indices.insert(indices.end(), {memory.wall, memory.primary});
     impulses.push_back(memory.impulse);
   }
-  out.write("bpm/walls/contacts", indices);
-  out.write("bpm/walls/memory", flat(impulses));
+  out.write("bpm/wall_contacts/indices", indices);
+  out.write("bpm/wall_contacts/memory", flat(impulses));
 }
 
 void BpmModel::load(StateReader &in)
@@ -103,8 +103,8 @@ void BpmModel::load(StateReader &in)
   contact::NeighbourList &list = dynamics->neighbours();
   list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")));
   list.memory() = unflat<3>(in.read_doubles("bpm/neighbours/memory"));
-  const std::vector<std::uint64_t> indices = in.read_integers("bpm/walls/contacts");
-  const auto impulses = unflat<3>(in.read_doubles("bpm/walls/memory"));
+  const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
+  const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));
   dynamics->wall_memory().clear();
   for (std::size_t k = 0; k < impulses.size(); ++k)
     dynamics->wall_memory().push_back({static_cast<std::uint32_t>(indices.at(2 * k)),

@@ -63,8 +63,7 @@ Dynamics::Dynamics(Primaries disks,
   for (std::size_t i = 0; i < primaries.size(); ++i)
     inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
   const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
-  list = contact::NeighbourList(primaries.radius,
-                                attracted ? primaries.body : std::vector<std::uint32_t>(),
+  list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
                                 range_of(settings, laws, diameter));
 }
 
@@ -126,23 +125,83 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<MovingW
   }
 }
 
-double Dynamics::twice_kinetic_energy(const std::vector<std::array<double, 2>> &velocity,
-                                      const std::vector<double> &angular_velocity) const
+double Dynamics::kinetic_energy() const
 {
   double sum = 0.;
   for (std::size_t i = 0; i < primaries.size(); ++i)
     if (inverse_mass[i] > 0.)
     {
-      const double spin = rotations ? primaries.radius[i] * angular_velocity[i] : 0.;
-      sum += primaries.mass[i] *
-             (velocity[i][0] * velocity[i][0] + velocity[i][1] * velocity[i][1] + 0.5 * spin * spin);
+      const std::array<double, 2> &v = primaries.velocity[i];
+      const double spin = rotations ? primaries.radius[i] * primaries.angular_velocity[i] : 0.;
+      sum += primaries.mass[i] * (v[0] * v[0] + v[1] * v[1] + 0.5 * spin * spin);
     }
-  return sum;
+  return 0.5 * sum;
 }
 
-double Dynamics::kinetic_energy() const
+void Dynamics::move_walls(const double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const
 {
-  return 0.5 * twice_kinetic_energy(primaries.velocity, primaries.angular_velocity);
+  const std::size_t n = primaries.size();
+  for (MovingWall &wall : walls)
+    wall.normal_impulse = wall.tangential_impulse = 0.;
+  for (std::size_t row = rows.tile_start.back(); row < rows.size(); ++row)
+  {
+    MovingWall &wall = walls[rows.b[row] - n];
+    wall.normal_impulse += rows.impulse[row];
+    if (rotations)
+      wall.tangential_impulse += rows.tangential_impulse[row];
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    MovingWall &wall = walls[w];
+    if (wall.inverse_mass == 0.)
+    {
+      report.wall_work += wall.normal_impulse * wall.velocity;
+      report.contact_loss += wall.normal_impulse * wall.velocity;
+    }
+    else
+    {
+      const double before = wall.velocity, mass = 1. / wall.inverse_mass;
+      const double after =
+          bodies.velocity[n + w][0] * wall.normal[0] + bodies.velocity[n + w][1] * wall.normal[1];
+      // The damping took what neither the load nor the primaries gave.
+      const double damping = mass * (before - after) + dt * wall.load - wall.normal_impulse;
+      report.wall_work += dt * wall.load * 0.5 * (before + after);
+      report.damping_loss += damping * 0.5 * (before + after);
+      report.contact_loss += 0.5 * mass * (before * before - after * after) +
+                             (dt * wall.load - damping) * 0.5 * (before + after);
+      wall.velocity = after;
+    }
+    wall.travel += dt * wall.velocity;
+  }
+}
+
+void Dynamics::account(const double dt,
+                       const std::vector<std::array<double, 2>> &acceleration,
+                       DynamicsReport &report) const
+{
+  // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
+  // but for the work of the attraction, which is compared with its potential.
+  double kinetic_loss = 0., attraction_work = 0.;
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+  {
+    if (inverse_mass[i] == 0.)
+      continue;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
+      kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
+      attraction_work += dt * force[i][d] * 0.5 * (before + after);
+      if (!acceleration.empty())
+        report.force_work += dt * primaries.mass[i] * acceleration[i][d] * 0.5 * (before + after);
+    }
+    if (rotations)
+    {
+      const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
+      kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] * primaries.radius[i] *
+                      (before - after) * (before + after);
+    }
+  }
+  report.contact_loss += kinetic_loss + attraction_work + report.force_work;
 }
 
 DynamicsReport Dynamics::step(const double dt,
@@ -151,29 +210,11 @@ DynamicsReport Dynamics::step(const double dt,
 {
   DynamicsReport report;
   const std::size_t n = primaries.size();
-  double free_energy = 0., end_energy = 0.;
   {
     const Section section(timer, "free motion");
     prepare_bodies(dt, walls, acceleration);
     prepare_gap_velocities(dt, walls);
-    free_energy = twice_kinetic_energy(bodies.velocity, bodies.angular_velocity);
-    if (!acceleration.empty())
-      for (std::size_t i = 0; i < n; ++i)
-        for (unsigned int d = 0; d < 2 && inverse_mass[i] > 0.; ++d)
-          report.force_work += primaries.mass[i] * dt * acceleration[i][d] * 0.5 *
-                               (primaries.velocity[i][d] + bodies.velocity[i][d]);
   }
-  for (std::size_t w = 0; w < walls.size(); ++w)
-    if (walls[w].inverse_mass > 0.)
-    {
-      const double before = walls[w].velocity, mass = 1. / walls[w].inverse_mass;
-      const double after = bodies.velocity[n + w][0] * walls[w].normal[0] +
-                           bodies.velocity[n + w][1] * walls[w].normal[1];
-      report.wall_work += dt * walls[w].load * 0.5 * (before + after);
-      report.damping_loss += dt * walls[w].damping * after * 0.5 * (before + after);
-      free_energy += mass * after * after;
-    }
-
   {
     const Section section(timer, "contact solve");
     contact::DiskSolverSettings solver = settings.solver;
@@ -182,33 +223,8 @@ DynamicsReport Dynamics::step(const double dt,
   }
 
   const Section section(timer, "motion");
-  end_energy = twice_kinetic_energy(bodies.velocity, bodies.angular_velocity);
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    MovingWall &wall = walls[w];
-    wall.normal_impulse = wall.tangential_impulse = 0.;
-    if (wall.inverse_mass > 0.)
-    {
-      wall.velocity =
-          bodies.velocity[n + w][0] * wall.normal[0] + bodies.velocity[n + w][1] * wall.normal[1];
-      end_energy += wall.velocity * wall.velocity / wall.inverse_mass;
-    }
-    wall.travel += dt * wall.velocity;
-  }
-  for (std::size_t row = rows.tile_start.back(); row < rows.size(); ++row)
-  {
-    MovingWall &wall = walls[rows.b[row] - n];
-    wall.normal_impulse += rows.impulse[row];
-    if (rotations)
-      wall.tangential_impulse += rows.tangential_impulse[row];
-  }
-  double prescribed_work = 0.;
-  for (const MovingWall &wall : walls)
-    if (wall.inverse_mass == 0.)
-      prescribed_work += wall.normal_impulse * wall.velocity;
-  report.wall_work += prescribed_work;
-  report.contact_loss = 0.5 * (free_energy - end_energy) + prescribed_work;
-
+  move_walls(dt, walls, report);
+  account(dt, acceleration, report);
   for (std::size_t i = 0; i < n; ++i)
   {
     if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))

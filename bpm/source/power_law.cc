@@ -33,7 +33,8 @@ double whole_power(double x, unsigned int n)
 void PowerLaw::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using dealii::Patterns::Double;
-  prm.declare_entry("Force at contact", "100", Double(0.), "F0 of (3.1), the largest attraction. Units: N/m.");
+  prm.declare_entry("Force at contact", "100", Double(0.),
+                    "F0 of (3.1), the largest attraction. Units: N/m.");
   prm.declare_entry("Exponent", "7", Double(1.01, 100.), "gamma of (3.1). Units: none.");
   prm.declare_entry("Cutoff", "1", Double(0., 10.),
                     "Gap beyond which there is no attraction, in sums of the two radii. Units: none.");
@@ -46,11 +47,8 @@ void PowerLaw::parse_parameters(dealii::ParameterHandler &prm)
   cutoff = prm.get_double("Cutoff");
 }
 
-void PowerLaw::evaluate(const std::size_t n,
-                        const double *distance,
-                        const double *sum,
-                        double *force,
-                        double *energy) const
+void PowerLaw::evaluate(
+    const std::size_t n, const double *distance, const double *sum, double *force, double *energy) const
 {
   const bool whole = exponent == std::floor(exponent) && exponent <= 32.;
   const unsigned int power = whole ? static_cast<unsigned int>(exponent) : 0;

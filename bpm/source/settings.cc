@@ -14,21 +14,13 @@ using dealii::Patterns::Double;
 using dealii::Patterns::Integer;
 using dealii::Patterns::Selection;
 
-constexpr double tiny = 1e-300; // smallest positive number that a pattern of "greater than zero" needs
-
 void declare_primaries(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Primaries");
-  prm.declare_entry("Smallest diameter", "1e-4", Double(tiny), "Of the rigid disks. Units: m.");
-  prm.declare_entry("Largest diameter", "2e-4", Double(tiny), "Of the rigid disks. Units: m.");
-  prm.declare_entry("Size distribution", "uniform by area", Selection("uniform by area|uniform by number"),
-                    "uniform by area: every class of diameters holds the same area (the thesis); uniform by "
-                    "number: the same number.");
+  SizeDistribution::declare_parameters(prm, "1e-4", "2e-4");
   prm.declare_entry("Number per body", "0", Integer(0),
                     "0: as many as fill the shape of the body. Otherwise so many, and the body is smaller or "
                     "larger than its shape, of the same form.");
-  prm.declare_entry("Solid fraction", "0.80", Double(0.1, 0.9),
-                    "Area of the primaries over that of the shape they fill. Units: none.");
   prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
   prm.declare_entry("Library", "", dealii::Patterns::Anything(),
                     "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
@@ -59,8 +51,9 @@ void declare_contact(dealii::ParameterHandler &prm)
                     "Share of an overlap that a step pushes out. Units: none.");
   prm.declare_entry("Range", "0.02", Double(0., 1.),
                     "Gap up to which a pair is looked at by the contact solver. Units: mean diameters.");
-  prm.declare_entry("Skin", "0.3", Double(0.001, 10.),
-                    "Way that two primaries may go before neighbours are searched anew. Units: mean diameters.");
+  prm.declare_entry(
+      "Skin", "0.3", Double(0.001, 10.),
+      "Way that two primaries may go before neighbours are searched anew. Units: mean diameters.");
   prm.declare_entry("Largest penetration", "0.02", Double(1e-6, 1.),
                     "A step that leaves more is repeated with half its length. Units: mean diameters.");
   prm.declare_entry("Tolerance", "1e-3", Double(1e-14, 1.),
@@ -72,7 +65,8 @@ void declare_contact(dealii::ParameterHandler &prm)
   prm.declare_entry("Maximum sweeps", "20000", Integer(1), "Of nonlinear Gauss-Seidel per step.");
   prm.declare_entry("Algorithm", "accelerated", Selection("accelerated|gauss_seidel"),
                     "accelerated: sweeps with momentum and restart; gauss_seidel: plain sweeps.");
-  prm.declare_entry("Relaxation", "1", Double(0.05, 1.95), "Factor on every change of an impulse, of plain sweeps.");
+  prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
+                    "Factor on every change of an impulse, of plain sweeps.");
   prm.leave_subsection();
   prm.enter_subsection("Output");
   prm.declare_entry("Inner forces", "true", Bool(),
@@ -91,17 +85,8 @@ void Settings::declare_parameters(dealii::ParameterHandler &prm)
 void Settings::parse_parameters(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Primaries");
-  primaries.smallest_diameter = prm.get_double("Smallest diameter");
-  primaries.largest_diameter = prm.get_double("Largest diameter");
-  if (primaries.largest_diameter < primaries.smallest_diameter)
-    throw InputError("'Primaries/Largest diameter' = '" + prm.get("Largest diameter") +
-                     "' is not allowed: it must be at least 'Primaries/Smallest diameter' = '" +
-                     prm.get("Smallest diameter") + "'");
-  primaries.distribution = prm.get("Size distribution") == "uniform by area"
-                               ? SizeDistribution::uniform_by_area
-                               : SizeDistribution::uniform_by_number;
+  primaries.sizes.parse_parameters(prm, "Primaries");
   primaries.number = prm.get_integer("Number per body");
-  primaries.solid_fraction = prm.get_double("Solid fraction");
   primaries.seed = prm.get_integer("Seed");
   primaries.library = prm.get("Library");
   prm.leave_subsection();

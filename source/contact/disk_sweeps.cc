@@ -312,17 +312,22 @@ double DiskSweeps<n>::sweep_with_momentum(const double momentum)
 }
 
 template <unsigned int n>
-void DiskSweeps<n>::forget()
+void DiskSweeps<n>::save_impulses()
 {
-  for (std::size_t i = 0; i < states.size(); ++i)
-  {
-    last_velocity[i][0] = states[i].velocity[0];
-    last_velocity[i][1] = states[i].velocity[1];
-    if constexpr (n > 1)
-      last_velocity[i][2] = states[i].angular_velocity;
-  }
-  for (Row &row : rows)
-    std::copy(row.impulse, row.impulse + n, row.previous);
+  saved.resize(rows.size());
+  for_ranges_at_once(
+      [&](const Range range, bool, std::uint32_t)
+      {
+        for (std::uint32_t i = range.first; i < range.last; ++i)
+          std::copy(rows[i].impulse, rows[i].impulse + n, saved[i].begin());
+      });
+}
+
+template <unsigned int n>
+void DiskSweeps<n>::restore_impulses()
+{
+  for (std::size_t i = 0; i < saved.size(); ++i)
+    std::copy(saved[i].begin(), saved[i].end(), rows[i].impulse);
 }
 
 template <unsigned int n>

@@ -36,6 +36,12 @@ ThreadTeam::~ThreadTeam()
 
 void ThreadTeam::distribute(const std::uint32_t n_items, const Call loop_call, const void *loop_object)
 {
+  if (threads.empty() || n_items < 2)
+  {
+    for (std::uint32_t i = 0; i < n_items; ++i)
+      loop_call(loop_object, i);
+    return;
+  }
   call = loop_call;
   object = loop_object;
   loop_start = loop_end.load(std::memory_order_relaxed);

@@ -43,14 +43,14 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
         "Units: none.");
     prm.declare_entry("Velocity", "0", Anything(),
                       "Velocity along the normal, positive into the domain, a formula of t. Units: m/s.");
-    prm.declare_entry("Drive", "velocity", Selection("velocity|pressure"),
-                      "velocity: moves as 'Velocity' says; pressure: a body with 'Mass' that 'Pressure' moves "
-                      "along its normal.");
+    prm.declare_entry(
+        "Drive", "velocity", Selection("velocity|pressure"),
+        "velocity: moves as 'Velocity' says; pressure: a body with 'Mass' that 'Pressure' moves "
+        "along its normal.");
     prm.declare_entry("Pressure", "0", Anything(),
                       "Of a wall with 'Drive' = 'pressure', pushing into the domain, over the length between "
                       "the walls beside it; a formula of t. Units: Pa.");
-    prm.declare_entry("Mass", "0", Double(0),
-                      "Of a wall with 'Drive' = 'pressure'. Units: kg/m.");
+    prm.declare_entry("Mass", "0", Double(0), "Of a wall with 'Drive' = 'pressure'. Units: kg/m.");
     prm.declare_entry("Damping", "0", Double(0),
                       "Force per velocity on a wall with 'Drive' = 'pressure'. Units: kg/(m s).");
     prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction against bodies. Units: none.");

@@ -56,7 +56,7 @@ inline Packing lattice_packing(const unsigned int n_x,
     for (unsigned int i = 0; i < n_x; ++i)
     {
       state = state * 1664525u + 1013904223u;
-      packing.centre.push_back({0.5 + i + 0.5 * (j % 2), 0.5 + j * row});
+      packing.centre.push_back({{0.5 + i + 0.5 * (j % 2), 0.5 + j * row}});
       packing.radius.push_back(0.5 * closeness * (1. - spread * (state >> 8) / double(1u << 24)));
     }
   packing.width = n_x + 0.5;
@@ -68,9 +68,9 @@ inline Packing lattice_packing(const unsigned int n_x,
 inline void sort_packing(Packing &packing)
 {
   const double cell = 4. * packing.largest();
-  std::vector<std::pair<std::array<long, 3>, std::size_t>> key(packing.size());
+  std::vector<std::pair<std::array<long, 2>, std::size_t>> key(packing.size());
   for (std::size_t i = 0; i < packing.size(); ++i)
-    key[i] = {{long(packing.centre[i][0] / cell), long(packing.centre[i][1] / cell), 0}, i};
+    key[i] = {{{long(packing.centre[i][0] / cell), long(packing.centre[i][1] / cell)}}, i};
   std::sort(key.begin(), key.end());
   Packing sorted = packing;
   for (std::size_t i = 0; i < packing.size(); ++i)
@@ -109,7 +109,7 @@ inline DiskSystem make_system(const Packing &packing, const SystemSettings &sett
   auto &contacts = system.contacts;
   const std::size_t n = packing.size();
   const double pi = std::acos(-1.), reach = settings.reach * 0.5;
-  bodies.velocity.assign(n + 4, {0., 0.});
+  bodies.velocity.assign(n + 4, {{0., 0.}});
   const bool rotate = settings.friction >= 0.;
   for (std::size_t i = 0; i < n + 4; ++i)
   {
@@ -159,8 +159,8 @@ inline DiskSystem make_system(const Packing &packing, const SystemSettings &sett
   std::sort(pairs.begin(), pairs.end(),
             [](const Pair &p, const Pair &q)
             {
-              return std::array<long, 5>{p.strip % 2, p.strip, p.band, p.a, p.b} <
-                     std::array<long, 5>{q.strip % 2, q.strip, q.band, q.a, q.b};
+              return std::array<long, 5>{{p.strip % 2, p.strip, p.band, p.a, p.b}} <
+                     std::array<long, 5>{{q.strip % 2, q.strip, q.band, q.a, q.b}};
             });
   const auto add = [&](const std::uint32_t a, const std::uint32_t b, const std::array<double, 2> normal,
                        const double gap, const double arm_b)
@@ -193,8 +193,8 @@ inline DiskSystem make_system(const Packing &packing, const SystemSettings &sett
     strip = pair.strip;
     const double distance = pair.gap + packing.radius[pair.a] + packing.radius[pair.b];
     add(pair.a, pair.b,
-        {(packing.centre[pair.a][0] - packing.centre[pair.b][0]) / distance,
-         (packing.centre[pair.a][1] - packing.centre[pair.b][1]) / distance},
+        {{(packing.centre[pair.a][0] - packing.centre[pair.b][0]) / distance,
+          (packing.centre[pair.a][1] - packing.centre[pair.b][1]) / distance}},
         pair.gap, packing.radius[pair.b]);
   }
   contacts.colour_start.push_back(contacts.tile_start.size());
@@ -208,7 +208,7 @@ inline DiskSystem make_system(const Packing &packing, const SystemSettings &sett
       const double side = d == 0 ? packing.width : packing.height;
       const double gap =
           (wall % 2 == 0 ? packing.centre[i][d] : side - packing.centre[i][d]) - packing.radius[i];
-      std::array<double, 2> normal = {0., 0.};
+      std::array<double, 2> normal = {{0., 0.}};
       normal[d] = wall % 2 == 0 ? 1. : -1.;
       if (gap < reach)
         add(i, n + wall, normal, gap, 0.);
@@ -226,10 +226,10 @@ inline void squeeze(DiskSystem &system, const Packing &packing, const double spe
     for (unsigned int d = 0; d < 2; ++d)
       v[i][d] =
           affine ? speed * (1. - 2. * packing.centre[i][d] / (d == 0 ? packing.width : packing.height)) : 0.;
-  v[n] = {speed, 0.};
-  v[n + 1] = {-speed, 0.};
-  v[n + 2] = {0., speed};
-  v[n + 3] = {0., -speed};
+  v[n] = {{speed, 0.}};
+  v[n + 1] = {{-speed, 0.}};
+  v[n + 2] = {{0., speed}};
+  v[n + 3] = {{0., -speed}};
 }
 
 #endif

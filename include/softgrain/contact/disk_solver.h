@@ -19,9 +19,10 @@ enum class DiskAlgorithm
 struct DiskSolverSettings
 {
   DiskAlgorithm algorithm = DiskAlgorithm::accelerated;
-  double tolerance = 1e-3;           ///< natural-map residual over the approach speed
-  double wall_tolerance = 1e-2;      ///< estimated error of the forces on walls over the largest of them
-  double penetration_tolerance = 0.; ///< worst approach speed that contacts may be left with [m/s]; 0: no matter
+  double tolerance = 1e-3;      ///< natural-map residual over the approach speed
+  double wall_tolerance = 1e-2; ///< estimated error of the forces on walls over the largest of them
+  double penetration_tolerance =
+      0.; ///< worst approach speed that contacts may be left with [m/s]; 0: no matter
   unsigned int max_sweeps = 10000;
   double relaxation = 1.; ///< in (0, 2); for plain sweeps
   unsigned int check_interval = 5;
@@ -35,8 +36,8 @@ struct DiskSolverReport
   double wall_change = 0; ///< estimated relative error of the wall forces
   double approach = 0;    ///< worst approach speed left in a contact [m/s]
   bool converged = false;
-  unsigned int restarts = 0;    ///< of the momentum
-  bool fell_back = false;       ///< the accelerated solver gave up and plain sweeps finished
+  unsigned int restarts = 0; ///< of the momentum
+  bool fell_back = false;    ///< the accelerated solver gave up and plain sweeps finished
 };
 
 /**

@@ -54,8 +54,9 @@ public:
    */
   double sweep_with_momentum(double momentum);
 
-  /// Forgets the last change, as before the first sweep_with_momentum().
-  void forget();
+  /// Keeps the impulses for restore_impulses(); without it that does nothing.
+  void save_impulses();
+  void restore_impulses();
 
   Measure measure();
 
@@ -106,6 +107,7 @@ private:
   std::vector<std::uint32_t> wall_of;     ///< per contact with a wall, in the order of the rows
   unsigned int n_walls = 0;
   std::vector<double> sums; ///< one per range
+  std::vector<std::array<double, n>> saved;
 };
 
 extern template class DiskSweeps<1>;

@@ -9,8 +9,8 @@
 namespace softgrain::contact
 {
 /**
- * @brief Rigid bodies as the contacts between disks see them: a velocity and a mass, and a rotation only where
- * friction or rolling resistance asks for one.
+ * @brief Rigid bodies as the contacts between disks see them: a velocity and a mass, and a rotation only
+ * where friction or rolling resistance asks for one.
  *
  * Walls are bodies too: their velocity is along their normal, their inverse mass 0 when it is prescribed.
  */
@@ -40,10 +40,10 @@ struct DiskContacts
 {
   std::vector<std::uint32_t> a, b;           ///< indices of bodies
   std::vector<std::array<double, 2>> normal; ///< unit, from b to a
-  std::vector<double> gap_velocity;          ///< [m/s]: gap / Δt of open contacts, corrections of closed ones
-  std::vector<double> friction;              ///< empty without rotations
-  std::vector<double> rolling;               ///< [m]; empty: no rolling resistance
-  std::vector<double> arm_a, arm_b;          ///< distance from centre to contact [m]; empty without rotations
+  std::vector<double> gap_velocity; ///< [m/s]: gap / Δt of open contacts, corrections of closed ones
+  std::vector<double> friction;     ///< empty without rotations
+  std::vector<double> rolling;      ///< [m]; empty: no rolling resistance
+  std::vector<double> arm_a, arm_b; ///< distance from centre to contact [m]; empty without rotations
 
   std::vector<double> impulse;            ///< normal, warm start in, solution out [N s/m]
   std::vector<double> tangential_impulse; ///< [N s/m]; empty without rotations

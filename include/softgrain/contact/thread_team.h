@@ -30,13 +30,10 @@ public:
   template <class Work>
   void run(const std::uint32_t n_items, const Work &work)
   {
-    if (threads.empty() || n_items < 2)
-      for (std::uint32_t i = 0; i < n_items; ++i)
-        work(i);
-    else
-      distribute(
-          n_items, [](const void *object, const std::uint32_t i) { (*static_cast<const Work *>(object))(i); },
-          &work);
+    // Through a pointer even when alone: two compiled copies of the work may round differently.
+    distribute(
+        n_items, [](const void *object, const std::uint32_t i) { (*static_cast<const Work *>(object))(i); },
+        &work);
   }
 
 private:

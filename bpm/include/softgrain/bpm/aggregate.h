@@ -27,10 +27,10 @@ double attraction_time(double diameter, double density, double contact_force);
 /**
  * @brief Fills the shape of @p body with primaries at rest.
  *
- * Random places in a shape blown up to a loose state; shrunk with the shape until dense, by the contact kernel;
- * then attraction and inelastic contacts alone until at rest. Without a given number the shape is filled to
- * `solid_fraction` and primaries that rest beyond its outline are taken away. The same input gives the same
- * aggregate on every machine of one arithmetic, whatever the number of threads.
+ * Cut out of a dense random packing (pack_disks()): all primaries inside of the outline, or a given number of
+ * those that lie deepest inside; then attraction and inelastic contacts alone until at rest, which draws the
+ * aggregate together a little. The same input gives the same aggregate on every machine of one arithmetic,
+ * whatever the number of threads.
  *
  * @throw ComputationError when it does not come to rest. @throw InputError when not even one primary fits.
  */

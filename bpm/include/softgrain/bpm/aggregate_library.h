@@ -25,7 +25,8 @@ public:
 
   void add(const std::string &key, const Aggregate &aggregate);
 
-  /// Writes the file, whole or not at all, if something was added. @throw InputError when it cannot be written.
+  /// Writes the file, whole or not at all, if something was added. @throw InputError when it cannot be
+  /// written.
   void save() const;
 
 private:

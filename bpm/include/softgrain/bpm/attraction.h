@@ -18,8 +18,8 @@ namespace softgrain::bpm
 /**
  * @brief How the primaries of one aggregate attract each other: a central force of the distance alone.
  *
- * A law is one source file that registers itself (see power_law.cc). Pairs come in batches, so that the virtual
- * call costs nothing and the loop over the pairs can be vectorised.
+ * A law is one source file that registers itself (see power_law.cc). Pairs come in batches, so that the
+ * virtual call costs nothing and the loop over the pairs can be vectorised.
  */
 class Attraction
 {

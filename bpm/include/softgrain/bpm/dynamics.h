@@ -30,7 +30,7 @@ struct DynamicsSettings
   double contact_range = 0.02;         ///< pairs nearer than this are contacts of the step
   double skin = 0.3;                   ///< of the neighbour list
   double solver_penetration = 1e-4;    ///< that a step may add by an unfinished contact solution
-  contact::DiskSolverSettings solver;
+  contact::DiskSolverSettings solver;  ///< its penetration_tolerance is set from solver_penetration
 
   /// Whether rotations of the primaries matter.
   bool rotations(const std::vector<MovingWall> &walls) const;
@@ -133,8 +133,9 @@ private:
                       const std::vector<std::array<double, 2>> &acceleration);
   void prepare_gap_velocities(double dt, const std::vector<MovingWall> &walls);
   void remember();
-  double twice_kinetic_energy(const std::vector<std::array<double, 2>> &velocity,
-                              const std::vector<double> &angular_velocity) const;
+  void move_walls(double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const;
+  void
+  account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
 
   Primaries primaries;
   std::vector<std::shared_ptr<const Attraction>> laws;

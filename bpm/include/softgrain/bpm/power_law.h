@@ -7,8 +7,8 @@
 namespace softgrain::bpm
 {
 /**
- * @brief Attraction (3.1) of Nguyen (2016): `F = F0 (1 + δ/a0)^-γ` with the gap δ and a0 the sum of the radii,
- * nothing beyond `δ = cutoff a0`.
+ * @brief Attraction (3.1) of Nguyen (2016): `F = F0 (1 + δ/a0)^-γ` with the gap δ and a0 the sum of the
+ * radii, nothing beyond `δ = cutoff a0`.
  *
  * γ = 7 is the attractive part of Lennard-Jones. Where primaries overlap (δ < 0, an error of the contact
  * solution) the force stays at its maximum F0. The energy is zero at the cutoff.
@@ -21,11 +21,8 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm) override;
   double range() const override { return 1. + cutoff; }
   double contact_force() const override { return largest_force; }
-  void evaluate(std::size_t n,
-                const double *distance,
-                const double *sum,
-                double *force,
-                double *energy) const override;
+  void evaluate(
+      std::size_t n, const double *distance, const double *sum, double *force, double *energy) const override;
 
 private:
   double largest_force = 0;

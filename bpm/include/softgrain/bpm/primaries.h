@@ -8,7 +8,8 @@
 
 namespace softgrain::bpm
 {
-/// Rigid disks that bodies are made of, one entry of every vector per disk; those of a body follow each other.
+/// Rigid disks that bodies are made of, one entry of every vector per disk; those of a body follow each
+/// other.
 struct Primaries
 {
   std::vector<std::array<double, 2>> position; ///< [m]

@@ -3,6 +3,7 @@
 #define softgrain_bpm_settings_h
 
 #include <softgrain/bpm/dynamics.h>
+#include <softgrain/scene/size_distribution.h>
 
 #include <cstdint>
 #include <string>
@@ -14,21 +15,11 @@ class ParameterHandler;
 
 namespace softgrain::bpm
 {
-/// How the diameters of primaries are distributed between the smallest and the largest.
-enum class SizeDistribution
-{
-  uniform_by_area,  ///< every class of diameters holds the same area (the thesis)
-  uniform_by_number ///< every class of diameters holds the same number
-};
-
 /// What bodies are filled with.
 struct PrimarySettings
 {
-  double smallest_diameter = 0; ///< [m]
-  double largest_diameter = 0;  ///< [m]
-  SizeDistribution distribution = SizeDistribution::uniform_by_area;
+  SizeDistribution sizes;
   unsigned int number = 0; ///< per body; 0: as many as fill its shape
-  double solid_fraction = 0;
   std::uint64_t seed = 0;
   std::string library; ///< file of prepared aggregates, or empty
 };
@@ -37,12 +28,12 @@ struct PrimarySettings
 struct Settings
 {
   PrimarySettings primaries;
-  double time_step = 0;           ///< [s]; 0: step_fraction times the time in which attraction closes a gap
+  double time_step = 0; ///< [s]; 0: step_fraction times the time in which attraction closes a gap
   double step_fraction = 0;
   double smallest_step = 0;       ///< share of the wanted step
   double largest_penetration = 0; ///< that a step may leave, in mean diameters
   bool inner_contacts_in_output = true;
-  DynamicsSettings dynamics;      ///< friction between bodies comes from the scene
+  DynamicsSettings dynamics; ///< friction between bodies comes from the scene
 
   static void declare_parameters(dealii::ParameterHandler &prm);
   /// @throw InputError when values do not fit together.
