@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -109,6 +110,24 @@ void relax(Aggregate &aggregate,
   aggregate.position = dynamics.disks().position;
 }
 
+/// Puts the middle of the aggregate where that of its shape is, so that it is met alike from all sides.
+void center(Aggregate &aggregate, const BodyDescription<2> &body)
+{
+  const auto box = bounding_box(body);
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (std::size_t i = 0; i < aggregate.size(); ++i)
+    {
+      low = std::min(low, aggregate.position[i][d] - aggregate.radius[i]);
+      high = std::max(high, aggregate.position[i][d] + aggregate.radius[i]);
+    }
+    const double shift = 0.5 * (box.first[d] + box.second[d]) - body.center[d] - 0.5 * (low + high);
+    for (std::array<double, 2> &x : aggregate.position)
+      x[d] += shift;
+  }
+}
+
 /// Neighbours in space become neighbours in memory.
 void sort_by_place(Aggregate &aggregate)
 {
@@ -152,6 +171,7 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
     plain.solver.tolerance = 1e-4;
     relax(aggregate, body.name, density, attraction, plain);
   }
+  center(aggregate, body);
   sort_by_place(aggregate);
   return aggregate;
 }
