@@ -17,8 +17,35 @@ namespace softgrain::bpm
 {
 namespace
 {
-/// Share of area of the packing that aggregates are cut from; attraction makes it denser.
-constexpr double packed_fraction = 0.80;
+/// Shares of area of the packing that aggregates are cut from, the first that can be packed: few disks of one
+/// size do not fill a box well. Attraction makes it denser.
+constexpr double packed_fractions[] = {0.80, 0.76, 0.70, 0.60, 0.50};
+
+/// A packing with room for @p half [m] to all sides of the origin. @p radii come out.
+Packing pack_around(const dealii::Tensor<1, 2> &half,
+                    const SizeDistribution &sizes,
+                    std::vector<double> &radii,
+                    Uniform &random)
+{
+  for (const double fraction : packed_fractions)
+  {
+    const double wanted = fraction * 4. * half[0] * half[1];
+    double filled = 0.;
+    for (radii.clear(); filled < wanted; filled += dealii::numbers::PI * radii.back() * radii.back())
+      radii.push_back(0.5 * sizes.draw(random));
+    const dealii::Tensor<1, 2> corner = std::sqrt(filled / wanted) * half;
+    try
+    {
+      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random);
+    }
+    catch (const InputError &)
+    {
+      if (fraction == packed_fractions[std::size(packed_fractions) - 1])
+        throw;
+    }
+  }
+  return {};
+}
 
 /// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
 /// all that lie wholly inside.
@@ -27,35 +54,29 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
   const auto box = bounding_box(body);
   const dealii::Tensor<1, 2> edges = box.second - box.first;
   // A given number may need more room than the shape has.
-  const double enlargement = settings.number > 0
-                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
-                                                          (packed_fraction * area(body))))
-                                 : 1.;
+  const double enlargement =
+      settings.number > 0
+          ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() / (0.75 * area(body))))
+          : 1.;
   dealii::Tensor<1, 2> half;
   for (unsigned int d = 0; d < 2; ++d)
     half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
-  const double wanted = packed_fraction * 4. * half[0] * half[1];
+  const dealii::Tensor<1, 2> middle = box.first + 0.5 * edges - body.center;
   std::vector<double> radii;
-  double filled = 0.;
-  while (filled < wanted)
-  {
-    radii.push_back(0.5 * settings.sizes.draw(random));
-    filled += dealii::numbers::PI * radii.back() * radii.back();
-  }
-  half *= std::sqrt(filled / wanted);
-  const dealii::Point<2> middle = box.first + 0.5 * edges;
-  const Packing packing = pack_disks(radii, middle - half, middle + half, random);
+  const Packing packing = pack_around(half, settings.sizes, radii, random);
 
   std::vector<std::pair<double, std::uint32_t>> depth;
   for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
-    depth.emplace_back(radii[i] - depth_inside(body, packing.disks[i].center), i);
+    depth.emplace_back(
+        radii[i] - depth_inside(body, body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
+        i);
   std::sort(depth.begin(), depth.end());
   Aggregate aggregate;
   for (const auto &[outside, i] : depth)
   {
     if (settings.number > 0 ? aggregate.size() == settings.number : outside > 0.)
       break;
-    const dealii::Tensor<1, 2> x = packing.disks[i].center - body.center;
+    const dealii::Tensor<1, 2> x = packing.disks[i].center - dealii::Point<2>() + middle;
     aggregate.position.push_back({x[0], x[1]});
     aggregate.radius.push_back(radii[i]);
   }
@@ -88,7 +109,7 @@ void relax(Aggregate &aggregate,
   dynamics.detect(no_walls);
   const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
   const double dt = 0.05 * attraction_time(a0, density, force);
-  const double rest = 1e-6 * force * a0 * aggregate.size();
+  const double rest = 2e-8 * force * a0 * aggregate.size();
   const unsigned int most = 20000;
   for (unsigned int step = 0;; ++step)
   {
