@@ -6,7 +6,7 @@ target_include_directories(softgrain_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/bpm/include>
   $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
-target_compile_options(softgrain_options INTERFACE -Wall -Wextra -Wpedantic
+target_compile_options(softgrain_options INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-braces
   $<$<CONFIG:Release>:-O3>)
 target_compile_options(softgrain_options INTERFACE ${SOFTGRAIN_DEBUG_INFORMATION})
 target_link_options(softgrain_options INTERFACE ${SOFTGRAIN_LINKER})

@@ -11,7 +11,7 @@ MAY_INCLUDE = {
     "contact": {"base"},
     "constitutive": {"base"},
     "analysis": {"base"},
-    "scene": {"base", "analysis"},
+    "scene": {"base", "analysis", "contact"},
     "output": {"base", "scene", "analysis"},
     "mpm": {"base", "contact", "constitutive", "scene", "analysis"},
     "bpm": {"base", "contact", "scene", "analysis"},

@@ -21,6 +21,10 @@ public:
   {
     Settings settings;
     settings.parse_parameters(prm);
+    for (const WallDescription<2> &wall : scene.walls)
+      if (!wall.pressure.empty())
+        throw InputError("'Walls/" + wall.name +
+                         "/Drive' = 'pressure' is not allowed with 'Model' = 'mpm': choose 'velocity'");
     std::vector<std::shared_ptr<const constitutive::Law<2>>> laws;
     for (const MaterialDescription &material : scene.materials)
     {

@@ -188,4 +188,15 @@ bool overlap(const BodyDescription<2> &a, const BodyDescription<2> &b, const dou
     return disk_overlaps_polygon(b, corners(a), tolerance);
   return polygons_overlap(corners(a), corners(b), tolerance);
 }
+
+double depth_inside(const BodyDescription<2> &body, const dealii::Point<2> &p)
+{
+  if (body.shape == BodyShape::disk)
+  {
+    const double r = p.distance(body.center);
+    return body.inner_radius > 0. ? std::min(body.radius - r, r - body.inner_radius) : body.radius - r;
+  }
+  const Polygon polygon = corners(body);
+  return (is_inside(p, polygon) ? 1. : -1.) * distance_to_boundary(p, polygon);
+}
 } // namespace softgrain

@@ -116,6 +116,12 @@ void check_formulas(const WallDescription<2> &wall)
   check_finite(velocity,
                parse_at(velocity, [&] { return std::vector<Expression>{Expression(wall.velocity, {"t"})}; }),
                {0.});
+  if (wall.pressure.empty())
+    return;
+  const std::string pressure = "Walls/" + wall.name + "/Pressure";
+  check_finite(pressure,
+               parse_at(pressure, [&] { return std::vector<Expression>{Expression(wall.pressure, {"t"})}; }),
+               {0.});
 }
 
 void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/parameter_values.h>
 #include <softgrain/scene/scene_parameters.h>
 
@@ -50,6 +51,7 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   using namespace dealii::Patterns;
   materials.declare_parameters(prm);
   bodies.declare_parameters(prm);
+  PackingParameters::declare_parameters(prm);
   walls.declare_parameters(prm);
   prm.enter_subsection("Contact");
   prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction between bodies. Units: none.");
@@ -66,6 +68,8 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   Scene<2> scene;
   scene.materials = materials.parse_parameters(prm);
   scene.bodies = bodies.parse_parameters(prm, scene.materials);
+  for (BodyDescription<2> &body : PackingParameters::parse_parameters(prm, scene.materials))
+    scene.bodies.push_back(std::move(body));
   scene.walls = walls.parse_parameters(prm);
   scene.friction = prm.get_double({"Contact"}, "Friction");
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));

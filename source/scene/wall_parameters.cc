@@ -43,6 +43,16 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
         "Units: none.");
     prm.declare_entry("Velocity", "0", Anything(),
                       "Velocity along the normal, positive into the domain, a formula of t. Units: m/s.");
+    prm.declare_entry(
+        "Drive", "velocity", Selection("velocity|pressure"),
+        "velocity: moves as 'Velocity' says; pressure: a body with 'Mass' that 'Pressure' moves "
+        "along its normal.");
+    prm.declare_entry("Pressure", "0", Anything(),
+                      "Of a wall with 'Drive' = 'pressure', pushing into the domain, over the length between "
+                      "the walls beside it; a formula of t. Units: Pa.");
+    prm.declare_entry("Mass", "0", Double(0), "Of a wall with 'Drive' = 'pressure'. Units: kg/m.");
+    prm.declare_entry("Damping", "0", Double(0),
+                      "Force per velocity on a wall with 'Drive' = 'pressure'. Units: kg/(m s).");
     prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction against bodies. Units: none.");
     prm.leave_subsection();
   }
@@ -75,6 +85,23 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
     wall.normal /= wall.normal.norm();
     wall.velocity = prm.get("Velocity");
     wall.friction = prm.get_double("Friction");
+    if (prm.get("Drive") == "pressure")
+    {
+      wall.pressure = prm.get("Pressure");
+      wall.mass = prm.get_double("Mass");
+      wall.damping = prm.get_double("Damping");
+      if (!(wall.mass > 0.))
+        throw InputError("'Walls/" + name + "/Mass' = '" + prm.get("Mass") +
+                         "' is not allowed with 'Drive' = 'pressure': it must be greater than 0");
+      if (wall.velocity != "0")
+        throw InputError("'Walls/" + name + "/Velocity' = '" + wall.velocity +
+                         "' has no effect with 'Drive' = 'pressure': leave it out");
+    }
+    else
+      for (const char *key : {"Pressure", "Mass", "Damping"})
+        if (prm.get(key) != "0")
+          throw InputError("'Walls/" + name + "/" + key + "' = '" + prm.get(key) +
+                           "' has no effect without 'Drive' = 'pressure'");
     walls.push_back(wall);
     prm.leave_subsection();
   }

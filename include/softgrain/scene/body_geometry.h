@@ -30,6 +30,9 @@ bool overlap(const BodyDescription<2> &a, const BodyDescription<2> &b, double to
 
 /// Whether two edges of a polygon that are not neighbours meet.
 bool crosses_itself(const std::vector<dealii::Point<2>> &polygon);
+
+/// Distance of @p p to the boundary of @p body at rest, positive inside [m].
+double depth_inside(const BodyDescription<2> &body, const dealii::Point<2> &p);
 } // namespace softgrain
 
 #endif

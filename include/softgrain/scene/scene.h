@@ -62,6 +62,9 @@ struct WallDescription
   dealii::Point<dim> point;      ///< a point of the plane at the start [m]
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
   std::string velocity;          ///< along the normal, an expression of t [m/s]
+  std::string pressure;          ///< that moves it along its normal, an expression of t [Pa]; empty: velocity
+  double mass = 0;               ///< of a wall that pressure moves [kg/m in 2D]
+  double damping = 0;            ///< force per velocity on such a wall [kg/(m s) in 2D]
   double friction = 0;
 };
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_aggregate_h
+#define softgrain_bpm_aggregate_h
+
+#include <softgrain/bpm/attraction.h>
+#include <softgrain/bpm/settings.h>
+#include <softgrain/scene/scene.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace softgrain::bpm
+{
+/// Primaries at rest that make one body, relative to the centre of the body's description.
+struct Aggregate
+{
+  std::vector<std::array<double, 2>> position; ///< [m]
+  std::vector<double> radius;                  ///< [m]
+
+  std::size_t size() const { return radius.size(); }
+};
+
+/// Time in which attraction moves a primary at rest by its own diameter, sqrt(m a0 / F0) [s].
+double attraction_time(double diameter, double density, double contact_force);
+
+/**
+ * @brief Fills the shape of @p body with primaries at rest.
+ *
+ * Cut out of a dense random packing (pack_disks()): all primaries inside of the outline, or a given number of
+ * those that lie deepest inside; then attraction and inelastic contacts alone until at rest, which draws the
+ * aggregate together a little. The same input gives the same aggregate on every machine of one arithmetic,
+ * whatever the number of threads.
+ *
+ * @throw ComputationError when it does not come to rest. @throw InputError when not even one primary fits.
+ */
+Aggregate make_aggregate(const BodyDescription<2> &body,
+                         double density,
+                         const std::shared_ptr<const Attraction> &attraction,
+                         const Settings &settings,
+                         std::uint64_t seed);
+} // namespace softgrain::bpm
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_bpm_model_h
+#define softgrain_bpm_bpm_model_h
+
+#include <softgrain/base/expression.h>
+#include <softgrain/bpm/dynamics.h>
+#include <softgrain/bpm/settings.h>
+#include <softgrain/scene/model.h>
+#include <softgrain/scene/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+class TimerOutput;
+}
+
+namespace softgrain::bpm
+{
+/**
+ * @brief The bonded-particle model: every body an aggregate of rigid disks that attract each other.
+ *
+ * One step: Dynamics::step() with the walls driven by velocity or pressure; a step that leaves too deep an
+ * overlap is taken back and repeated with half its length.
+ */
+class BpmModel final : public Model<2>
+{
+public:
+  /**
+   * @param scene bodies, walls, loads
+   * @param settings of the model
+   * @param laws attraction of every material
+   * @param law_texts parameters of the laws, for the keys of prepared aggregates
+   */
+  BpmModel(const Scene<2> &scene,
+           const Settings &settings,
+           const std::vector<std::shared_ptr<const Attraction>> &laws,
+           const std::vector<std::string> &law_texts);
+  ~BpmModel() override;
+
+  std::string name() const override { return "bpm"; }
+  StepReport advance(double dt_limit) override;
+  double time() const override { return now; }
+  std::size_t step() const override { return steps; }
+  Snapshot<2> snapshot() const override;
+  std::vector<WallState<2>> walls() const override;
+  Energies energies() const override;
+  double solid_area() const override;
+  double coordination() const override;
+  double momentum_error() const override;
+  std::size_t n_points() const override { return dynamics->disks().size(); }
+  std::size_t n_bodies() const override { return scene.bodies.size(); }
+  SizeReport size_report() const override;
+  std::vector<std::pair<std::string, double>> extra_history() const override;
+  std::map<std::string, double> phases() const override;
+  void save(StateWriter &) const override;
+  void load(StateReader &) override;
+
+private:
+  struct Bookkeeping
+  {
+    dealii::Tensor<1, 2> initial_momentum, wall_impulse, body_force_impulse;
+    double largest_momentum = 0;
+    double wall_work = 0, body_force_work = 0, contact_loss = 0, damping_loss = 0;
+  };
+
+  Primaries fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,
+                        const std::vector<std::string> &law_texts);
+  void set_up_walls();
+  void check_places() const;
+  double wanted_step() const;
+  double pressed_length(std::size_t wall) const;
+  void drive_walls(double dt);
+  void accelerate();
+  void keep_books(const DynamicsReport &report, double dt);
+  dealii::Tensor<1, 2> momentum() const;
+  std::vector<std::vector<std::vector<dealii::Point<2>>>> outlines() const;
+  void refresh_solid_area() const;
+  ContactState<2> contact_state(std::size_t row) const;
+  void add_inner_forces(Snapshot<2> &snapshot) const;
+  void add_stresses(Snapshot<2> &snapshot) const;
+
+  Scene<2> scene;
+  Settings settings;
+  std::unique_ptr<dealii::TimerOutput> timer;
+  std::unique_ptr<Dynamics> dynamics;
+  std::vector<MovingWall> moving_walls;
+  std::vector<Expression> wall_drive; ///< velocity or pressure of t
+  std::vector<std::uint32_t> first_of_body;
+  std::vector<bool> fixed;
+  std::vector<double> density; ///< of every body
+  double natural_time = 0;     ///< attraction_time() of the mean primary of the strongest law, 0 without one
+  double contact_force = 0;    ///< of the strongest law
+  std::vector<std::vector<Expression>> body_force;
+  std::vector<std::array<double, 2>> start_position; ///< only when a load asks for X or Y
+  std::vector<std::array<double, 2>> acceleration;   ///< of every primary, empty when nothing pulls
+
+  double now = 0, step_scale = 1, last_dt = 0;
+  std::size_t steps = 0;
+  Bookkeeping books;
+  std::vector<double> area_at_start;    ///< enclosed by the outline of every body [m^2]
+  mutable double area_now = -1;         ///< enclosed by all outlines when it was last measured [m^2]
+  mutable std::size_t area_of_list = 0; ///< number of neighbour lists made by then
+};
+} // namespace softgrain::bpm
+
+#endif

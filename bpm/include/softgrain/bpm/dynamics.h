@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_dynamics_h
+#define softgrain_bpm_dynamics_h
+
+#include <softgrain/bpm/attraction.h>
+#include <softgrain/bpm/moving_wall.h>
+#include <softgrain/bpm/primaries.h>
+#include <softgrain/contact/disk_solver.h>
+#include <softgrain/contact/disk_system.h>
+#include <softgrain/contact/neighbour_list.h>
+
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+class TimerOutput;
+}
+
+namespace softgrain::bpm
+{
+/// What the motion of primaries may be told. Lengths are in mean diameters of the primaries.
+struct DynamicsSettings
+{
+  double friction = 0;                 ///< between primaries of different bodies
+  double rolling_resistance = 0;       ///< mu_r of (2.12), primaries of different bodies and walls
+  double inner_rolling_resistance = 0; ///< mu_r between primaries of one body
+  double restitution = 0;              ///< normal, of every contact
+  double gap_correction = 1;           ///< share of an overlap that is pushed out in a step
+  double contact_range = 0.02;         ///< pairs nearer than this are contacts of the step
+  double skin = 0.3;                   ///< of the neighbour list
+  double solver_penetration = 1e-4;    ///< that a step may add by an unfinished contact solution
+  contact::DiskSolverSettings solver;  ///< its penetration_tolerance is set from solver_penetration
+
+  /// Whether rotations of the primaries matter.
+  bool rotations(const std::vector<MovingWall> &walls) const;
+};
+
+/// What one step did.
+struct DynamicsReport
+{
+  contact::DiskSolverReport solver;
+  double contact_loss = 0;    ///< kinetic energy that contacts took [J/m]
+  double wall_work = 0;       ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
+  double damping_loss = 0;    ///< in the damping of walls [J/m]
+  double force_work = 0;      ///< done by body forces [J/m]
+  double max_penetration = 0; ///< after the step [m]
+};
+
+/**
+ * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction (3.1), contacts (Signorini, Coulomb), walls.
+ *
+ * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
+ * the velocities after contact; forces and contacts for the new places.
+ */
+class Dynamics
+{
+public:
+  /**
+   * @param primaries disks; those of a body follow each other; without angular velocities unless needed
+   * @param attraction law of every body, null: none
+   * @param fixed bodies that keep their velocity whatever they meet; empty: none
+   * @param settings how to step
+   */
+  Dynamics(Primaries primaries,
+           std::vector<std::shared_ptr<const Attraction>> attraction,
+           std::vector<bool> fixed,
+           const DynamicsSettings &settings);
+
+  /// Forces and contacts of the present places; called once before the first step and after a change of
+  /// state.
+  void detect(const std::vector<MovingWall> &walls);
+
+  /**
+   * @brief One step of @p dt [s].
+   * @param dt length [s]
+   * @param walls with the velocities they are to have (prescribed) or had (with mass); come back moved
+   * @param acceleration of every primary by body forces [m/s^2], or empty
+   * @throw ComputationError when something is not finite.
+   */
+  DynamicsReport
+  step(double dt, std::vector<MovingWall> &walls, const std::vector<std::array<double, 2>> &acceleration);
+
+  /// Sections of its work go there; may be null.
+  void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
+
+  const Primaries &disks() const { return primaries; }
+  Primaries &disks() { return primaries; }
+  contact::NeighbourList &neighbours() { return list; }
+  const contact::NeighbourList &neighbours() const { return list; }
+
+  /// Contacts of the present places with the impulses of the last step; b >= disks().size(): a wall.
+  const contact::DiskContacts &contacts() const { return rows; }
+  /// Gap of every contact [m].
+  const std::vector<double> &gaps() const { return gap; }
+  /// Sum of the attractions on every primary [N/m].
+  const std::vector<std::array<double, 2>> &forces() const { return force; }
+  /// Energy of the attractions, zero when all pairs are out of range [J/m].
+  double attraction_energy() const { return stored_energy; }
+  double kinetic_energy() const;
+  /// Deepest overlap of the present places [m].
+  double penetration() const { return deepest; }
+  double mean_diameter() const { return diameter; }
+
+  /// How often neighbours have been searched.
+  std::size_t lists_made() const { return n_lists; }
+
+  /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
+  double attraction_of(std::size_t pair) const;
+
+  /// Impulses remembered of contacts with walls (wall, primary, impulses), for restarts.
+  struct WallMemory
+  {
+    std::uint32_t wall = 0, primary = 0;
+    contact::NeighbourList::Memory impulse{};
+  };
+  std::vector<WallMemory> &wall_memory() { return remembered_at_walls; }
+  const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
+
+private:
+  struct Scratch;
+  void attract_and_find(std::size_t tile, Scratch &scratch);
+  void collect(const std::vector<MovingWall> &walls);
+  void add_row(std::uint32_t a,
+               std::uint32_t b,
+               const std::array<double, 2> &normal,
+               double opening,
+               double friction,
+               double rolling,
+               const contact::NeighbourList::Memory &memory);
+  void prepare_bodies(double dt,
+                      const std::vector<MovingWall> &walls,
+                      const std::vector<std::array<double, 2>> &acceleration);
+  void prepare_gap_velocities(double dt, const std::vector<MovingWall> &walls);
+  void remember();
+  void move_walls(double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const;
+  void
+  account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
+
+  Primaries primaries;
+  std::vector<std::shared_ptr<const Attraction>> laws;
+  DynamicsSettings settings;
+  bool rotations;
+  double diameter = 0; ///< mean
+  std::vector<double> inverse_mass;
+
+  contact::NeighbourList list;
+  contact::DiskBodies bodies;
+  contact::DiskContacts rows;
+  std::vector<double> gap;
+  std::vector<std::uint32_t> pair_of_row;
+  std::vector<std::array<double, 2>> force;
+  std::vector<WallMemory> remembered_at_walls;
+  double stored_energy = 0, deepest = 0;
+  std::size_t n_lists = 0;
+
+  struct Found
+  {
+    std::uint32_t pair;
+    double gap;
+    std::array<double, 2> normal;
+  };
+  std::vector<std::vector<Found>> found; ///< contacts of every tile
+  std::vector<double> tile_energy;
+  dealii::TimerOutput *timer = nullptr;
+};
+} // namespace softgrain::bpm
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_primaries_h
+#define softgrain_bpm_primaries_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace softgrain::bpm
+{
+/// Rigid disks that bodies are made of, one entry of every vector per disk; those of a body follow each
+/// other.
+struct Primaries
+{
+  std::vector<std::array<double, 2>> position; ///< [m]
+  std::vector<std::array<double, 2>> velocity; ///< [m/s]
+  std::vector<double> radius;                  ///< [m]
+  std::vector<double> mass;                    ///< [kg/m]
+  std::vector<std::uint32_t> body;             ///< index of the body (aggregate)
+  std::vector<double> angular_velocity;        ///< [rad/s]; empty unless friction or rolling asks for it
+
+  std::size_t size() const { return position.size(); }
+  bool rotate() const { return !angular_velocity.empty(); }
+};
+} // namespace softgrain::bpm
+
+#endif

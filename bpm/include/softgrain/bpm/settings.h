@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_settings_h
+#define softgrain_bpm_settings_h
+
+#include <softgrain/bpm/dynamics.h>
+#include <softgrain/scene/size_distribution.h>
+
+#include <cstdint>
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain::bpm
+{
+/// What bodies are filled with.
+struct PrimarySettings
+{
+  SizeDistribution sizes;
+  unsigned int number = 0; ///< per body; 0: as many as fill its shape
+  std::uint64_t seed = 0;
+  std::string library; ///< file of prepared aggregates, or empty
+};
+
+/// Everything the bonded-particle model reads from a parameter file beside the scene.
+struct Settings
+{
+  PrimarySettings primaries;
+  double time_step = 0; ///< [s]; 0: step_fraction times the time in which attraction closes a gap
+  double step_fraction = 0;
+  double smallest_step = 0;       ///< share of the wanted step
+  double largest_penetration = 0; ///< that a step may leave, in mean diameters
+  bool inner_contacts_in_output = true;
+  DynamicsSettings dynamics; ///< friction between bodies comes from the scene
+
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  /// @throw InputError when values do not fit together.
+  void parse_parameters(dealii::ParameterHandler &prm);
+};
+} // namespace softgrain::bpm
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/random.h>
+#include <softgrain/bpm/aggregate.h>
+#include <softgrain/scene/body_geometry.h>
+#include <softgrain/scene/packing.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace softgrain::bpm
+{
+namespace
+{
+/// Share of area of the packing that aggregates are cut from; attraction makes it denser.
+constexpr double packed_fraction = 0.80;
+
+/// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
+/// all that lie wholly inside.
+Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
+{
+  const auto box = bounding_box(body);
+  const dealii::Tensor<1, 2> edges = box.second - box.first;
+  // A given number may need more room than the shape has.
+  const double enlargement = settings.number > 0
+                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
+                                                          (packed_fraction * area(body))))
+                                 : 1.;
+  dealii::Tensor<1, 2> half;
+  for (unsigned int d = 0; d < 2; ++d)
+    half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
+  const double wanted = packed_fraction * 4. * half[0] * half[1];
+  std::vector<double> radii;
+  double filled = 0.;
+  while (filled < wanted)
+  {
+    radii.push_back(0.5 * settings.sizes.draw(random));
+    filled += dealii::numbers::PI * radii.back() * radii.back();
+  }
+  half *= std::sqrt(filled / wanted);
+  const dealii::Point<2> middle = box.first + 0.5 * edges;
+  const Packing packing = pack_disks(radii, middle - half, middle + half, random);
+
+  std::vector<std::pair<double, std::uint32_t>> depth;
+  for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
+    depth.emplace_back(radii[i] - depth_inside(body, packing.disks[i].center), i);
+  std::sort(depth.begin(), depth.end());
+  Aggregate aggregate;
+  for (const auto &[outside, i] : depth)
+  {
+    if (settings.number > 0 ? aggregate.size() == settings.number : outside > 0.)
+      break;
+    const dealii::Tensor<1, 2> x = packing.disks[i].center - body.center;
+    aggregate.position.push_back({x[0], x[1]});
+    aggregate.radius.push_back(radii[i]);
+  }
+  return aggregate;
+}
+
+/// Walls that hold nothing: the primaries of an aggregate in the making are alone.
+std::vector<MovingWall> no_walls;
+
+Primaries disks_of(const Aggregate &aggregate, const double density)
+{
+  Primaries disks;
+  disks.position = aggregate.position;
+  disks.radius = aggregate.radius;
+  disks.velocity.assign(aggregate.size(), {0., 0.});
+  disks.body.assign(aggregate.size(), 0);
+  for (const double r : aggregate.radius)
+    disks.mass.push_back(dealii::numbers::PI * r * r * density);
+  return disks;
+}
+
+/// Attraction and inelastic contacts until the kinetic energy is small beside what attraction could give.
+void relax(Aggregate &aggregate,
+           const std::string &name,
+           const double density,
+           const std::shared_ptr<const Attraction> &attraction,
+           const DynamicsSettings &settings)
+{
+  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
+  dynamics.detect(no_walls);
+  const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
+  const double dt = 0.05 * attraction_time(a0, density, force);
+  const double rest = 1e-6 * force * a0 * aggregate.size();
+  const unsigned int most = 20000;
+  for (unsigned int step = 0;; ++step)
+  {
+    dynamics.step(dt, no_walls, {});
+    if (step > 20 && dynamics.kinetic_energy() < rest)
+      break;
+    if (step == most)
+    {
+      std::ostringstream message;
+      message << "the primaries of body '" << name << "' do not come to rest: after " << most
+              << " steps their kinetic energy is " << dynamics.kinetic_energy() << " J/m, wanted is " << rest;
+      throw ComputationError(message.str());
+    }
+    // A little drag ends oscillations of the whole that no contact damps.
+    for (auto &v : dynamics.disks().velocity)
+      for (double &component : v)
+        component *= 0.98;
+  }
+  aggregate.position = dynamics.disks().position;
+}
+
+/// Neighbours in space become neighbours in memory.
+void sort_by_place(Aggregate &aggregate)
+{
+  std::vector<std::uint32_t> order(aggregate.size());
+  std::iota(order.begin(), order.end(), 0);
+  const double width = 8. * *std::max_element(aggregate.radius.begin(), aggregate.radius.end());
+  const auto key = [&](const std::uint32_t i)
+  { return std::make_pair(std::floor(aggregate.position[i][0] / width), aggregate.position[i][1]); };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  Aggregate sorted;
+  for (const std::uint32_t i : order)
+  {
+    sorted.position.push_back(aggregate.position[i]);
+    sorted.radius.push_back(aggregate.radius[i]);
+  }
+  aggregate = sorted;
+}
+} // namespace
+
+double attraction_time(const double diameter, const double density, const double contact_force)
+{
+  const double mass = 0.25 * dealii::numbers::PI * diameter * diameter * density;
+  return std::sqrt(mass * diameter / contact_force);
+}
+
+Aggregate make_aggregate(const BodyDescription<2> &body,
+                         const double density,
+                         const std::shared_ptr<const Attraction> &attraction,
+                         const Settings &settings,
+                         const std::uint64_t seed)
+{
+  Uniform random(seed);
+  Aggregate aggregate = cut_out(body, settings.primaries, random);
+  if (aggregate.size() == 0)
+    throw InputError("not one primary fits into body '" + body.name +
+                     "': lower 'Primaries/Largest diameter'");
+  if (aggregate.size() > 1 && attraction && attraction->contact_force() > 0.)
+  {
+    // How the run is to be solved does not matter here, so that one aggregate serves many runs.
+    DynamicsSettings plain;
+    plain.solver.tolerance = 1e-4;
+    relax(aggregate, body.name, density, attraction, plain);
+  }
+  sort_by_place(aggregate);
+  return aggregate;
+}
+} // namespace softgrain::bpm

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of BpmModel that makes primaries from a scene.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/bpm/aggregate.h>
+#include <softgrain/bpm/aggregate_library.h>
+#include <softgrain/bpm/bpm_model.h>
+#include <softgrain/scene/polygon.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <sstream>
+
+namespace softgrain::bpm
+{
+BpmModel::BpmModel(const Scene<2> &scene_description,
+                   const Settings &model_settings,
+                   const std::vector<std::shared_ptr<const Attraction>> &laws,
+                   const std::vector<std::string> &law_texts)
+    : scene(scene_description)
+    , settings(model_settings)
+    , timer(std::make_unique<dealii::TimerOutput>(
+          std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
+{
+  settings.dynamics.friction = scene.friction;
+  set_up_walls();
+  std::vector<std::shared_ptr<const Attraction>> law_of_body;
+  for (const BodyDescription<2> &body : scene.bodies)
+  {
+    fixed.push_back(body.driven);
+    density.push_back(scene.materials[body.material].density);
+    law_of_body.push_back(laws[body.material]);
+    contact_force = std::max(contact_force, laws[body.material]->contact_force());
+  }
+  Primaries disks = fill_bodies(laws, law_texts);
+  if (settings.dynamics.rotations(moving_walls))
+  {
+    disks.angular_velocity.resize(disks.size());
+    for (std::size_t i = 0; i < disks.size(); ++i)
+      disks.angular_velocity[i] = scene.bodies[disks.body[i]].angular_velocity;
+  }
+  dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
+  dynamics->set_timer(timer.get());
+  if (contact_force > 0.)
+    natural_time = attraction_time(dynamics->mean_diameter(),
+                                   *std::min_element(density.begin(), density.end()), contact_force);
+  if (wanted_step() <= 0.)
+    throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
+
+  for (const BodyDescription<2> &body : scene.bodies)
+    body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"
+                             ? std::vector<Expression>()
+                             : vector_expression(body.body_force, {"x", "y", "X", "Y", "t"}));
+  const bool loaded =
+      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
+  if (loaded)
+    start_position = dynamics->disks().position;
+  if (loaded || scene.gravity.norm() > 0.)
+    acceleration.resize(dynamics->disks().size());
+
+  check_places();
+  dynamics->detect(moving_walls);
+  drive_walls(0.);
+  for (const auto &outline : outlines())
+  {
+    area_at_start.push_back(0.);
+    for (const auto &loop : outline)
+      area_at_start.back() += signed_area(loop);
+  }
+  books.initial_momentum = momentum();
+}
+
+Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,
+                                const std::vector<std::string> &law_texts)
+{
+  const dealii::TimerOutput::Scope section(*timer, "preparation of aggregates");
+  AggregateLibrary library(settings.primaries.library);
+  const std::size_t n = scene.bodies.size();
+  std::vector<Aggregate> aggregates(n);
+  std::vector<std::string> keys(n);
+  std::vector<std::exception_ptr> errors(n);
+  parallel_for(n, 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   try
+                   {
+                     const BodyDescription<2> &body = scene.bodies[b];
+                     // Every body its own random numbers, the same whoever comes first.
+                     const std::uint64_t seed = settings.primaries.seed * 1000003u + b;
+                     keys[b] = aggregate_key(body, density[b], law_texts[body.material], settings, seed);
+                     if (const Aggregate *kept = library.find(keys[b]))
+                       aggregates[b] = *kept;
+                     else
+                       aggregates[b] = make_aggregate(body, density[b], laws[body.material], settings, seed);
+                   }
+                   catch (...)
+                   {
+                     errors[b] = std::current_exception();
+                   }
+               });
+  Primaries disks;
+  for (std::size_t b = 0; b < n; ++b)
+  {
+    if (errors[b])
+      std::rethrow_exception(errors[b]);
+    if (library.find(keys[b]) == nullptr)
+      library.add(keys[b], aggregates[b]);
+    const BodyDescription<2> &body = scene.bodies[b];
+    const std::vector<Expression> velocity = vector_expression(body.velocity, {"x", "y"});
+    first_of_body.push_back(disks.size());
+    for (std::size_t i = 0; i < aggregates[b].size(); ++i)
+    {
+      const std::array<double, 2> &from_center = aggregates[b].position[i];
+      const double x = body.center[0] + from_center[0], y = body.center[1] + from_center[1];
+      disks.position.push_back({x, y});
+      disks.velocity.push_back({velocity[0]({x, y}) - body.angular_velocity * from_center[1],
+                                velocity[1]({x, y}) + body.angular_velocity * from_center[0]});
+      disks.radius.push_back(aggregates[b].radius[i]);
+      disks.mass.push_back(dealii::numbers::PI * disks.radius.back() * disks.radius.back() * density[b]);
+      disks.body.push_back(b);
+    }
+  }
+  first_of_body.push_back(disks.size());
+  library.save();
+  return disks;
+}
+
+void BpmModel::check_places() const
+{
+  const Primaries &disks = dynamics->disks();
+  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+  {
+    const WallDescription<2> &wall = scene.walls[w];
+    double deepest = 0.;
+    std::uint32_t body = 0;
+    for (std::size_t i = 0; i < disks.size(); ++i)
+    {
+      const dealii::Point<2> x(disks.position[i][0], disks.position[i][1]);
+      const double gap = (x - wall.point) * wall.normal - disks.radius[i];
+      if (gap < deepest)
+      {
+        deepest = gap;
+        body = disks.body[i];
+      }
+    }
+    if (deepest < -settings.largest_penetration * dynamics->mean_diameter())
+    {
+      std::ostringstream message;
+      message << "primaries of body '" << scene.bodies[body].name << "' cross the wall '" << wall.name
+              << "' by " << -deepest << " m: move the wall, or lower 'Primaries/Number per body'";
+      throw InputError(message.str());
+    }
+  }
+}
+} // namespace softgrain::bpm

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of Dynamics that looks at places: attraction, gaps, rows.
+#include <softgrain/base/parallel.h>
+#include <softgrain/bpm/dynamics.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace softgrain::bpm
+{
+/// Pairs of one tile that attract each other, in the form a law wants.
+struct Dynamics::Scratch
+{
+  std::vector<std::uint32_t> pair;
+  std::vector<double> distance, sum, strength, energy;
+  std::vector<std::array<double, 2>> direction; ///< unit, from b to a
+
+  void clear()
+  {
+    pair.clear();
+    distance.clear();
+    sum.clear();
+    direction.clear();
+  }
+};
+
+void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
+{
+  const double contact_range = settings.contact_range * diameter;
+  std::vector<Found> &contacts = found[tile];
+  contacts.clear();
+  scratch.clear();
+  double energy = 0.;
+
+  // Pairs of one law follow each other mostly; a batch ends where the law changes.
+  const Attraction *law = nullptr;
+  const auto finish_batch = [&]
+  {
+    const std::size_t n = scratch.pair.size();
+    if (n == 0)
+      return;
+    scratch.strength.resize(n);
+    scratch.energy.resize(n);
+    law->evaluate(n, scratch.distance.data(), scratch.sum.data(), scratch.strength.data(),
+                  scratch.energy.data());
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const std::uint32_t a = list.a(scratch.pair[k]), b = list.b(scratch.pair[k]);
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double f = scratch.strength[k] * scratch.direction[k][d];
+        force[a][d] -= f;
+        force[b][d] += f;
+      }
+      energy += scratch.energy[k];
+    }
+    scratch.clear();
+  };
+
+  for (std::uint32_t pair = list.tile_start()[tile]; pair < list.tile_start()[tile + 1]; ++pair)
+  {
+    const std::uint32_t a = list.a(pair), b = list.b(pair);
+    const double dx = primaries.position[a][0] - primaries.position[b][0];
+    const double dy = primaries.position[a][1] - primaries.position[b][1];
+    const double sum = primaries.radius[a] + primaries.radius[b];
+    const double square = dx * dx + dy * dy;
+    const bool same = primaries.body[a] == primaries.body[b];
+    const Attraction *own = same && !laws.empty() ? laws[primaries.body[a]].get() : nullptr;
+    const double attraction_reach = own != nullptr ? own->range() * sum : 0.;
+    const double contact_reach = sum + contact_range;
+    const bool attracts = square < attraction_reach * attraction_reach;
+    const bool touches = square < contact_reach * contact_reach;
+    if (!attracts && !touches)
+      continue;
+    const double distance = std::sqrt(square);
+    // Disks on top of each other have no direction; any one gets them apart.
+    const std::array<double, 2> direction =
+        distance > 0. ? std::array<double, 2>{dx / distance, dy / distance} : std::array<double, 2>{1., 0.};
+    if (touches)
+      contacts.push_back({pair, distance - sum, direction});
+    if (attracts)
+    {
+      if (own != law)
+        finish_batch();
+      law = own;
+      scratch.pair.push_back(pair);
+      scratch.distance.push_back(distance);
+      scratch.sum.push_back(sum);
+      scratch.direction.push_back(direction);
+    }
+  }
+  finish_batch();
+  tile_energy[tile] = energy;
+}
+
+double Dynamics::attraction_of(const std::size_t pair) const
+{
+  const std::uint32_t a = list.a(pair), b = list.b(pair);
+  if (laws.empty() || primaries.body[a] != primaries.body[b] || !laws[primaries.body[a]])
+    return 0.;
+  const double distance = std::hypot(primaries.position[a][0] - primaries.position[b][0],
+                                     primaries.position[a][1] - primaries.position[b][1]);
+  const double sum = primaries.radius[a] + primaries.radius[b];
+  const Attraction &law = *laws[primaries.body[a]];
+  if (distance >= law.range() * sum)
+    return 0.;
+  double strength = 0.;
+  law.evaluate(1, &distance, &sum, &strength, nullptr);
+  return strength;
+}
+
+void Dynamics::detect(const std::vector<MovingWall> &walls)
+{
+  std::optional<dealii::TimerOutput::Scope> section;
+  if (timer != nullptr)
+    section.emplace(*timer, "neighbour list");
+  n_lists += list.update(primaries.position);
+  if (timer != nullptr)
+  {
+    section.reset();
+    section.emplace(*timer, "attraction and gaps");
+  }
+  force.assign(primaries.size(), {0., 0.});
+  found.resize(list.n_tiles());
+  tile_energy.assign(list.n_tiles(), 0.);
+  for (std::size_t colour = 0; colour + 1 < list.colour_start().size(); ++colour)
+  {
+    const std::size_t first = list.colour_start()[colour];
+    parallel_for(list.colour_start()[colour + 1] - first, 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   Scratch scratch;
+                   for (std::size_t tile = first + begin; tile < first + end; ++tile)
+                     attract_and_find(tile, scratch);
+                 });
+  }
+  stored_energy = 0.;
+  for (const double energy : tile_energy)
+    stored_energy += energy;
+  collect(walls);
+}
+
+void Dynamics::add_row(const std::uint32_t a,
+                       const std::uint32_t b,
+                       const std::array<double, 2> &normal,
+                       const double opening,
+                       const double friction,
+                       const double rolling,
+                       const contact::NeighbourList::Memory &memory)
+{
+  rows.a.push_back(a);
+  rows.b.push_back(b);
+  rows.normal.push_back(normal);
+  rows.impulse.push_back(memory[0]);
+  gap.push_back(opening);
+  deepest = std::max(deepest, -opening);
+  if (!rotations)
+    return;
+  rows.friction.push_back(friction);
+  rows.arm_a.push_back(primaries.radius[a]);
+  rows.arm_b.push_back(b < primaries.size() ? primaries.radius[b] : 0.);
+  rows.tangential_impulse.push_back(memory[1]);
+  if (settings.rolling_resistance > 0. || settings.inner_rolling_resistance > 0.)
+  {
+    rows.rolling.push_back(rolling);
+    rows.rolling_impulse.push_back(memory[2]);
+  }
+}
+
+void Dynamics::collect(const std::vector<MovingWall> &walls)
+{
+  rows = contact::DiskContacts();
+  gap.clear();
+  pair_of_row.clear();
+  deepest = 0.;
+  rows.colour_start = list.colour_start();
+  rows.tile_start.push_back(0);
+  for (const std::vector<Found> &contacts : found)
+  {
+    for (const Found &contact : contacts)
+    {
+      const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
+      if (inverse_mass[a] == 0. && inverse_mass[b] == 0.)
+        continue;
+      const bool same = primaries.body[a] == primaries.body[b];
+      // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a plane.
+      const double r =
+          2. * primaries.radius[a] * primaries.radius[b] / (primaries.radius[a] + primaries.radius[b]);
+      add_row(a, b, contact.normal, contact.gap, same ? 0. : settings.friction,
+              r * (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
+              list.memory()[contact.pair]);
+      pair_of_row.push_back(contact.pair);
+    }
+    rows.tile_start.push_back(rows.size());
+  }
+  const double range = settings.contact_range * diameter;
+  auto remembered = remembered_at_walls.begin();
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    const MovingWall &wall = walls[w];
+    const double offset = wall.point[0] * wall.normal[0] + wall.point[1] * wall.normal[1] + wall.travel;
+    for (std::uint32_t i = 0; i < primaries.size(); ++i)
+    {
+      const double opening = primaries.position[i][0] * wall.normal[0] +
+                             primaries.position[i][1] * wall.normal[1] - offset - primaries.radius[i];
+      if (opening >= range || inverse_mass[i] == 0.)
+        continue;
+      // Both this loop and the memory run through walls and primaries in order.
+      while (remembered != remembered_at_walls.end() &&
+             (remembered->wall < w || (remembered->wall == w && remembered->primary < i)))
+        ++remembered;
+      const bool known =
+          remembered != remembered_at_walls.end() && remembered->wall == w && remembered->primary == i;
+      add_row(i, primaries.size() + w, wall.normal, opening, wall.friction,
+              primaries.radius[i] * settings.rolling_resistance,
+              known ? remembered->impulse : contact::NeighbourList::Memory{});
+    }
+  }
+  rows.gap_velocity.resize(rows.size());
+}
+
+void Dynamics::remember()
+{
+  const auto impulses = [&](const std::size_t row) -> contact::NeighbourList::Memory
+  {
+    return {rows.impulse[row], rotations ? rows.tangential_impulse[row] : 0.,
+            rows.rolling_impulse.empty() ? 0. : rows.rolling_impulse[row]};
+  };
+  std::fill(list.memory().begin(), list.memory().end(), contact::NeighbourList::Memory{});
+  for (std::size_t row = 0; row < pair_of_row.size(); ++row)
+    list.memory()[pair_of_row[row]] = impulses(row);
+  remembered_at_walls.clear();
+  for (std::size_t row = pair_of_row.size(); row < rows.size(); ++row)
+    remembered_at_walls.push_back(
+        {static_cast<std::uint32_t>(rows.b[row] - primaries.size()), rows.a[row], impulses(row)});
+}
+} // namespace softgrain::bpm

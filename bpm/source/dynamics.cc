@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/bpm/dynamics.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace softgrain::bpm
+{
+namespace
+{
+/// A section of the timer, or nothing when there is no timer.
+class Section
+{
+public:
+  Section(dealii::TimerOutput *timer, const std::string &name)
+  {
+    if (timer != nullptr)
+      scope.emplace(*timer, name);
+  }
+
+private:
+  std::optional<dealii::TimerOutput::Scope> scope;
+};
+
+contact::NeighbourList::Range range_of(const DynamicsSettings &settings,
+                                       const std::vector<std::shared_ptr<const Attraction>> &laws,
+                                       const double diameter)
+{
+  contact::NeighbourList::Range range;
+  range.gap = settings.contact_range * diameter;
+  range.skin = settings.skin * diameter;
+  for (const auto &law : laws)
+    if (law)
+      range.stretch = std::max(range.stretch, law->range());
+  return range;
+}
+} // namespace
+
+bool DynamicsSettings::rotations(const std::vector<MovingWall> &walls) const
+{
+  return friction > 0. || rolling_resistance > 0. || inner_rolling_resistance > 0. ||
+         std::any_of(walls.begin(), walls.end(), [](const MovingWall &wall) { return wall.friction > 0.; });
+}
+
+Dynamics::Dynamics(Primaries disks,
+                   std::vector<std::shared_ptr<const Attraction>> attraction,
+                   std::vector<bool> fixed,
+                   const DynamicsSettings &dynamics_settings)
+    : primaries(std::move(disks))
+    , laws(std::move(attraction))
+    , settings(dynamics_settings)
+    , rotations(primaries.rotate())
+{
+  for (const double r : primaries.radius)
+    diameter += 2. * r / primaries.size();
+  inverse_mass.resize(primaries.size());
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+    inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
+  const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
+  list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
+                                range_of(settings, laws, diameter));
+}
+
+void Dynamics::prepare_bodies(const double dt,
+                              const std::vector<MovingWall> &walls,
+                              const std::vector<std::array<double, 2>> &acceleration)
+{
+  const std::size_t n = primaries.size();
+  bodies.velocity.resize(n + walls.size());
+  bodies.inverse_mass = inverse_mass;
+  bodies.inverse_mass.resize(n + walls.size());
+  for (std::size_t i = 0; i < n; ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      bodies.velocity[i][d] = primaries.velocity[i][d] + dt * inverse_mass[i] * force[i][d];
+      if (!acceleration.empty() && inverse_mass[i] > 0.)
+        bodies.velocity[i][d] += dt * acceleration[i][d];
+    }
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    const MovingWall &wall = walls[w];
+    bodies.inverse_mass[n + w] = wall.inverse_mass;
+    // Damping implicit, so that any coefficient is stable.
+    const double v = wall.inverse_mass == 0. ? wall.velocity
+                                             : (wall.velocity + dt * wall.inverse_mass * wall.load) /
+                                                   (1. + dt * wall.inverse_mass * wall.damping);
+    for (unsigned int d = 0; d < 2; ++d)
+      bodies.velocity[n + w][d] = v * wall.normal[d];
+  }
+  if (rotations)
+  {
+    bodies.angular_velocity = primaries.angular_velocity;
+    bodies.angular_velocity.resize(n + walls.size(), 0.);
+    bodies.inverse_inertia.assign(n + walls.size(), 0.);
+    for (std::size_t i = 0; i < n; ++i)
+      bodies.inverse_inertia[i] = 2. * inverse_mass[i] / (primaries.radius[i] * primaries.radius[i]);
+  }
+}
+
+void Dynamics::prepare_gap_velocities(const double dt, const std::vector<MovingWall> &walls)
+{
+  const std::size_t n = primaries.size();
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    // An open gap may close within the step; of an overlap a share is pushed out.
+    rows.gap_velocity[row] = (gap[row] > 0. ? gap[row] : settings.gap_correction * gap[row]) / dt;
+    if (settings.restitution == 0.)
+      continue;
+    // Newton's law of impact, in the step in which the gap would close.
+    double before = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const std::size_t b = rows.b[row];
+      const double of_b = b < n ? primaries.velocity[b][d] : walls[b - n].velocity * walls[b - n].normal[d];
+      before += rows.normal[row][d] * (primaries.velocity[rows.a[row]][d] - of_b);
+    }
+    if (before < 0. && gap[row] + dt * before <= 0.)
+      rows.gap_velocity[row] = settings.restitution * before;
+  }
+}
+
+double Dynamics::kinetic_energy() const
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+    if (inverse_mass[i] > 0.)
+    {
+      const std::array<double, 2> &v = primaries.velocity[i];
+      const double spin = rotations ? primaries.radius[i] * primaries.angular_velocity[i] : 0.;
+      sum += primaries.mass[i] * (v[0] * v[0] + v[1] * v[1] + 0.5 * spin * spin);
+    }
+  return 0.5 * sum;
+}
+
+void Dynamics::move_walls(const double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const
+{
+  const std::size_t n = primaries.size();
+  for (MovingWall &wall : walls)
+    wall.normal_impulse = wall.tangential_impulse = 0.;
+  for (std::size_t row = rows.tile_start.back(); row < rows.size(); ++row)
+  {
+    MovingWall &wall = walls[rows.b[row] - n];
+    wall.normal_impulse += rows.impulse[row];
+    if (rotations)
+      wall.tangential_impulse += rows.tangential_impulse[row];
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    MovingWall &wall = walls[w];
+    if (wall.inverse_mass == 0.)
+    {
+      report.wall_work += wall.normal_impulse * wall.velocity;
+      report.contact_loss += wall.normal_impulse * wall.velocity;
+    }
+    else
+    {
+      const double before = wall.velocity, mass = 1. / wall.inverse_mass;
+      const double after =
+          bodies.velocity[n + w][0] * wall.normal[0] + bodies.velocity[n + w][1] * wall.normal[1];
+      // The damping took what neither the load nor the primaries gave.
+      const double damping = mass * (before - after) + dt * wall.load - wall.normal_impulse;
+      report.wall_work += dt * wall.load * 0.5 * (before + after);
+      report.damping_loss += damping * 0.5 * (before + after);
+      report.contact_loss += 0.5 * mass * (before * before - after * after) +
+                             (dt * wall.load - damping) * 0.5 * (before + after);
+      wall.velocity = after;
+    }
+    wall.travel += dt * wall.velocity;
+  }
+}
+
+void Dynamics::account(const double dt,
+                       const std::vector<std::array<double, 2>> &acceleration,
+                       DynamicsReport &report) const
+{
+  // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
+  // but for the work of the attraction, which is compared with its potential.
+  double kinetic_loss = 0., attraction_work = 0.;
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+  {
+    if (inverse_mass[i] == 0.)
+      continue;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
+      kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
+      attraction_work += dt * force[i][d] * 0.5 * (before + after);
+      if (!acceleration.empty())
+        report.force_work += dt * primaries.mass[i] * acceleration[i][d] * 0.5 * (before + after);
+    }
+    if (rotations)
+    {
+      const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
+      kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] * primaries.radius[i] *
+                      (before - after) * (before + after);
+    }
+  }
+  report.contact_loss += kinetic_loss + attraction_work + report.force_work;
+}
+
+DynamicsReport Dynamics::step(const double dt,
+                              std::vector<MovingWall> &walls,
+                              const std::vector<std::array<double, 2>> &acceleration)
+{
+  DynamicsReport report;
+  const std::size_t n = primaries.size();
+  {
+    const Section section(timer, "free motion");
+    prepare_bodies(dt, walls, acceleration);
+    prepare_gap_velocities(dt, walls);
+  }
+  {
+    const Section section(timer, "contact solve");
+    contact::DiskSolverSettings solver = settings.solver;
+    solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
+    report.solver = contact::solve_disks(bodies, rows, solver);
+  }
+
+  const Section section(timer, "motion");
+  move_walls(dt, walls, report);
+  account(dt, acceleration, report);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
+      throw ComputationError("primary " + std::to_string(i) + " of body " +
+                             std::to_string(primaries.body[i]) + " has no finite velocity");
+    primaries.velocity[i] = bodies.velocity[i];
+    for (unsigned int d = 0; d < 2; ++d)
+      primaries.position[i][d] += dt * primaries.velocity[i][d];
+  }
+  if (rotations)
+    std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
+  remember();
+  detect(walls);
+  report.max_penetration = deepest;
+  return report;
+}
+} // namespace softgrain::bpm

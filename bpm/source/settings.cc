@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/bpm/settings.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace softgrain::bpm
+{
+namespace
+{
+using dealii::Patterns::Bool;
+using dealii::Patterns::Double;
+using dealii::Patterns::Integer;
+using dealii::Patterns::Selection;
+
+void declare_primaries(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Primaries");
+  SizeDistribution::declare_parameters(prm, "1e-4", "2e-4");
+  prm.declare_entry("Number per body", "0", Integer(0),
+                    "0: as many as fill the shape of the body. Otherwise so many, and the body is smaller or "
+                    "larger than its shape, of the same form.");
+  prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
+  prm.declare_entry("Library", "", dealii::Patterns::Anything(),
+                    "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
+  prm.leave_subsection();
+}
+
+void declare_time(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Time");
+  prm.declare_entry("Time step", "0", Double(0.),
+                    "0: 'Step fraction' times sqrt(m a0 / F0), in which attraction moves a primary by its "
+                    "diameter. Units: s.");
+  prm.declare_entry("Step fraction", "0.05", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
+  prm.declare_entry("Smallest step", "1e-3", Double(1e-12, 1.),
+                    "Share of the wanted step below which the run gives up.");
+  prm.leave_subsection();
+}
+
+void declare_contact(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Contact");
+  prm.declare_entry("Rolling resistance", "0", Double(0.),
+                    "mu_r of (2.12) between primaries of different bodies and at walls. Units: none.");
+  prm.declare_entry("Inner rolling resistance", "0", Double(0.),
+                    "mu_r of (2.12) between primaries of one body. Units: none.");
+  prm.declare_entry("Restitution", "0", Double(0., 1.), "Normal, of all contacts. Units: none.");
+  prm.declare_entry("Gap correction", "1", Double(0., 1.),
+                    "Share of an overlap that a step pushes out. Units: none.");
+  prm.declare_entry("Range", "0.02", Double(0., 1.),
+                    "Gap up to which a pair is looked at by the contact solver. Units: mean diameters.");
+  prm.declare_entry(
+      "Skin", "0.3", Double(0.001, 10.),
+      "Way that two primaries may go before neighbours are searched anew. Units: mean diameters.");
+  prm.declare_entry("Largest penetration", "0.02", Double(1e-6, 1.),
+                    "A step that leaves more is repeated with half its length. Units: mean diameters.");
+  prm.declare_entry("Tolerance", "1e-3", Double(1e-14, 1.),
+                    "Residual of the contact solution (natural map), relative to the approach speed.");
+  prm.declare_entry("Wall tolerance", "0.01", Double(1e-14, 1.),
+                    "Estimated error of the forces on walls, relative to the largest of them.");
+  prm.declare_entry("Penetration tolerance", "1e-4", Double(1e-14, 1.),
+                    "Overlap that an unfinished contact solution may add in a step. Units: mean diameters.");
+  prm.declare_entry("Maximum sweeps", "20000", Integer(1), "Of nonlinear Gauss-Seidel per step.");
+  prm.declare_entry("Algorithm", "accelerated", Selection("accelerated|gauss_seidel"),
+                    "accelerated: sweeps with momentum and restart; gauss_seidel: plain sweeps.");
+  prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
+                    "Factor on every change of an impulse, of plain sweeps.");
+  prm.leave_subsection();
+  prm.enter_subsection("Output");
+  prm.declare_entry("Inner forces", "true", Bool(),
+                    "Whether forces between primaries of one body go into pictures and snapshots.");
+  prm.leave_subsection();
+}
+} // namespace
+
+void Settings::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_primaries(prm);
+  declare_time(prm);
+  declare_contact(prm);
+}
+
+void Settings::parse_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Primaries");
+  primaries.sizes.parse_parameters(prm, "Primaries");
+  primaries.number = prm.get_integer("Number per body");
+  primaries.seed = prm.get_integer("Seed");
+  primaries.library = prm.get("Library");
+  prm.leave_subsection();
+
+  prm.enter_subsection("Time");
+  time_step = prm.get_double("Time step");
+  step_fraction = prm.get_double("Step fraction");
+  smallest_step = prm.get_double("Smallest step");
+  prm.leave_subsection();
+
+  prm.enter_subsection("Contact");
+  dynamics.rolling_resistance = prm.get_double("Rolling resistance");
+  dynamics.inner_rolling_resistance = prm.get_double("Inner rolling resistance");
+  dynamics.restitution = prm.get_double("Restitution");
+  dynamics.gap_correction = prm.get_double("Gap correction");
+  dynamics.contact_range = prm.get_double("Range");
+  dynamics.skin = prm.get_double("Skin");
+  dynamics.solver_penetration = prm.get_double("Penetration tolerance");
+  largest_penetration = prm.get_double("Largest penetration");
+  dynamics.solver.tolerance = prm.get_double("Tolerance");
+  dynamics.solver.wall_tolerance = prm.get_double("Wall tolerance");
+  dynamics.solver.max_sweeps = prm.get_integer("Maximum sweeps");
+  dynamics.solver.relaxation = prm.get_double("Relaxation");
+  dynamics.solver.algorithm = prm.get("Algorithm") == "accelerated" ? contact::DiskAlgorithm::accelerated
+                                                                    : contact::DiskAlgorithm::gauss_seidel;
+  prm.leave_subsection();
+
+  prm.enter_subsection("Output");
+  inner_contacts_in_output = prm.get_bool("Inner forces");
+  prm.leave_subsection();
+}
+} // namespace softgrain::bpm

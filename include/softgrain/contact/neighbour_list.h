@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_contact_neighbour_list_h
+#define softgrain_contact_neighbour_list_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace softgrain::contact
+{
+/**
+ * @brief Pairs of disks that are near each other, found with a grid of cells and kept until a disk has moved by
+ * half the skin (Verlet).
+ *
+ * Pairs are ordered by tiles: vertical strips at least as wide as the longest pair, so that a tile reaches no
+ * farther than the next strip and tiles of one colour (every other one) share no disk. Loops over pairs may
+ * therefore run over the tiles of a colour at the same time and add to their disks without locks, with the same
+ * answer for any number of threads. Each pair carries what its contact remembers from step to step.
+ */
+class NeighbourList
+{
+public:
+  /// How near a pair is that belongs to the list.
+  struct Range
+  {
+    double gap = 0;      ///< distance between the edges of any two disks [m]
+    double stretch = 0;  ///< in a group also those with centres nearer than this times the sum of the radii
+    double skin = 0;     ///< added to both, room to move before the list is made anew [m]
+  };
+
+  /// Impulses of a contact: normal, tangential, rolling.
+  using Memory = std::array<double, 3>;
+
+  NeighbourList() = default;
+
+  /**
+   * @param radii of the disks [m]
+   * @param groups of the disks, or empty: no stretch then
+   * @param range what belongs to the list
+   * @throw InputError when sizes do not fit or a range is not positive.
+   */
+  NeighbourList(std::vector<double> radii, std::vector<std::uint32_t> groups, const Range &range);
+
+  /**
+   * @brief Makes the list anew if a disk has moved too far since it was made; memories of pairs survive.
+   * @return whether it was made anew.
+   */
+  bool update(const std::vector<std::array<double, 2>> &positions);
+
+  /// Makes the list anew. @throw ComputationError when a position is not finite.
+  void build(const std::vector<std::array<double, 2>> &positions);
+
+  /// Places for which the list was made [m]: together with memory() all that a restart needs.
+  const std::vector<std::array<double, 2>> &build_positions() const { return built_at; }
+
+  std::size_t n_pairs() const { return first.size(); }
+  std::uint32_t a(const std::size_t pair) const { return first[pair]; }
+  std::uint32_t b(const std::size_t pair) const { return second[pair]; }
+
+  /// Tiles of a colour `c` are [colour_start()[c], colour_start()[c + 1]), pairs of tile t [tile_start()[t], …).
+  const std::vector<std::uint32_t> &tile_start() const { return tiles; }
+  const std::vector<std::uint32_t> &colour_start() const { return colours; }
+  unsigned int n_tiles() const { return tiles.empty() ? 0 : tiles.size() - 1; }
+
+  std::vector<Memory> &memory() { return memories; }
+  const std::vector<Memory> &memory() const { return memories; }
+
+private:
+  void take_over_memories(const std::vector<std::uint32_t> &old_first,
+                          const std::vector<std::uint32_t> &old_second,
+                          const std::vector<Memory> &old_memories);
+
+  std::vector<double> radius;
+  std::vector<std::uint32_t> group;
+  Range range;
+  double largest_distance = 0; ///< of the centres of a listed pair
+  std::vector<std::array<double, 2>> built_at;
+  std::vector<std::uint32_t> first, second;
+  std::vector<Memory> memories;
+  std::vector<std::uint32_t> tiles, colours;
+};
+} // namespace softgrain::contact
+
+#endif
