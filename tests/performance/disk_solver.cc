@@ -18,7 +18,7 @@ using contact::DiskAlgorithm;
 
 namespace
 {
-constexpr double wall_speed = 0.002; // mean radii per step
+constexpr double wall_speed = 0.002; // mean diameters per step
 
 /// Disks at rest, walls that close in: all four prescribed, or held by a mass of their own and pushed.
 DiskSystem scene(const Packing &packing, const SystemSettings &settings, const bool pushed)
