@@ -56,12 +56,16 @@ def require_directory(directory):
 # --- history.csv ---------------------------------------------------------------------------------------------
 
 
-def read_history(directory):
-    """Columns of history.csv by name; fields that are empty are NaN. A last row still being written is left out."""
+def read_history(directory, name="history.csv"):
+    """
+    Columns of history.csv, or of a table like it, by name; fields that are empty are NaN.
+
+    A last row that is still being written is left out.
+    """
     require_directory(directory)
-    path = os.path.join(directory, "history.csv")
+    path = os.path.join(directory, name)
     if not os.path.exists(path):
-        raise InputError(f"{directory} has no history.csv")
+        raise InputError(f"{directory} has no {name}")
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
     if not rows:

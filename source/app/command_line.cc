@@ -2,6 +2,7 @@
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/command_line.h>
 #include <softgrain/app/input.h>
+#include <softgrain/app/measure_table.h>
 #include <softgrain/app/python_script.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/config.h>
@@ -73,6 +74,12 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   parameters_command->add_option("--model", model, "whose parameters: mpm or bpm");
   parameters_command->add_option("--format", format, "prm, json or md")
       ->check(CLI::IsMember({"prm", "json", "md"}));
+  CLI::App *measure_command =
+      app.add_subcommand("measure", "takes measures from the snapshots that a run has left");
+  measure_command->add_option("DIR", directory, "output folder with snapshots.h5");
+  measure_command->add_option("--output", table, "the table; default: DIR/measures.csv");
+  measure_command->add_option("--measures", measures, "which ones, default: all")->delimiter(',');
+  measure_command->add_flag("--list", list_measures, "tells which measures there are");
   // The scripts have options of their own, --help too.
   for (const auto &[name, help] :
        {std::pair("render", "draws pictures of a run: softgrain render DIR"),
@@ -81,6 +88,11 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
   }
+  CLI::App *figures_command = app.add_subcommand("figures", "draws the figures of a publication from runs");
+  figures_command->require_subcommand(1);
+  CLI::App *thesis4 = figures_command->add_subcommand(
+      "thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR...");
+  thesis4->prefix_command()->set_help_flag();
 
   try
   {
@@ -107,6 +119,18 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
     command = Command::check;
   else if (chosen == parameters_command)
     command = Command::parameters;
+  else if (chosen == measure_command)
+  {
+    command = Command::measure;
+    if (directory.empty() && !list_measures)
+      return report_error("measure: name the output folder of a run, or --list", bad_input);
+  }
+  else if (chosen == figures_command)
+  {
+    command = Command::script;
+    script = "figures_thesis4";
+    script_arguments = thesis4->remaining();
+  }
   else
   {
     command = Command::script;
@@ -130,6 +154,9 @@ int CommandLine::execute()
       break;
     case Command::parameters:
       print_parameters();
+      break;
+    case Command::measure:
+      measure();
       break;
     case Command::script:
       run_python_script(script, script_arguments);
@@ -166,6 +193,17 @@ void CommandLine::check() const
   Input input(parameter_file, assignments);
   set_n_threads(input.run().threads);
   print_check_report(std::cout, input, *input.create_model());
+}
+
+void CommandLine::measure() const
+{
+  if (!list_measures)
+    return measure_snapshots(directory, table, measures, std::cout);
+  const Registry<Measure> &known = Registry<Measure>::instance();
+  SizeReport lines;
+  for (const std::string &name : known.names())
+    lines.emplace_back(name, known.description(name));
+  print_size_report(std::cout, lines);
 }
 
 void CommandLine::print_parameters() const

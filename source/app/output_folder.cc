@@ -19,8 +19,8 @@ const char *const mark = "parameters.prm";
 
 bool is_result(const fs::path &path)
 {
-  static const std::vector<std::string> names = {mark,     "history.csv",  "summary.json", "fields.pvd",
-                                                 "fields", "snapshots.h5", "snapshots"};
+  static const std::vector<std::string> names = {mark,         "history.csv", "measures.csv", "summary.json",
+                                                 "fields.pvd", "fields",      "snapshots.h5", "snapshots"};
   const std::string name = path.filename().string();
   const bool is_state = name.compare(0, 6, "state-") == 0 && path.extension() == ".h5";
   return is_state || path.extension() == ".part" ||

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/measure.h>
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
@@ -33,6 +34,13 @@ void declare_output(dealii::ParameterHandler &prm)
                     "Simulated time between entries of snapshots.h5, for analysis; 0: none. Units: s.");
   prm.declare_entry("Points in snapshots", "true", Bool(),
                     "Whether snapshots.h5 keeps the points. Units: none.");
+  std::string choice = "all";
+  for (const std::string &name : Registry<Measure>::instance().names())
+    choice += "|" + name;
+  prm.declare_entry(
+      "Measures", "", MultipleSelection(choice),
+      "What measures.csv holds, taken with every snapshot; doc/measures.md says what each one is. "
+      "Units: none.");
   prm.declare_entry("Compression level", "1", Integer(0, 9),
                     "Of pictures and snapshots, zlib's. Units: none.");
   prm.declare_entry("History every", "1", Integer(1), "Steps between rows of history.csv. Units: steps.");
@@ -78,6 +86,10 @@ void RunParameters::parse_parameters(dealii::ParameterHandler &prm,
   const std::vector<std::string> parts = dealii::Utilities::split_string_list(prm.get("Field parts"));
   snapshots_every = prm.get_double("Snapshots every");
   snapshots.points = prm.get_bool("Points in snapshots");
+  measures = dealii::Utilities::split_string_list(prm.get("Measures"));
+  if (!measures.empty() && snapshots_every == 0)
+    throw InputError("'Output/Measures' = '" + prm.get("Measures") +
+                     "' needs 'Output/Snapshots every': measures are taken with the snapshots");
   fields.compression_level = snapshots.compression_level = prm.get_integer("Compression level");
   history_every = prm.get_integer("History every");
   checkpoint_minutes = prm.get_double("Checkpoint every");

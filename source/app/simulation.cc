@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/app/box_measures.h>
+#include <softgrain/analysis/box_measures.h>
+#include <softgrain/app/measure_table.h>
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/config.h>
@@ -45,6 +46,8 @@ Simulation::Simulation(const Scene<2> &scene,
     , history(parameters.output_directory)
     , fields(parameters.output_directory, parameters.fields)
     , snapshots(parameters.output_directory, parameters.snapshots)
+    , measures(parameters.measures)
+    , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
 {
@@ -63,6 +66,8 @@ void Simulation::restart(const std::string &checkpoint)
   field_schedule.skip_to(model.time(), planner.slack());
   snapshots.resume(model.time());
   snapshot_schedule.skip_to(model.time(), planner.slack());
+  if (!measures.empty())
+    measure_table.resume(model.step(), measure_columns(measures));
   restarted = true;
   log << "going on from " << path << ", step " << model.step() << '\n';
 }
@@ -232,6 +237,8 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
     fields.write(snapshot);
   if (write_snapshots)
     snapshots.append(snapshot);
+  if (write_snapshots && !measures.empty())
+    measure_table.write(measure_row(measures, snapshot));
   last_picture_step = model.step();
   statistics.add_output_seconds(seconds_since(begin));
 }

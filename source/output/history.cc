@@ -38,8 +38,8 @@ std::uint64_t step_of(const std::string &line, const std::string &path)
 }
 } // namespace
 
-HistoryWriter::HistoryWriter(const std::string &directory)
-    : path((std::filesystem::path(directory) / "history.csv").string())
+HistoryWriter::HistoryWriter(const std::string &directory, const std::string &file_name)
+    : path((std::filesystem::path(directory) / file_name).string())
 {
 }
 
@@ -50,7 +50,7 @@ void HistoryWriter::open(const bool append)
     throw ComputationError(path + ": cannot be written");
 }
 
-void HistoryWriter::resume(const std::uint64_t step)
+void HistoryWriter::resume(const std::uint64_t step, const std::vector<std::string> &columns)
 {
   std::ifstream old(path);
   if (!old)
@@ -58,7 +58,12 @@ void HistoryWriter::resume(const std::uint64_t step)
   std::string line;
   std::getline(old, header);
   if (header.compare(0, first_columns.size(), first_columns) != 0)
-    throw InputError(path + ": cannot be continued, it is not a history of softgrain");
+    throw InputError(path + ": cannot be continued, it is not a table of softgrain");
+  std::string names;
+  for (const std::string &column : columns)
+    names += (names.empty() ? "" : ",") + column;
+  if (!columns.empty())
+    check_columns(names);
   std::string kept = header + "\n";
   // A row that was being written when the program died has no end of line: getline then reaches the end.
   while (std::getline(old, line) && !old.eof())
@@ -67,6 +72,13 @@ void HistoryWriter::resume(const std::uint64_t step)
   old.close();
   write_file_atomically(path, kept);
   open(true);
+}
+
+void HistoryWriter::check_columns(const std::string &names) const
+{
+  if (names != header)
+    throw InputError(path + ": cannot be continued, its columns are '" + header + "' and not '" + names +
+                     "'");
 }
 
 void HistoryWriter::write(const HistoryRow &row)
@@ -83,9 +95,7 @@ void HistoryWriter::write(const HistoryRow &row)
     header = names;
     file << header << '\n';
   }
-  if (names != header)
-    throw InputError(path + ": cannot be continued, its columns are '" + header + "' and not '" + names +
-                     "'");
+  check_columns(names);
   // Each row is handed to the system at once, so that what is seen from outside is whole rows.
   file << values << '\n' << std::flush;
   if (!file)

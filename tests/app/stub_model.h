@@ -9,6 +9,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/scene/body_geometry.h>
 #include <softgrain/scene/model_factory.h>
+#include <softgrain/scene/polygon.h>
 #include <softgrain/scene/state_file.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -75,7 +76,17 @@ public:
     Snapshot<2> result;
     result.time = t;
     result.step = n_steps;
+    for (const BodyDescription<2> &description : scene.bodies)
+    {
+      BodyState<2> body;
+      body.name = description.name;
+      body.outline = make_outline(description, 0.1);
+      body.area = body.reference_area = body.mass = area(description);
+      body.center = description.center;
+      result.bodies.push_back(body);
+    }
     result.walls = wall_states;
+    result.energies = energies();
     return result;
   }
 

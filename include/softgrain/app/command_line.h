@@ -33,12 +33,14 @@ private:
     run,
     check,
     parameters,
+    measure,
     script
   };
 
   void run() const;
   void check() const;
   void print_parameters() const;
+  void measure() const;
 
   Command command = Command::run;
   std::string parameter_file;
@@ -47,6 +49,10 @@ private:
   std::string checkpoint; ///< empty: the newest
   std::string model;
   std::string format = "prm";
+  std::string directory; ///< of snapshots to measure
+  std::string table;     ///< of measures; empty: in the same folder
+  std::vector<std::string> measures;
+  bool list_measures = false;
   std::string script;
   std::vector<std::string> script_arguments;
 };

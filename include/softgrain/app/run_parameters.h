@@ -29,13 +29,15 @@ struct RunParameters
   unsigned int checkpoints_kept = 2;
   FieldOptions fields;
   SnapshotOptions snapshots;
+  std::vector<std::string> measures; ///< names of the registry, or all; taken with every snapshot
 
   /// @param models what `Model` may say
   static void declare_parameters(dealii::ParameterHandler &prm, const std::vector<std::string> &models);
 
   /// @param file_name of the parameter file: names the output folder when nothing else does.
   /// @param end_time of the scene, over which a number of outputs is spread; 0: none
-  /// @throw InputError when the number of outputs has no end time to be spread over.
+  /// @throw InputError when the number of outputs has no end time to be spread over, or measures have no
+  /// times.
   void parse_parameters(dealii::ParameterHandler &prm, const std::string &file_name, double end_time);
 };
 } // namespace softgrain

@@ -2,6 +2,7 @@
 #ifndef softgrain_app_simulation_h
 #define softgrain_app_simulation_h
 
+#include <softgrain/analysis/measure.h>
 #include <softgrain/app/interrupt.h>
 #include <softgrain/app/output_schedule.h>
 #include <softgrain/app/progress.h>
@@ -74,6 +75,8 @@ private:
   HistoryWriter history;
   FieldWriter fields;
   SnapshotFile snapshots;
+  MeasureSet measures;
+  HistoryWriter measure_table;
   OutputSchedule field_schedule;
   OutputSchedule snapshot_schedule;
   bool restarted = false;

@@ -10,11 +10,11 @@
 
 namespace softgrain
 {
-/// One row of `history.csv`: names with their unit and values; the columns time_s, step, dt_s come first.
+/// One row of a table over time: names with their unit and values; the columns time_s, step come first.
 using HistoryRow = std::vector<std::pair<std::string, double>>;
 
 /**
- * @brief Writes `history.csv`, row by row, so that a running computation can be watched.
+ * @brief Writes `history.csv` or a table like it, row by row, so that a running computation can be watched.
  *
  * The first row ever written fixes the columns. A value that is not finite leaves its field empty.
  */
@@ -22,13 +22,14 @@ class HistoryWriter
 {
 public:
   /// @param directory the output folder, which exists
-  explicit HistoryWriter(const std::string &directory);
+  explicit HistoryWriter(const std::string &directory, const std::string &file_name = "history.csv");
 
   /**
    * @brief Goes on with the file that is there: rows after @p step are cut off.
-   * @throw InputError when the file is not a history.
+   * @param columns those of the rows to come; empty: not known yet
+   * @throw InputError when the file is no such table or has other columns.
    */
-  void resume(std::uint64_t step);
+  void resume(std::uint64_t step, const std::vector<std::string> &columns = {});
 
   /// @throw InputError when the columns are not those of the file that is continued,
   /// ComputationError when the disk refuses.
@@ -36,6 +37,7 @@ public:
 
 private:
   void open(bool append);
+  void check_columns(const std::string &names) const;
 
   const std::string path;
   std::ofstream file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/app/box_measures.h>
+#include <softgrain/analysis/box_measures.h>
 
 #include <algorithm>
 #include <cmath>

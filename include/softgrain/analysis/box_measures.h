@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef softgrain_app_box_measures_h
-#define softgrain_app_box_measures_h
+#ifndef softgrain_analysis_box_measures_h
+#define softgrain_analysis_box_measures_h
 
 #include <softgrain/analysis/snapshot.h>
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_analysis_assembly_h
+#define softgrain_analysis_assembly_h
+
+#include <softgrain/analysis/snapshot.h>
+
+#include <optional>
+#include <vector>
+
+namespace softgrain
+{
+/// All that two bodies, or a body and a wall, exert on each other: many rows of a snapshot, one contact of
+/// bodies.
+struct BodyContact
+{
+  unsigned int body_a = ContactState<2>::not_a_body; ///< the body that feels `force`
+  unsigned int body_b = ContactState<2>::not_a_body; ///< larger than body_a, or not_a_body when it is a wall
+  unsigned int wall = ContactState<2>::not_a_body;   ///< index into Snapshot::walls, or not_a_body
+  dealii::Point<2> place;                            ///< mean of the places, weighted by normal force [m]
+  dealii::Tensor<1, 2> normal; ///< unit, to body_a; mean of the normals, weighted by length
+  dealii::Tensor<1, 2> force;  ///< on body_a, sum [N/m]
+  double normal_force = 0;     ///< force * normal, compression positive [N/m]
+  double length = 0;           ///< sum, but not more than from the first to the last row [m]
+
+  bool with_wall() const { return body_b == ContactState<2>::not_a_body; }
+};
+
+/// The rectangle between the walls bottom, top, left and right.
+struct Box
+{
+  double width = 0;       ///< [m]
+  double height = 0;      ///< [m]
+  double width_rate = 0;  ///< [m/s]
+  double height_rate = 0; ///< [m/s]
+
+  double area() const { return width * height; } ///< [m^2]
+};
+
+/**
+ * @brief A snapshot as measures see it: contacts merged by pair of bodies, and the box.
+ *
+ * Contacts inside a body, as between the primaries of an aggregate, are left out.
+ */
+class Assembly
+{
+public:
+  /// @param snapshot kept by reference
+  explicit Assembly(const Snapshot<2> &snapshot);
+
+  /// Diameter of the disk that has the area of body @p b at rest [m].
+  double rest_diameter(unsigned int b) const;
+
+  const Snapshot<2> &snapshot;
+  /// In the order of body_a, then body_b, then walls.
+  std::vector<BodyContact> contacts;
+  /// Nothing unless all four walls are there.
+  std::optional<Box> box;
+};
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/anisotropy.h>
+#include <softgrain/analysis/measure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain
+{
+namespace
+{
+/// Stress of the box from the internal moments of the bodies @cite nguyen2016, eqs. (2.30)-(2.31), with p and
+/// q of eqs. (5.7)-(5.8). Arms reach from the centre of mass, so a body that accelerates adds nothing of its
+/// own.
+class Stress final : public Measure
+{
+public:
+  std::vector<std::string> columns() const override
+  {
+    return {"stress_xx_Pa",     "stress_yy_Pa",      "stress_xy_Pa",       "mean_pressure_Pa",
+            "deviator_Pa",      "stress_ratio",      "bottom_pressure_Pa", "top_pressure_Pa",
+            "left_pressure_Pa", "right_pressure_Pa", "inertial_number"};
+  }
+
+  std::vector<MeasuredValue> evaluate(const Assembly &assembly) const override
+  {
+    std::vector<MeasuredValue> result(11);
+    if (!assembly.box || assembly.snapshot.bodies.empty())
+      return result;
+    const Snapshot<2> &snapshot = assembly.snapshot;
+    dealii::Tensor<2, 2> moment;
+    for (const ContactState<2> &contact : snapshot.contacts)
+    {
+      if (contact.body_a == contact.body_b)
+        continue;
+      moment += outer_product(contact.force, contact.place - snapshot.bodies[contact.body_a].center);
+      if (contact.wall == ContactState<2>::not_a_body)
+        moment -= outer_product(contact.force, contact.place - snapshot.bodies[contact.body_b].center);
+    }
+    const dealii::SymmetricTensor<2, 2> stress = symmetrize(moment) / assembly.box->area();
+    const double p = -0.5 * trace(stress), q = 0.5 * eigenvalue_difference(stress);
+    result[0] = stress[0][0];
+    result[1] = stress[1][1];
+    result[2] = stress[0][1];
+    result[3] = p;
+    result[4] = q;
+    for (const WallState<2> &wall : snapshot.walls)
+      for (unsigned int w = 0; w < 4; ++w)
+        if (columns()[6 + w] == wall.name + "_pressure_Pa")
+          result[6 + w] = wall.normal_force / (w < 2 ? assembly.box->width : assembly.box->height);
+    if (p > 0.)
+    {
+      result[5] = q / p;
+      result[10] = inertial_number(assembly, p);
+    }
+    return result;
+  }
+
+private:
+  /// Strain rate times the time a body needs to fill a gap under the pressure @p p
+  /// @cite nguyen2016, eq. (2.19); the rate is that of the walls that move faster.
+  static double inertial_number(const Assembly &assembly, const double p)
+  {
+    double mass = 0., area = 0., diameter = 0.;
+    for (unsigned int b = 0; b < assembly.snapshot.bodies.size(); ++b)
+    {
+      mass += assembly.snapshot.bodies[b].mass;
+      area += assembly.snapshot.bodies[b].reference_area;
+      diameter += assembly.rest_diameter(b) / assembly.snapshot.bodies.size();
+    }
+    const Box &box = *assembly.box;
+    const double rate =
+        std::max(std::abs(box.height_rate) / box.height, std::abs(box.width_rate) / box.width);
+    return rate * diameter * std::sqrt(mass / area / p);
+  }
+};
+
+[[maybe_unused]] const bool registered = register_measure<Stress>(
+    "stress", "stress of the box from internal moments and from its walls, p, q, inertial number");
+} // namespace
+} // namespace softgrain

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/measure_table.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/output/atomic_file.h>
+#include <softgrain/output/snapshot_file.h>
+
+#include <filesystem>
+#include <limits>
+#include <ostream>
+
+namespace softgrain
+{
+namespace fs = std::filesystem;
+
+std::vector<std::string> measure_columns(const MeasureSet &measures)
+{
+  std::vector<std::string> names = {"time_s", "step"};
+  for (const std::string &column : measures.columns())
+    names.push_back(column);
+  return names;
+}
+
+HistoryRow measure_row(const MeasureSet &measures, const Snapshot<2> &snapshot)
+{
+  HistoryRow row = {{"time_s", snapshot.time}, {"step", static_cast<double>(snapshot.step)}};
+  for (const auto &[name, value] : measures.evaluate(snapshot))
+    row.emplace_back(name, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  return row;
+}
+
+void measure_snapshots(const std::string &directory,
+                       const std::string &output,
+                       const std::vector<std::string> &names,
+                       std::ostream &log)
+{
+  const MeasureSet measures(names.empty() ? std::vector<std::string>{"all"} : names);
+  if (!fs::is_directory(directory))
+    throw InputError("there is no folder " + directory);
+  const fs::path snapshots = fs::path(directory) / "snapshots.h5";
+  if (!fs::exists(snapshots))
+    throw InputError(directory + " has no snapshots.h5: set 'Output/Snapshots every' when it is run");
+  const std::size_t n = snapshot_times(snapshots.string()).size();
+  if (n == 0)
+    throw InputError(snapshots.string() + " holds no snapshot yet");
+  const fs::path path = output.empty() ? fs::path(directory) / measure_table_name : fs::path(output);
+  AtomicFile target(path.string());
+  {
+    const fs::path part = target.temporary_path();
+    HistoryWriter table(part.parent_path().string(), part.filename().string());
+    for (std::size_t i = 0; i < n; ++i)
+      table.write(measure_row(measures, read_snapshot(snapshots.string(), i)));
+  }
+  target.commit();
+  log << path.string() << ": " << n << " rows\n";
+}
+} // namespace softgrain

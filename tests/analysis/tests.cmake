@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The figures of the thesis on runs made up from its own laws.
+add_test(NAME analysis/figures
+  COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/analysis/figures.py
+    ${PROJECT_SOURCE_DIR}/python ${CMAKE_BINARY_DIR}/tests/analysis/figures.run)
+set_tests_properties(analysis/figures PROPERTIES LABELS "quick;analysis" TIMEOUT 300)
