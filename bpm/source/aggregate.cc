@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -16,8 +17,39 @@ namespace softgrain::bpm
 {
 namespace
 {
-/// Share of area of the packing that aggregates are cut from; attraction makes it denser.
-constexpr double packed_fraction = 0.80;
+/// Shares of area of the packing that aggregates are cut from, the first that can be packed: few disks of one
+/// size do not fill a box well. Attraction makes it denser.
+constexpr double packed_fractions[] = {0.80, 0.76, 0.70, 0.60, 0.50};
+
+/// A packing with room for @p half [m] to all sides of the origin. @p radii come out.
+Packing pack_around(const dealii::Tensor<1, 2> &half,
+                    const SizeDistribution &sizes,
+                    std::vector<double> &radii,
+                    Uniform &random)
+{
+  for (const double fraction : packed_fractions)
+  {
+    const double wanted = fraction * 4. * half[0] * half[1];
+    double filled = 0.;
+    for (radii.clear(); filled < wanted; filled += dealii::numbers::PI * radii.back() * radii.back())
+      radii.push_back(0.5 * sizes.draw(random));
+    const dealii::Tensor<1, 2> corner = std::sqrt(filled / wanted) * half;
+    try
+    {
+      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random);
+    }
+    catch (const InputError &)
+    {
+      if (fraction == packed_fractions[std::size(packed_fractions) - 1])
+        throw;
+    }
+  }
+  return {};
+}
+
+/// Share of the shape that the primaries of a body fill before those that reach beyond the outline are taken
+/// away.
+constexpr double filled_fraction = 0.82;
 
 /// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
 /// all that lie wholly inside.
@@ -26,35 +58,32 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
   const auto box = bounding_box(body);
   const dealii::Tensor<1, 2> edges = box.second - box.first;
   // A given number may need more room than the shape has.
-  const double enlargement = settings.number > 0
-                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
-                                                          (packed_fraction * area(body))))
-                                 : 1.;
+  const double enlargement =
+      settings.number > 0
+          ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() / (0.75 * area(body))))
+          : 1.;
   dealii::Tensor<1, 2> half;
   for (unsigned int d = 0; d < 2; ++d)
     half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
-  const double wanted = packed_fraction * 4. * half[0] * half[1];
+  const dealii::Tensor<1, 2> middle = box.first + 0.5 * edges - body.center;
   std::vector<double> radii;
-  double filled = 0.;
-  while (filled < wanted)
-  {
-    radii.push_back(0.5 * settings.sizes.draw(random));
-    filled += dealii::numbers::PI * radii.back() * radii.back();
-  }
-  half *= std::sqrt(filled / wanted);
-  const dealii::Point<2> middle = box.first + 0.5 * edges;
-  const Packing packing = pack_disks(radii, middle - half, middle + half, random);
+  const Packing packing = pack_around(half, settings.sizes, radii, random);
 
   std::vector<std::pair<double, std::uint32_t>> depth;
   for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
-    depth.emplace_back(radii[i] - depth_inside(body, packing.disks[i].center), i);
+    depth.emplace_back(
+        radii[i] - depth_inside(body, body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
+        i);
   std::sort(depth.begin(), depth.end());
+  const double wanted = filled_fraction * area(body);
+  double filled = 0.;
   Aggregate aggregate;
   for (const auto &[outside, i] : depth)
   {
-    if (settings.number > 0 ? aggregate.size() == settings.number : outside > 0.)
+    if (settings.number > 0 ? aggregate.size() == settings.number : filled >= wanted)
       break;
-    const dealii::Tensor<1, 2> x = packing.disks[i].center - body.center;
+    filled += dealii::numbers::PI * radii[i] * radii[i];
+    const dealii::Tensor<1, 2> x = packing.disks[i].center - dealii::Point<2>() + middle;
     aggregate.position.push_back({x[0], x[1]});
     aggregate.radius.push_back(radii[i]);
   }
@@ -87,7 +116,7 @@ void relax(Aggregate &aggregate,
   dynamics.detect(no_walls);
   const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
   const double dt = 0.05 * attraction_time(a0, density, force);
-  const double rest = 1e-6 * force * a0 * aggregate.size();
+  const double rest = 2e-8 * force * a0 * aggregate.size();
   const unsigned int most = 20000;
   for (unsigned int step = 0;; ++step)
   {
@@ -107,6 +136,42 @@ void relax(Aggregate &aggregate,
         component *= 0.98;
   }
   aggregate.position = dynamics.disks().position;
+}
+
+/// Takes away the primaries that reach beyond the outline. @return whether there were any.
+bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
+{
+  Aggregate kept;
+  for (std::size_t i = 0; i < aggregate.size(); ++i)
+  {
+    const dealii::Point<2> x(body.center[0] + aggregate.position[i][0],
+                             body.center[1] + aggregate.position[i][1]);
+    if (depth_inside(body, x) < aggregate.radius[i])
+      continue;
+    kept.position.push_back(aggregate.position[i]);
+    kept.radius.push_back(aggregate.radius[i]);
+  }
+  const bool trimmed = kept.size() < aggregate.size();
+  aggregate = kept;
+  return trimmed;
+}
+
+/// Puts the middle of the aggregate where that of its shape is, so that it is met alike from all sides.
+void center(Aggregate &aggregate, const BodyDescription<2> &body)
+{
+  const auto box = bounding_box(body);
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (std::size_t i = 0; i < aggregate.size(); ++i)
+    {
+      low = std::min(low, aggregate.position[i][d] - aggregate.radius[i]);
+      high = std::max(high, aggregate.position[i][d] + aggregate.radius[i]);
+    }
+    const double shift = 0.5 * (box.first[d] + box.second[d]) - body.center[d] - 0.5 * (low + high);
+    for (std::array<double, 2> &x : aggregate.position)
+      x[d] += shift;
+  }
 }
 
 /// Neighbours in space become neighbours in memory.
@@ -142,15 +207,20 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
 {
   Uniform random(seed);
   Aggregate aggregate = cut_out(body, settings.primaries, random);
-  if (aggregate.size() == 0)
-    throw InputError("not one primary fits into body '" + body.name +
-                     "': lower 'Primaries/Largest diameter'");
-  if (aggregate.size() > 1 && attraction && attraction->contact_force() > 0.)
+  const bool attracted = attraction && attraction->contact_force() > 0.;
+  // How the run is to be solved does not matter here, so that one aggregate serves many runs.
+  DynamicsSettings plain;
+  plain.solver.tolerance = 1e-4;
+  for (bool whole = false; !whole;)
   {
-    // How the run is to be solved does not matter here, so that one aggregate serves many runs.
-    DynamicsSettings plain;
-    plain.solver.tolerance = 1e-4;
-    relax(aggregate, body.name, density, attraction, plain);
+    if (aggregate.size() > 1 && attracted)
+      relax(aggregate, body.name, density, attraction, plain);
+    center(aggregate, body);
+    // Attraction smooths the dents that are left; a few rounds settle it.
+    whole = settings.primaries.number > 0 || !trim(aggregate, body);
+    if (aggregate.size() == 0)
+      throw InputError("not one primary fits into body '" + body.name +
+                       "': lower 'Primaries/Largest diameter'");
   }
   sort_by_place(aggregate);
   return aggregate;

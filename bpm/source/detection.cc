@@ -79,7 +79,7 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     // Disks on top of each other have no direction; any one gets them apart.
     const std::array<double, 2> direction =
         distance > 0. ? std::array<double, 2>{dx / distance, dy / distance} : std::array<double, 2>{1., 0.};
-    if (touches)
+    if (touches && inverse_mass[a] + inverse_mass[b] > 0.)
       contacts.push_back({pair, distance - sum, direction});
     if (attracts)
     {
@@ -121,7 +121,7 @@ void Dynamics::detect(const std::vector<MovingWall> &walls)
   if (timer != nullptr)
   {
     section.reset();
-    section.emplace(*timer, "attraction and gaps");
+    section.emplace(*timer, "attraction");
   }
   force.assign(primaries.size(), {0., 0.});
   found.resize(list.n_tiles());
@@ -140,10 +140,37 @@ void Dynamics::detect(const std::vector<MovingWall> &walls)
   stored_energy = 0.;
   for (const double energy : tile_energy)
     stored_energy += energy;
+  if (timer != nullptr)
+  {
+    section.reset();
+    section.emplace(*timer, "contact rows");
+  }
   collect(walls);
 }
 
-void Dynamics::add_row(const std::uint32_t a,
+void Dynamics::resize_rows(const std::size_t n)
+{
+  rows.a.resize(n);
+  rows.b.resize(n);
+  rows.normal.resize(n);
+  rows.gap_velocity.resize(n);
+  rows.impulse.resize(n);
+  gap.resize(n);
+  if (!rotations)
+    return;
+  rows.friction.resize(n);
+  rows.arm_a.resize(n);
+  rows.arm_b.resize(n);
+  rows.tangential_impulse.resize(n);
+  if (settings.rolling_resistance > 0. || settings.inner_rolling_resistance > 0.)
+  {
+    rows.rolling.resize(n);
+    rows.rolling_impulse.resize(n);
+  }
+}
+
+void Dynamics::set_row(const std::size_t row,
+                       const std::uint32_t a,
                        const std::uint32_t b,
                        const std::array<double, 2> &normal,
                        const double opening,
@@ -151,51 +178,26 @@ void Dynamics::add_row(const std::uint32_t a,
                        const double rolling,
                        const contact::NeighbourList::Memory &memory)
 {
-  rows.a.push_back(a);
-  rows.b.push_back(b);
-  rows.normal.push_back(normal);
-  rows.impulse.push_back(memory[0]);
-  gap.push_back(opening);
-  deepest = std::max(deepest, -opening);
+  rows.a[row] = a;
+  rows.b[row] = b;
+  rows.normal[row] = normal;
+  rows.impulse[row] = memory[0];
+  gap[row] = opening;
   if (!rotations)
     return;
-  rows.friction.push_back(friction);
-  rows.arm_a.push_back(primaries.radius[a]);
-  rows.arm_b.push_back(b < primaries.size() ? primaries.radius[b] : 0.);
-  rows.tangential_impulse.push_back(memory[1]);
-  if (settings.rolling_resistance > 0. || settings.inner_rolling_resistance > 0.)
+  rows.friction[row] = friction;
+  rows.arm_a[row] = primaries.radius[a];
+  rows.arm_b[row] = b < primaries.size() ? primaries.radius[b] : 0.;
+  rows.tangential_impulse[row] = memory[1];
+  if (!rows.rolling.empty())
   {
-    rows.rolling.push_back(rolling);
-    rows.rolling_impulse.push_back(memory[2]);
+    rows.rolling[row] = rolling;
+    rows.rolling_impulse[row] = memory[2];
   }
 }
 
-void Dynamics::collect(const std::vector<MovingWall> &walls)
+void Dynamics::collect_walls(const std::vector<MovingWall> &walls)
 {
-  rows = contact::DiskContacts();
-  gap.clear();
-  pair_of_row.clear();
-  deepest = 0.;
-  rows.colour_start = list.colour_start();
-  rows.tile_start.push_back(0);
-  for (const std::vector<Found> &contacts : found)
-  {
-    for (const Found &contact : contacts)
-    {
-      const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
-      if (inverse_mass[a] == 0. && inverse_mass[b] == 0.)
-        continue;
-      const bool same = primaries.body[a] == primaries.body[b];
-      // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a plane.
-      const double r =
-          2. * primaries.radius[a] * primaries.radius[b] / (primaries.radius[a] + primaries.radius[b]);
-      add_row(a, b, contact.normal, contact.gap, same ? 0. : settings.friction,
-              r * (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
-              list.memory()[contact.pair]);
-      pair_of_row.push_back(contact.pair);
-    }
-    rows.tile_start.push_back(rows.size());
-  }
   const double range = settings.contact_range * diameter;
   auto remembered = remembered_at_walls.begin();
   for (std::size_t w = 0; w < walls.size(); ++w)
@@ -214,12 +216,47 @@ void Dynamics::collect(const std::vector<MovingWall> &walls)
         ++remembered;
       const bool known =
           remembered != remembered_at_walls.end() && remembered->wall == w && remembered->primary == i;
-      add_row(i, primaries.size() + w, wall.normal, opening, wall.friction,
+      resize_rows(rows.size() + 1);
+      set_row(rows.size() - 1, i, primaries.size() + w, wall.normal, opening, wall.friction,
               primaries.radius[i] * settings.rolling_resistance,
               known ? remembered->impulse : contact::NeighbourList::Memory{});
     }
   }
-  rows.gap_velocity.resize(rows.size());
+}
+
+void Dynamics::collect(const std::vector<MovingWall> &walls)
+{
+  rows.colour_start = list.colour_start();
+  rows.tile_start.assign(1, 0);
+  for (const std::vector<Found> &contacts : found)
+    rows.tile_start.push_back(rows.tile_start.back() + contacts.size());
+  resize_rows(rows.tile_start.back());
+  pair_of_row.resize(rows.tile_start.back());
+  parallel_for(found.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t tile = begin; tile < end; ++tile)
+                 {
+                   std::size_t row = rows.tile_start[tile];
+                   for (const Found &contact : found[tile])
+                   {
+                     const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
+                     const bool same = primaries.body[a] == primaries.body[b];
+                     const double ra = primaries.radius[a], rb = primaries.radius[b];
+                     // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a
+                     // plane.
+                     set_row(row, a, b, contact.normal, contact.gap, same ? 0. : settings.friction,
+                             2. * ra * rb / (ra + rb) *
+                                 (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
+                             list.memory()[contact.pair]);
+                     pair_of_row[row++] = contact.pair;
+                   }
+                 }
+               });
+  collect_walls(walls);
+  deepest = 0.;
+  for (const double opening : gap)
+    deepest = std::max(deepest, -opening);
 }
 
 void Dynamics::remember()

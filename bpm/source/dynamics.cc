@@ -222,21 +222,23 @@ DynamicsReport Dynamics::step(const double dt,
     report.solver = contact::solve_disks(bodies, rows, solver);
   }
 
-  const Section section(timer, "motion");
-  move_walls(dt, walls, report);
-  account(dt, acceleration, report);
-  for (std::size_t i = 0; i < n; ++i)
   {
-    if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
-      throw ComputationError("primary " + std::to_string(i) + " of body " +
-                             std::to_string(primaries.body[i]) + " has no finite velocity");
-    primaries.velocity[i] = bodies.velocity[i];
-    for (unsigned int d = 0; d < 2; ++d)
-      primaries.position[i][d] += dt * primaries.velocity[i][d];
+    const Section section(timer, "motion");
+    move_walls(dt, walls, report);
+    account(dt, acceleration, report);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
+        throw ComputationError("primary " + std::to_string(i) + " of body " +
+                               std::to_string(primaries.body[i]) + " has no finite velocity");
+      primaries.velocity[i] = bodies.velocity[i];
+      for (unsigned int d = 0; d < 2; ++d)
+        primaries.position[i][d] += dt * primaries.velocity[i][d];
+    }
+    if (rotations)
+      std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
+    remember();
   }
-  if (rotations)
-    std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
-  remember();
   detect(walls);
   report.max_penetration = deepest;
   return report;

@@ -58,7 +58,7 @@ void declare_contact(dealii::ParameterHandler &prm)
                     "A step that leaves more is repeated with half its length. Units: mean diameters.");
   prm.declare_entry("Tolerance", "1e-3", Double(1e-14, 1.),
                     "Residual of the contact solution (natural map), relative to the approach speed.");
-  prm.declare_entry("Wall tolerance", "0.01", Double(1e-14, 1.),
+  prm.declare_entry("Wall tolerance", "0.03", Double(1e-14, 1.),
                     "Estimated error of the forces on walls, relative to the largest of them.");
   prm.declare_entry("Penetration tolerance", "1e-4", Double(1e-14, 1.),
                     "Overlap that an unfinished contact solution may add in a step. Units: mean diameters.");

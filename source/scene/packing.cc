@@ -139,8 +139,10 @@ private:
         const std::uint32_t a = list.a(pair), b = list.b(pair);
         const double dx = places[a][0] - places[b][0], dy = places[a][1] - places[b][1];
         const double distance = std::hypot(dx, dy), gap = distance - radius[a] - radius[b];
+        // Disks on top of each other have no direction; any one gets them apart.
+        const Place normal = distance > 0. ? Place{dx / distance, dy / distance} : Place{1., 0.};
         if (gap < reach)
-          add(rows, a, b, {dx / distance, dy / distance}, gap);
+          add(rows, a, b, normal, gap);
       }
       rows.tile_start.push_back(rows.a.size());
     }
@@ -211,7 +213,7 @@ Packing pack_disks(const std::vector<double> &radius,
   std::ostringstream numbers;
   numbers << radius.size() << " disks fill " << fraction << " of the box";
   if (fraction > 0.9)
-    throw InputError("'Packing': " + numbers.str() + "; at most about 0.82 is possible");
+    throw InputError("'Packing': " + numbers.str() + "; at most about 0.78 is possible");
   const double growth = std::max(1., std::sqrt(fraction / loose_fraction));
   Box box{{0.5 * growth * edges[0], 0.5 * growth * edges[1]}};
   Shrinking shrinking(radius, throw_in(radius, box, random), box);
@@ -219,12 +221,11 @@ Packing pack_disks(const std::vector<double> &radius,
   // Overlaps are relative to the final radii; a share of them may stay and is taken from the radii at the
   // end.
   const double mean = sum / radius.size(), allowed = 1e-3 * mean, end = 0.5 * edges[0];
-  unsigned int settling = 0;
   for (bool there = growth == 1.; !there;)
   {
     const double factor = std::max(end / shrinking.scale(), 1. - largest_shrinkage);
     double overlap = shrinking.step(factor);
-    for (unsigned int rest = 0; overlap > allowed && rest < 200; ++rest, ++settling)
+    for (unsigned int rest = 0; overlap > allowed && overlap < 0.5 * mean && rest < 200; ++rest)
       overlap = shrinking.step(1.);
     if (overlap > allowed)
       throw InputError("'Packing': the disks jam before they are in the box: " + numbers.str() +

@@ -121,7 +121,10 @@ private:
   struct Scratch;
   void attract_and_find(std::size_t tile, Scratch &scratch);
   void collect(const std::vector<MovingWall> &walls);
-  void add_row(std::uint32_t a,
+  void collect_walls(const std::vector<MovingWall> &walls);
+  void resize_rows(std::size_t n);
+  void set_row(std::size_t row,
+               std::uint32_t a,
                std::uint32_t b,
                const std::array<double, 2> &normal,
                double opening,

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
+// twice.
+#include "bpm_scene.h"
+
+#include <softgrain/base/parallel.h>
+#include <softgrain/output/checkpoint.h>
+
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+const std::string scene = R"(
+subsection Packing
+  set Number = 12
+  set Smallest diameter = 16
+  set Largest diameter = 24
+  set Lower = 0, 0
+  set Upper = 68, 80
+end
+subsection Walls
+  set Names = bottom, top, left, right
+  subsection bottom
+    set Point = 0, 0
+  end
+  subsection top
+    set Point = 0, 80
+    set Velocity = 0.3
+  end
+  subsection left
+    set Point = 0, 0
+  end
+  subsection right
+    set Point = 68, 0
+    set Drive = pressure
+    set Pressure = 0.05
+    set Mass = 300
+  end
+end
+)";
+
+std::string steps(bpm::BpmModel &model, const unsigned int from, const unsigned int to)
+{
+  std::ostringstream text;
+  text << std::hexfloat;
+  for (unsigned int i = from; i < to; ++i)
+  {
+    const StepReport report = model.advance(1.);
+    const Energies energies = model.energies();
+    text << model.time() << ' ' << report.contact_sweeps << ' ' << report.contact_residual << ' '
+         << energies.kinetic << ' ' << energies.elastic << ' ' << energies.dissipated << ' '
+         << model.momentum_error() << ' ' << model.solid_area() << ' ' << model.coordination();
+    for (const auto &wall : model.walls())
+      text << ' ' << wall.normal_force << ' ' << wall.tangential_force << ' ' << wall.position;
+    text << '\n';
+  }
+  return text.str();
+}
+
+void compare(const std::string &what, const Changes &changes)
+{
+  const unsigned int n = 240;
+  set_n_threads(1);
+  const std::string one = steps(*bpm_scene(grain_scene(scene), changes), 0, n);
+  set_n_threads(2);
+  const std::string two = steps(*bpm_scene(grain_scene(scene), changes), 0, n);
+  std::string parts;
+  const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
+  for (unsigned int part = 0; part < 3; ++part)
+  {
+    const auto model = bpm_scene(grain_scene(scene), changes);
+    if (part > 0)
+    {
+      CheckpointReader reader("state.h5");
+      model->load(reader);
+    }
+    parts += steps(*model, cuts[part], cuts[part + 1]);
+    CheckpointWriter writer("state.h5");
+    model->save(writer);
+    writer.commit();
+  }
+  std::cout << what << ": two threads " << (one == two ? "the same" : "DIFFERENT") << ", continued twice "
+            << (one == parts ? "the same" : "DIFFERENT") << '\n';
+}
+} // namespace
+
+int main()
+{
+  compare("frictionless", {});
+  compare("friction and rolling resistance", {"Contact/Friction=0.5", "Contact/Rolling resistance=0.1"});
+}

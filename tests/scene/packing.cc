@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Random packings: no overlaps, everything inside of the box, the same for the same seed, sizes as asked for;
+// what cannot be packed is refused; files come back as they were written.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/scene/packing.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+void look(const unsigned int n,
+          const double fraction,
+          const double smallest,
+          const SizeDistribution::Form form)
+{
+  PackingRequest request;
+  request.number = n;
+  request.sizes.smallest = smallest;
+  request.sizes.largest = 2.;
+  request.sizes.form = form;
+  const double edge = std::sqrt(n * request.sizes.mean_area() / fraction);
+  request.lower = dealii::Point<2>(-3., 5.);
+  request.upper = request.lower + dealii::Point<2>(1.2 * edge, edge / 1.2);
+  const Packing packing = make_packing(request), again = make_packing(request);
+  double overlap = 0., outside = 0.;
+  bool same = true;
+  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+  {
+    const Packing::Disk &disk = packing.disks[i];
+    same = same && disk.center == again.disks[i].center && disk.radius == again.disks[i].radius;
+    for (unsigned int d = 0; d < 2; ++d)
+      outside = std::max({outside, request.lower[d] + disk.radius - disk.center[d],
+                          disk.center[d] + disk.radius - request.upper[d]});
+    for (std::size_t j = 0; j < i; ++j)
+      overlap = std::max(overlap, disk.radius + packing.disks[j].radius -
+                                      disk.center.distance(packing.disks[j].center));
+  }
+  const double ratio = packing.solid_area() / (n * request.sizes.mean_area());
+  std::cout << packing.disks.size() << " disks at " << fraction << ": overlap " << overlap << ", outside "
+            << outside << ", " << (same ? "repeatable" : "NOT REPEATABLE") << ", area "
+            << (std::abs(ratio - 1.) < 3. / std::sqrt(1. * n) ? "as expected" : "WRONG") << '\n';
+}
+
+template <typename F>
+void refused(const F &work)
+{
+  try
+  {
+    work();
+    std::cout << "NOT REFUSED\n";
+  }
+  catch (const InputError &error)
+  {
+    std::cout << error.what() << '\n';
+  }
+}
+} // namespace
+
+int main()
+{
+  using Form = SizeDistribution::Form;
+  look(300, 0.70, 1.2, Form::uniform_area);
+  look(300, 0.77, 1.2, Form::equal_areas);
+  look(40, 0.74, 1.0, Form::uniform_diameter);
+  look(20, 0.30, 2.0, Form::uniform_area);
+  look(40, 0.70, 2.0, Form::uniform_area);
+  refused(
+      []
+      {
+        PackingRequest request;
+        request.number = 100;
+        request.sizes.smallest = request.sizes.largest = 2.;
+        request.lower = dealii::Point<2>(0., 0.);
+        request.upper = dealii::Point<2>(18., 18.);
+        make_packing(request);
+      });
+
+  Packing packing;
+  packing.disks = {{dealii::Point<2>(0.1, -2e-7), 1. / 3.}, {dealii::Point<2>(1e10, 0.), 2.}};
+  write_packing("packing.csv", packing);
+  const Packing back = read_packing("packing.csv");
+  bool same = back.disks.size() == 2;
+  for (std::size_t i = 0; same && i < 2; ++i)
+    same = back.disks[i].center == packing.disks[i].center && back.disks[i].radius == packing.disks[i].radius;
+  std::cout << (same ? "read as written" : "NOT AS WRITTEN") << '\n';
+  refused([] { read_packing("nothing.csv"); });
+  std::ofstream("bad.csv") << "x_m,y_m,radius_m\n0,0,1\n0,1,-1\n";
+  refused([] { read_packing("bad.csv"); });
+  std::ofstream("empty.csv") << "x_m,y_m,radius_m\n";
+  refused([] { read_packing("empty.csv"); });
+}
