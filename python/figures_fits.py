@@ -4,6 +4,7 @@
 import numpy as np
 
 FEWEST = 5  # points below which nothing is fitted
+LOOSE = 0.68  # packing below which bodies hardly touch
 
 
 def smallest(function, lower, upper, steps=60):
@@ -106,15 +107,15 @@ def three_regimes(packing, values):
     """
     ((first limit, second limit), (three slopes)) of the broken line that fits best; None without data on all parts.
 
-    The line is continuous; limits are searched in steps of 0.005.
+    The line is continuous; limits are searched in steps of 0.005. Loose states, before any regime, do not count.
     """
-    known = np.isfinite(packing) & np.isfinite(values)
+    known = np.isfinite(packing) & np.isfinite(values) & (packing >= LOOSE)
     packing, values = packing[known], values[known]
     best = None
     if len(packing) < 3 * FEWEST:
         return None
     ones = np.ones_like(packing)
-    for first in np.arange(0.70, 0.90, 0.005):
+    for first in np.arange(LOOSE + 0.02, 0.90, 0.005):
         for second in np.arange(first + 0.05, 0.99, 0.005):
             parts = [(packing < first).sum(), ((packing >= first) & (packing < second)).sum(),
                      (packing >= second).sum()]

@@ -47,6 +47,10 @@ Packing pack_around(const dealii::Tensor<1, 2> &half,
   return {};
 }
 
+/// Share of the shape that the primaries of a body fill before those that reach beyond the outline are taken
+/// away.
+constexpr double filled_fraction = 0.82;
+
 /// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
 /// all that lie wholly inside.
 Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
@@ -71,11 +75,14 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
         radii[i] - depth_inside(body, body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
         i);
   std::sort(depth.begin(), depth.end());
+  const double wanted = filled_fraction * area(body);
+  double filled = 0.;
   Aggregate aggregate;
   for (const auto &[outside, i] : depth)
   {
-    if (settings.number > 0 ? aggregate.size() == settings.number : outside > 0.)
+    if (settings.number > 0 ? aggregate.size() == settings.number : filled >= wanted)
       break;
+    filled += dealii::numbers::PI * radii[i] * radii[i];
     const dealii::Tensor<1, 2> x = packing.disks[i].center - dealii::Point<2>() + middle;
     aggregate.position.push_back({x[0], x[1]});
     aggregate.radius.push_back(radii[i]);
@@ -131,6 +138,24 @@ void relax(Aggregate &aggregate,
   aggregate.position = dynamics.disks().position;
 }
 
+/// Takes away the primaries that reach beyond the outline. @return whether there were any.
+bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
+{
+  Aggregate kept;
+  for (std::size_t i = 0; i < aggregate.size(); ++i)
+  {
+    const dealii::Point<2> x(body.center[0] + aggregate.position[i][0],
+                             body.center[1] + aggregate.position[i][1]);
+    if (depth_inside(body, x) < aggregate.radius[i])
+      continue;
+    kept.position.push_back(aggregate.position[i]);
+    kept.radius.push_back(aggregate.radius[i]);
+  }
+  const bool trimmed = kept.size() < aggregate.size();
+  aggregate = kept;
+  return trimmed;
+}
+
 /// Puts the middle of the aggregate where that of its shape is, so that it is met alike from all sides.
 void center(Aggregate &aggregate, const BodyDescription<2> &body)
 {
@@ -182,17 +207,21 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
 {
   Uniform random(seed);
   Aggregate aggregate = cut_out(body, settings.primaries, random);
-  if (aggregate.size() == 0)
-    throw InputError("not one primary fits into body '" + body.name +
-                     "': lower 'Primaries/Largest diameter'");
-  if (aggregate.size() > 1 && attraction && attraction->contact_force() > 0.)
+  const bool attracted = attraction && attraction->contact_force() > 0.;
+  // How the run is to be solved does not matter here, so that one aggregate serves many runs.
+  DynamicsSettings plain;
+  plain.solver.tolerance = 1e-4;
+  for (bool whole = false; !whole;)
   {
-    // How the run is to be solved does not matter here, so that one aggregate serves many runs.
-    DynamicsSettings plain;
-    plain.solver.tolerance = 1e-4;
-    relax(aggregate, body.name, density, attraction, plain);
+    if (aggregate.size() > 1 && attracted)
+      relax(aggregate, body.name, density, attraction, plain);
+    center(aggregate, body);
+    // Attraction smooths the dents that are left; a few rounds settle it.
+    whole = settings.primaries.number > 0 || !trim(aggregate, body);
+    if (aggregate.size() == 0)
+      throw InputError("not one primary fits into body '" + body.name +
+                       "': lower 'Primaries/Largest diameter'");
   }
-  center(aggregate, body);
   sort_by_place(aggregate);
   return aggregate;
 }

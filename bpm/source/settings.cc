@@ -33,7 +33,7 @@ void declare_time(dealii::ParameterHandler &prm)
   prm.declare_entry("Time step", "0", Double(0.),
                     "0: 'Step fraction' times sqrt(m a0 / F0), in which attraction moves a primary by its "
                     "diameter. Units: s.");
-  prm.declare_entry("Step fraction", "0.05", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
+  prm.declare_entry("Step fraction", "0.1", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
   prm.declare_entry("Smallest step", "1e-3", Double(1e-12, 1.),
                     "Share of the wanted step below which the run gives up.");
   prm.leave_subsection();
@@ -58,7 +58,7 @@ void declare_contact(dealii::ParameterHandler &prm)
                     "A step that leaves more is repeated with half its length. Units: mean diameters.");
   prm.declare_entry("Tolerance", "1e-3", Double(1e-14, 1.),
                     "Residual of the contact solution (natural map), relative to the approach speed.");
-  prm.declare_entry("Wall tolerance", "0.01", Double(1e-14, 1.),
+  prm.declare_entry("Wall tolerance", "0.03", Double(1e-14, 1.),
                     "Estimated error of the forces on walls, relative to the largest of them.");
   prm.declare_entry("Penetration tolerance", "1e-4", Double(1e-14, 1.),
                     "Overlap that an unfinished contact solution may add in a step. Units: mean diameters.");

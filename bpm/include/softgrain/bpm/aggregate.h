@@ -27,10 +27,11 @@ double attraction_time(double diameter, double density, double contact_force);
 /**
  * @brief Fills the shape of @p body with primaries at rest.
  *
- * Cut out of a dense random packing (pack_disks()): all primaries inside of the outline, or a given number of
- * those that lie deepest inside; then attraction and inelastic contacts alone until at rest, which draws the
- * aggregate together a little. The same input gives the same aggregate on every machine of one arithmetic,
- * whatever the number of threads.
+ * Cut out of a dense random packing (pack_disks()): the primaries that lie deepest inside, a given number or
+ * as many as fill the shape; then attraction and inelastic contacts alone until at rest, which draws the
+ * aggregate together a little. Without a given number those that then reach beyond the outline are taken
+ * away. The same input gives the same aggregate on every machine of one arithmetic, whatever the number of
+ * threads.
  *
  * @throw ComputationError when it does not come to rest. @throw InputError when not even one primary fits.
  */
