@@ -13,7 +13,7 @@ LOADING_MEAN = 0.005  # strain over which the moving mean of loading goes
 UNLOADING_MEAN = 0.0005  # unloading is over within a strain of 0.01
 PLATEAU = (0.10, 0.30)
 SHORTEST_PLATEAU = 0.05
-BEND = 0.9  # of the stiffest secant: below, the curve is no longer linear
+BEND = 0.1  # relative distance from the stiffest secant at which the curve is no longer linear
 STIFFEST_WITHIN = 0.05  # strain up to which the stiffest secant is looked for
 FALL = (0.8, 0.2)  # of the stress at reversal, for the slope of unloading
 NOTHING = 0.01  # of the stress at reversal: counts as zero stress
@@ -165,7 +165,7 @@ def smoothen(run):
 
 
 def linear_part(strain, stress):
-    """(slope of the stiffest secant through the origin, strain from which the curve lies below BEND of it)."""
+    """(slope of the stiffest secant through the origin, strain beyond which the curve first is BEND away from it)."""
     searched = (strain >= LOADING_MEAN) & (strain <= STIFFEST_WITHIN)
     if searched.sum() < 3:
         return None, None
@@ -174,12 +174,12 @@ def linear_part(strain, stress):
     if not stiffest > 0:
         return None, None
     start = np.flatnonzero(searched)[int(np.argmax(secant))]
-    ratio = stress[start:] / (stiffest * strain[start:])
-    below = np.flatnonzero(ratio < BEND)
-    if not len(below):
+    away = np.abs(stress[start:] / (stiffest * strain[start:]) - 1)
+    beyond = np.flatnonzero(away > BEND)
+    if not len(beyond):
         return stiffest, None
-    i = below[0]
-    part = (ratio[i - 1] - BEND) / (ratio[i - 1] - ratio[i])
+    i = beyond[0]
+    part = (BEND - away[i - 1]) / (away[i] - away[i - 1])
     return stiffest, float(strain[start + i - 1] + part * (strain[start + i] - strain[start + i - 1]))
 
 

@@ -26,6 +26,7 @@ COLOURS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a")
 MPM_COLOUR = "#0072B2"
 THESIS = {"plateau_Pa": 0.5e6, "characteristic_stress_Pa": 0.5e6, "plateau_over_characteristic": 1.,
           "linear_until_strain": 0.02, "unloading_slope_Pa": 25e6, "unloading_slope_over_plateau": 50.}
+DASHES = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
 THESIS_DIAMETERS = (0.16e-3, 0.26e-3)
 MPA = 1e-6
 
@@ -55,12 +56,13 @@ def same_diameters(run, diameters):
 
 
 def loading_runs(runs):
-    """Runs of primaries to draw while loading: of one grain those that only load, else the one loaded farthest."""
+    """Runs of primaries to draw while loading: of one grain those that only load, unless another was loaded farther."""
     chosen = []
     for key in dict.fromkeys(run.key for run in runs if run.model != "mpm"):
         same = [run for run in runs if run.key == key]
-        only = [run for run in same if not run.unloading]
-        chosen += only or [max(same, key=lambda run: run.loading[0][-1])]
+        farthest = max(same, key=lambda run: run.loading[0][-1])
+        only = [run for run in same if not run.unloading and run.loading[0][-1] > 0.9 * farthest.loading[0][-1]]
+        chosen += only or [farthest]
     return chosen
 
 
@@ -71,17 +73,11 @@ def draw_loading(axes, run, colour, label):
     axes.plot(run.smooth[0], MPA * run.smooth[1], color=colour, linewidth=1.8, label=label, zorder=4)
 
 
-def draw_characteristic(axes, run, colour, label=None):
-    if run.characteristic_stress:
-        axes.axhline(MPA * run.characteristic_stress, color=colour, linewidth=1, linestyle=(0, (4, 2)), zorder=3,
-                     label=label)
-
-
 def limit_by_means(axes, runs):
     """The noise may leave the panel, the means may not."""
-    curves = [curve for run in runs for curve in (run.smooth, run.smooth_unloading) if curve]
-    stresses = [curve[1].max() for curve in curves] + [run.characteristic_stress or 0. for run in runs]
-    axes.set(xlim=(0, 1.02 * max(curve[0].max() for curve in curves)), ylim=(0, 1.45 * MPA * max(stresses)))
+    curves = [run.smooth for run in runs]
+    axes.set(xlim=(0, 1.02 * max(curve[0].max() for curve in curves)),
+             ylim=(0, 1.5 * MPA * max(curve[1].max() for curve in curves)))
 
 
 def finish_stress(axes, **settings):
@@ -98,8 +94,6 @@ def two_models(runs):
         draw_loading(axes, run, MPM_COLOUR, "MPM" if number == 0 else None)
     for run, colour in zip(bonded, np.resize(COLOURS, len(bonded))):
         draw_loading(axes, run, colour, run.label)
-        draw_characteristic(axes, run, colour)
-    axes.plot([], [], color="#1a1a1a", linewidth=1, linestyle=(0, (4, 2)), label="$p_I = F_0/\\langle a_0\\rangle$")
     limit_by_means(axes, solid + bonded)
     finish_stress(axes)
     return figure
@@ -114,19 +108,27 @@ def polydispersities(runs):
               if None not in [run.diameters for run in found] and len({run.diameters for run in found}) > 1}
     if not panels:
         raise NotDrawn("it needs runs by BPM with different diameters and the same F0")
-    figure, all_axes = axes_of("Fig. 3.11: primaries of different sizes (dashed: $p_I = F_0/\\langle a_0\\rangle$)",
-                               len(panels))
-    for axes, (force, found) in zip(all_axes, panels.items()):
-        colours = {diameters: COLOURS[i % len(COLOURS)]
-                   for i, diameters in enumerate(dict.fromkeys(run.diameters for run in found))}
+    if len(panels) > len(DASHES):
+        raise NotDrawn(f"more than {len(DASHES)} values of F0 have no room")
+    figure, all_axes = axes_of("Fig. 3.11: primaries of different sizes", len(panels) + 1)
+    sizes = dict.fromkeys(run.diameters for found in panels.values() for run in found)
+    colours = {diameters: COLOURS[i % len(COLOURS)] for i, diameters in enumerate(sizes)}
+    scaled = all_axes[-1]
+    for axes, dashes, (force, found) in zip(all_axes, DASHES, panels.items()):
         for run in found:
             text = f"{1e3 * run.diameters[0]:.2f}\u2013{1e3 * run.diameters[1]:.2f} mm"
             if run.mean_diameter:
                 text += f", $\\langle a_0\\rangle$ = {1e3 * run.mean_diameter:.3f} mm"
             draw_loading(axes, run, colours[run.diameters], text)
-            draw_characteristic(axes, run, colours[run.diameters])
+            if run.characteristic_stress:
+                scaled.plot(run.smooth[0], run.smooth[1] / run.characteristic_stress, linewidth=1.3, linestyle=dashes,
+                            color=colours[run.diameters])
         limit_by_means(axes, found)
-        finish_stress(axes, title=f"$F_0$ = {force:g} N/m" if force else "")
+        finish_stress(axes)
+        axes.set_title(f"$F_0$ = {force:g} N/m" if force else "", fontsize=10)
+        scaled.plot([], [], color="#1a1a1a", linestyle=dashes, linewidth=1.3, label=f"$F_0$ = {force or 0:g} N/m")
+    finish(scaled, "axial strain $\\varepsilon$", "$\\sigma/p_I$ with $p_I = F_0/\\langle a_0\\rangle$", xlim=(0, None),
+           ylim=(0, 1.4 * scaled.get_ylim()[1]))
     return figure
 
 
@@ -152,7 +154,10 @@ def unloading(runs):
                   label=label, zorder=4)
     limit_by_means(axes, found)
     finish_stress(axes)
-    finish(near, "strain recovered", "stress $\\sigma = F/L$  [MPa]", xlim=(0, None), ylim=axes.get_ylim())
+    highest = MPA * max(run.smooth_unloading[1].max() for run in found)
+    recovered = max(run.constants["recovered_strain"] or np.ptp(run.unloading[0]) for run in found)
+    finish(near, "strain recovered", "stress $\\sigma = F/L$  [MPa]", xlim=(0, 1.5 * recovered),
+           ylim=(0, 1.5 * highest))
     return figure
 
 

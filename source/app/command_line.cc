@@ -90,9 +90,13 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   }
   CLI::App *figures_command = app.add_subcommand("figures", "draws the figures of a publication from runs");
   figures_command->require_subcommand(1);
-  CLI::App *thesis4 = figures_command->add_subcommand(
-      "thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR...");
-  thesis4->prefix_command()->set_help_flag();
+  for (const auto &[name, help] :
+       {std::pair("thesis-3", "section 3.4 of Nguyen (2016), one grain: softgrain figures thesis-3 DIR..."),
+        std::pair("thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR...")})
+  {
+    CLI::App *sub = figures_command->add_subcommand(name, help)->prefix_command();
+    sub->set_help_flag();
+  }
 
   try
   {
@@ -128,8 +132,9 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   else if (chosen == figures_command)
   {
     command = Command::script;
-    script = "figures_thesis4";
-    script_arguments = thesis4->remaining();
+    const CLI::App *figures = figures_command->get_subcommands().front();
+    script = figures->get_name() == "thesis-3" ? "figures_thesis3" : "figures_thesis4";
+    script_arguments = figures->remaining();
   }
   else
   {

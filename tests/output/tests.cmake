@@ -7,3 +7,11 @@ add_test(NAME output/tools
     ${CMAKE_BINARY_DIR}/tests/output/tools.run)
 set_tests_properties(output/tools PROPERTIES LABELS "quick;output" TIMEOUT 300
   FIXTURES_REQUIRED synthetic_output)
+
+# The same tools on folders that the tests make up.
+foreach(name primaries one_grain)
+  add_test(NAME output/${name}
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/output/${name}.py
+      ${PROJECT_SOURCE_DIR}/python ${CMAKE_BINARY_DIR}/tests/output/${name}.run)
+  set_tests_properties(output/${name} PROPERTIES LABELS "quick;output" TIMEOUT 300)
+endforeach()
