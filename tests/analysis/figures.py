@@ -157,7 +157,8 @@ class Figures(unittest.TestCase):
         other = os.path.join(WORK, "other")
         os.makedirs(other)
         write_table(os.path.join(other, "history.csv"), {"time_s": [0., 1.], "step": [0, 1]})
-        for arguments, words in (([other], "is no compaction"), ([bare, "--only", "4.6"], "4.6"), (["nowhere"], "there is no folder"),
+        for arguments, words in (([other], "is no compaction"), (["nowhere"], "there is no folder"),
+                                 ([bare, "--only", "4.6"], "4.6"),
                                  ([bare, "--reference", "2"], "--reference")):
             code, _, errors = run(*arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
