@@ -163,14 +163,18 @@ def pair_forces(contacts):
     return pairs
 
 
-def draw_chains(axes, contacts, centers, full_width):
-    """Force chains: from centre to contact to centre, as wide as the force is large."""
+def draw_chains(axes, contacts, centers, full_width, fill="white"):
+    """
+    Force chains: from centre to contact to centre, as wide as the force is large.
+
+    Returns the force that is @full_width wide, 0 when there is none.
+    """
     pairs = pair_forces(contacts)
     if not pairs:
-        return
+        return 0.
     strong = np.percentile([pair[3] for pair in pairs], 99)
     if strong <= 0:
-        return
+        return 0.
     lines, widths = [], []
     for body_a, body_b, place, force in sorted(pairs, key=lambda pair: pair[3]):
         ends = [centers[b] for b in (body_a, body_b) if b in centers]
@@ -181,10 +185,11 @@ def draw_chains(axes, contacts, centers, full_width):
     # The weakest would only blur the picture.
     seen = widths > 0.04 * full_width
     lines = [line for line, visible in zip(lines, seen) if visible]
-    for colour, width, order in ((INK, widths + 2 * edge, 5), ("white", widths, 5.1)):
+    for colour, width, order in ((INK, widths + 2 * edge, 5), (fill, widths, 5.1)):
         collection = LineCollection(lines, linewidths=width[seen], colors=colour, capstyle="round",
                                     joinstyle="round", zorder=order)
         axes.add_collection(collection)
+    return float(strong)
 
 
 def thinned(contacts, most=14):

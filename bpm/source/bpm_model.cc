@@ -120,12 +120,13 @@ StepReport BpmModel::advance(const double dt_limit)
     accelerate();
     const DynamicsReport done = dynamics->step(dt, moving_walls, acceleration);
     report.contact_sweeps += done.solver.sweeps;
-    if (done.max_penetration <= limit)
+    if (done.max_penetration <= limit && done.solver.converged)
     {
       report.contact_residual = done.solver.residual;
       report.max_penetration = done.max_penetration;
       keep_books(done, dt);
       step_scale = std::min(1., 1.25 * step_scale);
+      fallbacks += done.solver.fell_back;
       break;
     }
     dynamics->disks().position = positions;
@@ -138,10 +139,14 @@ StepReport BpmModel::advance(const double dt_limit)
     if (dt < settings.smallest_step * std::min(wanted, dt_limit))
     {
       std::ostringstream message;
-      message << "at time " << now << " s no step longer than " << dt
-              << " s keeps the overlap of primaries below " << limit
-              << " m ('Contact/Largest penetration'): the last one left " << done.max_penetration
-              << " m at a contact residual of " << done.solver.residual << "; lower 'Contact/Tolerance'";
+      message << "at time " << now << " s no step longer than " << dt << " s succeeds: ";
+      if (done.solver.converged)
+        message << "the last one left primaries that overlap by " << done.max_penetration << " m, allowed is "
+                << limit << " m ('Contact/Largest penetration')";
+      else
+        message << "the contact solver is at a residual of " << done.solver.residual << " after "
+                << done.solver.sweeps
+                << " sweeps ('Contact/Maximum sweeps'); walls that close on a full box leave no room";
       throw ComputationError(message.str());
     }
   }
@@ -223,7 +228,8 @@ SizeReport BpmModel::size_report() const
 
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 {
-  return {{"contacts", static_cast<double>(dynamics->contacts().size())}};
+  return {{"contacts", static_cast<double>(dynamics->contacts().size())},
+          {"plain_solves", static_cast<double>(fallbacks)}};
 }
 
 std::map<std::string, double> BpmModel::phases() const

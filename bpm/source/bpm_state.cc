@@ -33,7 +33,7 @@ void BpmModel::save(StateWriter &out) const
 {
   const Primaries &disks = dynamics->disks();
   out.write("bpm/scalars", std::vector<double>{now, step_scale, last_dt});
-  out.write("bpm/step", std::vector<std::uint64_t>{steps});
+  out.write("bpm/step", std::vector<std::uint64_t>{steps, fallbacks});
   out.write("bpm/books",
             std::vector<double>{books.initial_momentum[0], books.initial_momentum[1], books.wall_impulse[0],
                                 books.wall_impulse[1], books.body_force_impulse[0],
@@ -79,6 +79,7 @@ void BpmModel::load(StateReader &in)
   step_scale = scalars.at(1);
   last_dt = scalars.at(2);
   steps = in.read_integers("bpm/step").at(0);
+  fallbacks = in.read_integers("bpm/step").at(1);
   books = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
            dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
            dealii::Tensor<1, 2>({b.at(4), b.at(5)}),

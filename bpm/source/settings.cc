@@ -33,7 +33,7 @@ void declare_time(dealii::ParameterHandler &prm)
   prm.declare_entry("Time step", "0", Double(0.),
                     "0: 'Step fraction' times sqrt(m a0 / F0), in which attraction moves a primary by its "
                     "diameter. Units: s.");
-  prm.declare_entry("Step fraction", "0.05", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
+  prm.declare_entry("Step fraction", "0.1", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
   prm.declare_entry("Smallest step", "1e-3", Double(1e-12, 1.),
                     "Share of the wanted step below which the run gives up.");
   prm.leave_subsection();

@@ -22,7 +22,7 @@ constexpr std::uint32_t n_lanes = 4;
 
 template <unsigned int n>
 DiskSweeps<n>::DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team)
-    : bodies(bodies), contacts(contacts), team(team), rows(contacts.size())
+    : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
   number_bodies();
   make_ranges();
@@ -47,15 +47,8 @@ void DiskSweeps<n>::number_bodies()
     meet(contacts.a[i]);
     meet(contacts.b[i]);
   }
-  states.resize(original_of.size());
-  last_velocity.resize(original_of.size());
-  for (std::size_t i = 0; i < states.size(); ++i)
-  {
-    const std::uint32_t body = original_of[i];
-    states[i].inverse_mass = bodies.inverse_mass[body];
-    if constexpr (n > 1)
-      states[i].inverse_inertia = bodies.inverse_inertia[body];
-  }
+  states.reset(new State[n_bodies()]);
+  last_velocity.reset(new std::array<double, n_velocities>[n_bodies()]);
 }
 
 template <unsigned int n>
@@ -150,7 +143,7 @@ void DiskSweeps<n>::pack(const Range range, const bool wall)
                }
                // A start that is no impulse at all, or one between prescribed bodies, would stay.
                using Contact = DiskContact<n, false>;
-               if (states[row.a].inverse_mass + states[row.b].inverse_mass == 0.)
+               if (bodies.inverse_mass[contacts.a[i]] + bodies.inverse_mass[contacts.b[i]] == 0.)
                  std::fill(row.impulse, row.impulse + n, 0.);
                Contact::project(row, row.impulse);
                std::copy(row.impulse, row.impulse + n, row.previous);
@@ -158,22 +151,37 @@ void DiskSweeps<n>::pack(const Range range, const bool wall)
 }
 
 template <unsigned int n>
-void DiskSweeps<n>::set_free_velocities()
+template <class Work>
+void DiskSweeps<n>::for_bodies(const Work &work)
 {
-  const std::uint32_t n_pieces = (states.size() + bodies_per_piece - 1) / bodies_per_piece;
+  const std::uint32_t n_pieces = (n_bodies() + bodies_per_piece - 1) / bodies_per_piece;
   team.run(n_pieces,
            [&](const std::uint32_t piece)
            {
-             const std::size_t end = std::min<std::size_t>(states.size(), (piece + 1) * bodies_per_piece);
+             const std::size_t end = std::min<std::size_t>(n_bodies(), (piece + 1) * bodies_per_piece);
              for (std::size_t i = piece * bodies_per_piece; i < end; ++i)
-             {
-               const std::uint32_t body = original_of[i];
-               states[i].velocity[0] = bodies.velocity[body][0];
-               states[i].velocity[1] = bodies.velocity[body][1];
-               if constexpr (n > 1)
-                 states[i].angular_velocity = bodies.angular_velocity[body];
-             }
+               work(i);
            });
+}
+
+template <unsigned int n>
+void DiskSweeps<n>::set_free_velocities()
+{
+  for_bodies(
+      [&](const std::size_t i)
+      {
+        const std::uint32_t body = original_of[i];
+        State &state = states[i];
+        state.velocity[0] = bodies.velocity[body][0];
+        state.velocity[1] = bodies.velocity[body][1];
+        state.inverse_mass = bodies.inverse_mass[body];
+        if constexpr (n > 1)
+        {
+          state.angular_velocity = bodies.angular_velocity[body];
+          state.inverse_inertia = bodies.inverse_inertia[body];
+        }
+        last_velocity[i].fill(0.);
+      });
 }
 
 template <unsigned int n>
@@ -197,8 +205,8 @@ void DiskSweeps<n>::apply_impulses()
 template <unsigned int n>
 void DiskSweeps<n>::clear_impulses()
 {
-  for (Row &row : rows)
-    std::fill(row.impulse, row.impulse + n, 0.);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    std::fill(rows[i].impulse, rows[i].impulse + n, 0.);
 }
 
 template <unsigned int n>
@@ -242,25 +250,20 @@ void DiskSweeps<n>::sweep(const double relaxation)
 template <unsigned int n>
 void DiskSweeps<n>::extrapolate(const double momentum)
 {
-  const std::uint32_t n_pieces = (states.size() + bodies_per_piece - 1) / bodies_per_piece;
-  team.run(n_pieces,
-           [&](const std::uint32_t piece)
-           {
-             const std::size_t end = std::min<std::size_t>(states.size(), (piece + 1) * bodies_per_piece);
-             for (std::size_t i = piece * bodies_per_piece; i < end; ++i)
-             {
-               const auto step = [&](double &now, double &last)
-               {
-                 const double before = now;
-                 now += momentum * (now - last);
-                 last = before;
-               };
-               step(states[i].velocity[0], last_velocity[i][0]);
-               step(states[i].velocity[1], last_velocity[i][1]);
-               if constexpr (n > 1)
-                 step(states[i].angular_velocity, last_velocity[i][2]);
-             }
-           });
+  for_bodies(
+      [&](const std::size_t i)
+      {
+        const auto step = [&](double &now, double &last)
+        {
+          const double before = now;
+          now += momentum * (now - last);
+          last = before;
+        };
+        step(states[i].velocity[0], last_velocity[i][0]);
+        step(states[i].velocity[1], last_velocity[i][1]);
+        if constexpr (n > 1)
+          step(states[i].angular_velocity, last_velocity[i][2]);
+      });
 }
 
 template <unsigned int n>
@@ -314,7 +317,7 @@ double DiskSweeps<n>::sweep_with_momentum(const double momentum)
 template <unsigned int n>
 void DiskSweeps<n>::save_impulses()
 {
-  saved.resize(rows.size());
+  saved.resize(contacts.size());
   for_ranges_at_once(
       [&](const Range range, bool, std::uint32_t)
       {
@@ -401,7 +404,7 @@ void DiskSweeps<n>::store_impulses(DiskContacts &target)
 template <unsigned int n>
 void DiskSweeps<n>::store_velocities(DiskBodies &target) const
 {
-  for (std::size_t i = 0; i < states.size(); ++i)
+  for (std::size_t i = 0; i < n_bodies(); ++i)
   {
     const std::uint32_t body = original_of[i];
     target.velocity[body] = {{states[i].velocity[0], states[i].velocity[1]}};

@@ -65,9 +65,7 @@ struct CellGrid
 NeighbourList::NeighbourList(std::vector<double> radii,
                              std::vector<std::uint32_t> groups,
                              const Range &list_range)
-    : radius(std::move(radii))
-    , group(std::move(groups))
-    , range(list_range)
+    : radius(std::move(radii)), group(std::move(groups)), range(list_range)
 {
   if (!group.empty() && group.size() != radius.size())
     throw InputError("neighbour list: " + std::to_string(group.size()) + " groups for " +

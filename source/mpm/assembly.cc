@@ -59,7 +59,8 @@ void resize(Body<dim> &body, const StressWishes &wishes)
     s.dissipation.resize(n);
     s.out_of_plane_stress.resize(n);
   }
-  s.history.resize(body.points.history.size());
+  s.history_old.resize(n * body.law->n_history());
+  s.history.resize(n * body.law->n_history());
 }
 
 /// F = (I + grad U) F_grid at the points of one cell, and what the law needs beside it.
@@ -72,12 +73,16 @@ void deform_cell(Body<dim> &body,
   StepState<dim> &s = body.step;
   const unsigned int *nodes = body.field.nodes_of_cell(cell);
   const bool small = body.small_strain();
+  const unsigned int n_history = body.law->n_history();
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     s.grid_gradient[p] = identity<dim>();
     add_gradient(body.field, p, nodes, s.nodal, s.grid_gradient[p]);
-    s.gradient[p] = s.grid_gradient[p] * body.points.gradient[p];
-    s.volume[p] = small ? body.points.volume[p] : body.points.rest_volume[p];
+    const auto point = body.points[p];
+    s.gradient[p] = s.grid_gradient[p] * point.gradient();
+    s.volume[p] = small ? point.volume() : point.rest_volume();
+    if (n_history > 0)
+      std::copy_n(point.history(), n_history, &s.history_old[p * n_history]);
     if (s.increment.empty())
       continue;
     dealii::Tensor<2, dim> increment;
@@ -149,11 +154,12 @@ double mean_slopes(const Body<dim> &body, const unsigned int cell, std::vector<d
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     current_slopes(body, p, slopes);
+    const auto point = body.points[p];
     // F holds the mean dilatation here, so the weight needs the determinant of what really happened.
-    const double weight = body.small_strain()
-                              ? body.step.volume[p]
-                              : body.points.rest_volume[p] * determinant(body.step.grid_gradient[p]) *
-                                    determinant(body.points.gradient[p]);
+    const double weight =
+        body.small_strain()
+            ? body.step.volume[p]
+            : point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient());
     total += weight;
     for (unsigned int k = 0; k < mean.size(); ++k)
       mean[k] += weight * slopes[k];
@@ -193,8 +199,9 @@ void add_dilatation_terms(const Body<dim> &body,
     current_slopes(body, p, slopes);
     const auto &tau = body.step.stress[p];
     const double v = body.step.volume[p], mean_tau = trace(tau) / dim;
-    const double weight = body.points.rest_volume[p] * determinant(body.step.grid_gradient[p]) *
-                          determinant(body.points.gradient[p]) / total;
+    const auto point = body.points[p];
+    const double weight =
+        point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient()) / total;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int d = 0; d < dim; ++d)
@@ -324,7 +331,7 @@ StressOutcome evaluate_stress(Body<dim> &body,
                  in.n_points = n;
                  in.deformation_gradient = &s.gradient[first];
                  in.increment = s.increment.empty() ? nullptr : &s.increment[first];
-                 in.history_old = n_history > 0 ? &body.points.history[first * n_history] : nullptr;
+                 in.history_old = n_history > 0 ? &s.history_old[first * n_history] : nullptr;
                  constitutive::Outputs<dim> out;
                  out.stress = &s.stress[first];
                  if (wishes.tangent)
@@ -398,48 +405,6 @@ void internal_force(Body<dim> &body, Eigen::VectorXd &force)
 }
 
 template <int dim>
-bool external_force(Body<dim> &body,
-                    const dealii::Tensor<1, dim> &gravity,
-                    const double time,
-                    Eigen::VectorXd &force)
-{
-  force.setZero(body.field.n_dofs());
-  if (gravity.norm_square() > 0.)
-    for (unsigned int i = 0; i < body.field.n_independent(); ++i)
-      for (unsigned int d = 0; d < dim; ++d)
-        force[dim * i + d] = body.mass[i] * gravity[d];
-  if (body.body_force.empty())
-    return gravity.norm_square() > 0.;
-
-  const unsigned int n = body.field.nodes_per_cell();
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own, displacement;
-  body.field.prolongate(body.displacement, displacement);
-  std::vector<double> place(2 * dim + 1);
-  place[2 * dim] = time;
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-  {
-    const unsigned int *nodes = body.field.point_nodes(p);
-    const double *value = body.field.values(p);
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      place[d] = body.points.position[p][d];
-      for (unsigned int k = 0; k < n; ++k)
-        place[d] += value[k] * displacement[dim * nodes[k] + d];
-      place[dim + d] = body.rest_position[body.points.id[p]][d];
-    }
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      const double b = body.points.mass[p] * body.body_force[d](place);
-      for (unsigned int k = 0; k < n; ++k)
-        all[dim * nodes[k] + d] += b * value[k];
-    }
-  }
-  body.field.restrict(all, own);
-  force += own;
-  return true;
-}
-
-template <int dim>
 void add_stiffness(const Body<dim> &body,
                    const double factor,
                    const bool guard_rotation,
@@ -487,7 +452,6 @@ double stored_energy(const Body<dim> &body)
   template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
                                               double, const StressWishes &);                                 \
   template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);                                         \
-  template bool external_force<dim>(Body<dim> &, const dealii::Tensor<1, dim> &, double, Eigen::VectorXd &); \
   template void add_stiffness<dim>(const Body<dim> &, double, bool, SystemMatrix &);                         \
   template double stored_energy<dim>(const Body<dim> &);
 INSTANTIATE(2)

@@ -19,75 +19,32 @@ dealii::Tensor<2, 2> unit()
   return one;
 }
 
-/// Applies @p order to one array of the points.
-template <typename T>
-void reorder(std::vector<T> &values, const std::vector<unsigned int> &order, const unsigned int width = 1)
-{
-  if (values.empty())
-    return;
-  std::vector<T> sorted(values.size());
-  for (std::size_t p = 0; p < order.size(); ++p)
-    for (unsigned int k = 0; k < width; ++k)
-      sorted[p * width + k] = values[order[p] * width + k];
-  values = std::move(sorted);
-}
-
-void sort_points(PointData<2> &points, const Lattice<2> &lattice, const unsigned int n_history)
-{
-  const std::vector<unsigned int> order = BodyField<2>::cell_order(lattice, points.position);
-  if (std::is_sorted(order.begin(), order.end()))
-    return;
-  reorder(points.id, order);
-  reorder(points.position, order);
-  reorder(points.rest_volume, order);
-  reorder(points.mass, order);
-  reorder(points.half_extent, order);
-  reorder(points.volume, order);
-  reorder(points.gradient, order);
-  reorder(points.velocity, order);
-  reorder(points.acceleration, order);
-  reorder(points.affine, order);
-  reorder(points.stress, order);
-  reorder(points.out_of_plane_stress, order);
-  if (n_history > 0)
-    reorder(points.history, order, n_history);
-}
-
 void make_points(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   const GeneratedPoints<2> generated =
       generate_points(description, context.lattice, context.settings.points_per_direction);
-  if (generated.position.empty())
-    throw InputError("'Bodies/" + description.name + "' holds no material point: its area is zero");
-  PointData<2> &points = body.points;
   const std::size_t n = generated.position.size();
-  const unsigned int n_history = body.law->n_history();
-  points.position = generated.position;
-  points.rest_volume = generated.volume;
-  points.volume = generated.volume;
-  points.id.resize(n);
-  points.mass.resize(n);
-  points.half_extent.resize(n);
-  points.history.resize(n * n_history);
+  if (n == 0)
+    throw InputError("'Bodies/" + description.name + "' holds no material point: its area is zero");
+  PointStore<2> &store = context.points;
+  body.points = BodyPoints<2>(store.handler().get_property_pool(), store.layout(), store.size());
   for (unsigned int p = 0; p < n; ++p)
   {
-    points.id[p] = p;
-    points.mass[p] = body.density * points.rest_volume[p];
-    points.half_extent[p] = 0.5 * std::sqrt(points.rest_volume[p]);
-    body.rest_area += points.rest_volume[p];
-    if (n_history > 0)
-      body.law->initial_history(&points.history[p * n_history]);
+    context.lattice.check_inside(generated.position[p], "material point");
+    PointView<2> point = store(store.add(generated.position[p], body.index));
+    const double volume = generated.volume[p];
+    point.rest_volume() = volume;
+    point.mass() = body.density * volume;
+    point.half_extent() = 0.5 * std::sqrt(volume);
+    if (store.layout().has(PointSlot::volume))
+      point.volume() = volume;
+    point.gradient() = unit();
+    if (body.law->n_history() > 0)
+      body.law->initial_history(point.history());
+    body.rest_area += volume;
+    if (!body.body_force.empty())
+      body.rest_position.push_back(point.position());
   }
-  points.gradient.assign(n, unit());
-  points.velocity.assign(n, dealii::Tensor<1, 2>());
-  points.stress.assign(n, dealii::SymmetricTensor<2, 2>());
-  points.out_of_plane_stress.assign(n, 0.);
-  if (context.settings.scheme.stored_acceleration)
-    points.acceleration.assign(n, dealii::Tensor<1, 2>());
-  if (context.settings.affine_transfer)
-    points.affine.assign(n, dealii::Tensor<2, 2>());
-  if (!body.body_force.empty())
-    body.rest_position = points.position;
 }
 
 void make_boundary(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
@@ -119,39 +76,35 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   boundary.position = boundary.grid_position;
 }
 
-/// Shift and stretch of the affine velocity at node @p x of point @p p.
-dealii::Tensor<1, 2>
-brought_velocity(const PointData<2> &points, const unsigned int p, const dealii::Point<2> &x)
-{
-  dealii::Tensor<1, 2> v = points.velocity[p];
-  if (!points.affine.empty())
-    v += points.affine[p] * (x - points.position[p]);
-  return v;
-}
-
 /// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive
 /// mass.
 bool points_to_nodes(Body<2> &body)
 {
   const BodyField<2> &field = body.field;
-  const PointData<2> &points = body.points;
+  const bool accelerated = body.points.layout().has(PointSlot::acceleration),
+             affine = body.points.layout().has(PointSlot::affine);
   const unsigned int n = field.nodes_per_cell();
   std::vector<double> mass(field.n_nodes(), 0.);
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes()), force = momentum;
-  for (unsigned int p = 0; p < points.size(); ++p)
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+  {
+    const auto point = body.points[p];
     for (unsigned int k = 0; k < n; ++k)
     {
       const unsigned int i = field.point_nodes(p)[k];
-      const double m = points.mass[p] * field.values(p)[k];
+      const double m = point.mass() * field.values(p)[k];
       mass[i] += m;
-      const dealii::Tensor<1, 2> v = brought_velocity(points, p, field.position(i));
+      dealii::Tensor<1, 2> v = point.velocity();
+      if (affine)
+        v += point.affine() * (field.position(i) - point.position());
       for (unsigned int d = 0; d < 2; ++d)
       {
         momentum[2 * i + d] += m * v[d];
-        if (!points.acceleration.empty())
-          force[2 * i + d] += m * points.acceleration[p][d];
+        if (accelerated)
+          force[2 * i + d] += m * point.acceleration()[d];
       }
     }
+  }
   body.mass = field.restrict_scalar(mass);
   if (body.mass.size() == 0 || !(body.mass.minCoeff() > 0.))
     return false;
@@ -162,7 +115,7 @@ bool points_to_nodes(Body<2> &body)
       result.segment<2>(2 * i) /= body.mass[i];
   };
   divide(momentum, body.velocity);
-  if (!points.acceleration.empty())
+  if (accelerated)
     divide(force, body.acceleration);
   return true;
 }
@@ -170,19 +123,23 @@ bool points_to_nodes(Body<2> &body)
 
 void lay_grid(Body<2> &body, const BuildContext &context)
 {
-  sort_points(body.points, context.lattice, body.law->n_history());
-  std::vector<double> volume(body.points.size());
-  for (unsigned int p = 0; p < volume.size(); ++p)
-    volume[p] = body.small_strain() ? body.points.volume[p]
-                                    : body.points.rest_volume[p] * determinant(body.points.gradient[p]);
+  const std::size_t n = body.points.size();
+  std::vector<dealii::Point<2>> position(n);
+  std::vector<double> volume(n), half_extent(n);
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    const auto point = body.points[p];
+    position[p] = point.position();
+    half_extent[p] = point.half_extent();
+    volume[p] = body.small_strain() ? point.volume() : point.rest_volume() * determinant(point.gradient());
+  }
   // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
   // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
   // and masses are positive.
   for (double limit = context.settings.fill_limit;; limit *= 0.5)
   {
     body.field.build(context.lattice, context.shape,
-                     {body.points.position, volume, body.points.half_extent, body.boundary.grid_position},
-                     limit);
+                     {position, volume, half_extent, body.boundary.grid_position}, limit);
     if (points_to_nodes(body))
       break;
     if (limit < 1e-4)
@@ -193,56 +150,75 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   body.velocity_of_points = body.velocity;
 }
 
-void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &shape, const double cell_size)
+std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice)
+{
+  Eigen::VectorXd u;
+  body.field.prolongate(body.displacement, u);
+  std::vector<dealii::Point<2>> places(body.points.size());
+  for (unsigned int p = 0; p < places.size(); ++p)
+  {
+    places[p] = body.points[p].position();
+    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
+      for (unsigned int d = 0; d < 2; ++d)
+        places[p][d] += body.field.values(p)[k] * u[2 * body.field.point_nodes(p)[k] + d];
+    lattice.check_inside(places[p], "material point of body '" + body.name + "'");
+  }
+  for (const dealii::Point<2> &x : body.boundary.position)
+    lattice.check_inside(x, "boundary marker of body '" + body.name + "'");
+  return places;
+}
+
+void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context)
 {
   const BodyField<2> &field = body.field;
-  PointData<2> &points = body.points;
+  const bool accelerated = body.points.layout().has(PointSlot::acceleration),
+             affine = body.points.layout().has(PointSlot::affine);
+  const double pic = context.settings.pic_fraction, h = context.lattice.cell_size();
   const unsigned int n = field.nodes_per_cell();
   Eigen::VectorXd u, v, before, a;
   field.prolongate(body.displacement, u);
   field.prolongate(body.velocity, v);
   field.prolongate(body.velocity_of_points, before);
-  if (!points.acceleration.empty())
+  if (accelerated)
     field.prolongate(body.acceleration, a);
-  for (unsigned int p = 0; p < points.size(); ++p)
+  for (unsigned int p = 0; p < body.points.size(); ++p)
   {
+    auto point = body.points[p];
     const unsigned int *nodes = field.point_nodes(p);
     const double *value = field.values(p);
     const auto *slope = field.slopes(p);
-    dealii::Tensor<1, 2> moved, interpolated, increment, acceleration;
+    dealii::Tensor<1, 2> interpolated, increment, acceleration;
     dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
     for (unsigned int k = 0; k < n; ++k)
     {
       const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]}),
           vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]});
       const dealii::Tensor<1, 2> bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
-      const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - points.position[p];
-      moved += value[k] * uk;
+      const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - point.position();
       interpolated += value[k] * vk;
       increment += value[k] * (vk - bk);
       gradient += outer_product(uk, slope[k]);
       rate += outer_product(vk, slope[k]);
       moment += value[k] * outer_product(vk, arm);
       spread += value[k] * outer_product(arm, arm);
-      if (!points.acceleration.empty())
+      if (accelerated)
         acceleration += value[k] * dealii::Tensor<1, 2>({a[2 * nodes[k]], a[2 * nodes[k] + 1]});
     }
-    points.position[p] += moved;
-    points.gradient[p] = gradient * points.gradient[p];
+    point.move_to(context.lattice.off_faces(places[p]));
+    point.gradient() = gradient * point.gradient();
     if (body.small_strain() && !body.driven) // what is driven is never stressed
-      points.volume[p] = body.step.volume[p];
-    points.velocity[p] = settings.pic_fraction * interpolated +
-                         (1. - settings.pic_fraction) * (points.velocity[p] + increment);
-    if (!points.acceleration.empty())
-      points.acceleration[p] = acceleration;
-    if (!points.affine.empty())
+      point.volume() = body.step.volume[p];
+    point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
+    if (accelerated)
+      point.acceleration() = acceleration;
+    if (affine)
     {
       // APIC's B D^-1; hats lose D at a node, where B D^-1 is the velocity gradient anyway (Jiang et al.
       // 2015).
-      points.velocity[p] = interpolated;
-      points.affine[p] = shape.degree() > 1 && determinant(spread) > 1e-8 * std::pow(cell_size, 4)
-                             ? moment * invert(spread)
-                             : rate;
+      point.velocity() = interpolated;
+      point.affine() = context.shape.degree() > 1 && determinant(spread) > 1e-8 * std::pow(h, 4)
+                           ? moment * invert(spread)
+                           : rate;
     }
   }
   body.boundary.grid_position = body.boundary.position;
@@ -274,11 +250,11 @@ double grid_distortion(const Body<2> &body)
   return worst;
 }
 
-Body<2> build_body(const BodyDescription<2> &description,
-                   const unsigned int index,
-                   std::shared_ptr<const constitutive::Law<2>> law,
-                   const double density,
-                   const BuildContext &context)
+Body<2> make_body(const BodyDescription<2> &description,
+                  const unsigned int index,
+                  std::shared_ptr<const constitutive::Law<2>> law,
+                  const double density,
+                  const BuildContext &context)
 {
   Body<2> body;
   body.name = description.name;
@@ -291,8 +267,22 @@ Body<2> build_body(const BodyDescription<2> &description,
   // The parameter's default says that there is no load, and then none is evaluated.
   if (!description.body_force.empty() && description.body_force != "0; 0")
     body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});
-  make_points(body, description, context);
   make_boundary(body, description, context);
+  try
+  {
+    for (const dealii::Point<2> &x : body.boundary.position)
+      context.lattice.check_inside(x, "boundary marker");
+    make_points(body, description, context);
+  }
+  catch (const ComputationError &error)
+  {
+    throw InputError("'Bodies/" + description.name + "': " + error.what());
+  }
+  return body;
+}
+
+void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
+{
   try
   {
     lay_grid(body, context);
@@ -331,15 +321,15 @@ Body<2> build_body(const BodyDescription<2> &description,
   body.velocity_of_points = body.velocity;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
-    body.points.velocity[p] = body.driven ? body.drive : velocity_at(body.points.position[p]);
-    if (!body.points.affine.empty())
-      body.points.affine[p] =
+    auto point = body.points[p];
+    point.velocity() = body.driven ? body.drive : velocity_at(point.position());
+    if (body.points.layout().has(PointSlot::affine))
+      point.affine() =
           dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});
   }
   if (context.settings.scheme.stored_acceleration)
     body.acceleration = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.internal_force = Eigen::VectorXd::Zero(body.field.n_dofs());
-  return body;
 }
 
 BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body_field.h>
 #include <softgrain/mpm/lattice_box.h>
@@ -8,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -104,14 +101,8 @@ void BodyField<dim>::collect_cells(const Places &places)
     cells.reserve(places_of_kind.size());
     for (const dealii::Point<dim> &x : places_of_kind)
     {
+      lattice->check_inside(x, kind);
       const Index c = lattice->cell_of(x);
-      if (!lattice->contains(c))
-      {
-        std::ostringstream message;
-        message << "a " << kind << " at (" << x
-                << ") m lies outside of the background mesh: enlarge 'Mesh/Lower' and 'Mesh/Upper'";
-        throw ComputationError(message.str());
-      }
       for (unsigned int d = 0; d < dim; ++d)
       {
         lower[d] = std::min(lower[d], c[d]);
@@ -246,25 +237,6 @@ void BodyField<dim>::evaluate_points(const Places &places)
     evaluate(places.points[p], cell_index[point_cell[p]],
              places.half_extent.empty() ? 0. : places.half_extent[p], &point_values[p * n_cell_nodes],
              &point_slopes[p * n_cell_nodes]);
-}
-
-template <int dim>
-std::vector<unsigned int> BodyField<dim>::cell_order(const Lattice<dim> &lattice,
-                                                     const std::vector<dealii::Point<dim>> &places)
-{
-  std::vector<std::int64_t> key(places.size());
-  for (unsigned int p = 0; p < places.size(); ++p)
-  {
-    const Index c = lattice.cell_of(places[p]);
-    for (int d = dim - 1; d >= 0; --d)
-      key[p] = key[p] * (lattice.n_cells()[d] + 8) + (c[d] + 4);
-  }
-  std::vector<unsigned int> order(places.size());
-  std::iota(order.begin(), order.end(), 0u);
-  if (!std::is_sorted(key.begin(), key.end()))
-    std::stable_sort(order.begin(), order.end(),
-                     [&](const unsigned int a, const unsigned int b) { return key[a] < key[b]; });
-  return order;
 }
 
 template <int dim>

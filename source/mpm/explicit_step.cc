@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/external_force.h>
 #include <softgrain/mpm/world.h>
 
 #include <sstream>
@@ -100,7 +101,7 @@ StepOutcome explicit_step(World &world, const double dt)
     {
       std::ostringstream text;
       text << "a material point of body '" << body.name << "' turned inside out near ("
-           << body.points.position[stress.bad_point]
+           << body.points[stress.bad_point].position()
            << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
       outcome.reason = text.str();
       return outcome;

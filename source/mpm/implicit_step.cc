@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/external_force.h>
 #include <softgrain/mpm/row_velocity.h>
 #include <softgrain/mpm/whole_rotation.h>
 #include <softgrain/mpm/world.h>
@@ -411,7 +412,7 @@ private:
     std::ostringstream text;
     const Body<2> &body = world.bodies[bad_body];
     text << "a material point of body '" << body.name << "' turned inside out near ("
-         << body.points.position[bad_point]
+         << body.points[bad_point].position()
          << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
     return text.str();
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/lattice.h>
 
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -23,6 +25,17 @@ Lattice<dim>::Lattice(const dealii::Point<dim> &lower,
     end[d] += cells[d] * h;
   }
   dealii::GridGenerator::subdivided_hyper_rectangle(mesh, repetitions, lower, end);
+}
+
+template <int dim>
+void Lattice<dim>::check_inside(const dealii::Point<dim> &x, const std::string &thing) const
+{
+  if (contains(cell_of(x)))
+    return;
+  std::ostringstream message;
+  message << "a " << thing << " at (" << x
+          << ") m lies outside of the background mesh: enlarge 'Mesh/Lower' and 'Mesh/Upper'";
+  throw ComputationError(message.str());
 }
 
 template class Lattice<2>;

@@ -2,8 +2,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/assembly.h>
 #include <softgrain/mpm/body_builder.h>
+#include <softgrain/mpm/external_force.h>
 #include <softgrain/mpm/mpm_model.h>
 #include <softgrain/mpm/nodal_contact.h>
+#include <softgrain/mpm/point_store.h>
 #include <softgrain/mpm/surface_contact.h>
 
 #include <algorithm>
@@ -33,10 +35,20 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   const Settings &settings = world.settings;
   world.lattice = std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
   world.shape = create_shape_function(settings.shape);
-  const BuildContext context{*world.lattice, *world.shape, settings};
-  for (const BodyDescription<2> &body : world.scene.bodies)
-    world.bodies.push_back(build_body(body, world.bodies.size(), laws[body.material],
-                                      world.scene.materials[body.material].density, context));
+  PointNeeds needs;
+  needs.acceleration = settings.scheme.stored_acceleration;
+  needs.affine = settings.affine_transfer;
+  for (const auto &law : laws)
+  {
+    needs.volume = needs.volume || law->kinematics() == constitutive::Kinematics::small_strain;
+    needs.n_history = std::max(needs.n_history, law->n_history());
+  }
+  world.points = std::make_unique<PointStore<2>>(*world.lattice, PointLayout<2>(needs));
+  const BuildContext context{*world.lattice, *world.shape, settings, *world.points};
+  std::vector<BodyDescription<2>> descriptions = world.scene.bodies;
+  for (const BodyDescription<2> &body : descriptions)
+    world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
+                                     world.scene.materials[body.material].density, context));
   for (const WallDescription<2> &description : world.scene.walls)
   {
     Wall wall;
@@ -46,12 +58,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     if (description.type == WallDescription<2>::Type::material_points)
     {
       wall.body = world.bodies.size();
-      world.bodies.push_back(build_body(wall_slab(description, context), wall.body, laws[0],
-                                        world.scene.materials[0].density, context));
+      descriptions.push_back(wall_slab(description, context));
+      world.bodies.push_back(
+          make_body(descriptions.back(), wall.body, laws[0], world.scene.materials[0].density, context));
       world.bodies.back().wall = world.walls.size();
     }
     world.walls.push_back(std::move(wall));
   }
+  world.sort_points();
+  for (Body<2> &body : world.bodies)
+    start_body(body, descriptions[body.index], context);
   if (settings.scheme.implicit)
   {
     world.matrices.resize(world.bodies.size());
@@ -186,9 +202,16 @@ void MpmModel::refresh_forces(Body<2> &body)
   StepState<2> &s = body.step;
   const auto n = body.points.size();
   s.grid_gradient.assign(n, dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}}));
-  s.gradient = body.points.gradient;
-  s.stress = body.points.stress;
-  s.volume = body.small_strain() ? body.points.volume : body.points.rest_volume;
+  s.gradient.resize(n);
+  s.stress.resize(n);
+  s.volume.resize(n);
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    const auto point = body.points[p];
+    s.gradient[p] = point.gradient();
+    s.stress[p] = point.stress();
+    s.volume[p] = body.small_strain() ? point.volume() : point.rest_volume();
+  }
   internal_force(body, body.internal_force);
 }
 
@@ -197,13 +220,26 @@ void MpmModel::renew_grids()
   if (world.settings.grid_update == GridUpdate::never)
     return;
   dealii::TimerOutput::Scope section(*timer, "grid update");
-  const BuildContext context{*world.lattice, *world.shape, world.settings};
-  for (Body<2> &body : world.bodies)
+  const BuildContext context{*world.lattice, *world.shape, world.settings, *world.points};
+  // All are looked at before any changes, so that a body that has left the mesh ends the run with a good
+  // state.
+  std::vector<unsigned int> leaving;
+  std::vector<std::vector<dealii::Point<2>>> places;
+  for (const Body<2> &body : world.bodies)
+    if (world.settings.grid_update == GridUpdate::every_step ||
+        grid_distortion(body) >= world.settings.distortion_limit)
+    {
+      leaving.push_back(body.index);
+      places.push_back(places_reached(body, *world.lattice));
+    }
+  if (leaving.empty())
+    return;
+  for (unsigned int i = 0; i < leaving.size(); ++i)
+    leave_grid(world.bodies[leaving[i]], places[i], context);
+  world.sort_points();
+  for (const unsigned int b : leaving)
   {
-    if (world.settings.grid_update == GridUpdate::distortion &&
-        grid_distortion(body) < world.settings.distortion_limit)
-      continue;
-    leave_grid(body, world.settings, *world.shape, world.lattice->cell_size());
+    Body<2> &body = world.bodies[b];
     lay_grid(body, context);
     if (body.driven)
     {

@@ -46,17 +46,18 @@ void add_points(const Body<2> &body, PointStates<2> &points)
   body.field.prolongate(body.velocity, v);
   for (unsigned int p = 0; p < n; ++p)
   {
-    const std::size_t at = first + body.points.id[p];
+    const auto point = body.points[p];
+    const std::size_t at = first + body.points.number(p);
     auto [moved, gradient] = field_at(body.field, p, u);
     gradient[0][0] += 1.;
     gradient[1][1] += 1.;
-    const auto F = gradient * body.points.gradient[p];
+    const auto F = gradient * point.gradient();
     const double J = body.small_strain() ? 1. : determinant(F);
-    points.position[at] = body.points.position[p] + moved;
+    points.position[at] = point.position() + moved;
     points.velocity[at] = field_at(body.field, p, v).first;
-    points.size[at] = body.points.rest_volume[p] * determinant(F);
-    points.stress[at] = body.points.stress[p] / J;
-    points.out_of_plane_stress[at] = body.points.out_of_plane_stress[p] / J;
+    points.size[at] = point.rest_volume() * determinant(F);
+    points.stress[at] = point.stress() / J;
+    points.out_of_plane_stress[at] = point.out_of_plane_stress() / J;
     points.deformation_gradient[at] = F;
   }
 }
@@ -103,8 +104,9 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     // Kirchhoff stress per rest volume is Cauchy stress per current volume.
-    state.mean_stress += body.points.rest_volume[p] * body.points.stress[p];
-    volume += body.points.rest_volume[p];
+    const auto point = body.points[p];
+    state.mean_stress += point.rest_volume() * point.stress();
+    volume += point.rest_volume();
   }
   if (state.area > 0.)
     state.mean_stress /= body.small_strain() ? volume : state.area;

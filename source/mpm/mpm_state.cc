@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/point_store.h>
 #include <softgrain/scene/state_file.h>
 
 #include <algorithm>
@@ -40,6 +41,52 @@ Eigen::VectorXd vector_of(const std::vector<double> &numbers)
 {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
 }
+
+/// Points by id, so that equal states give equal files however the particles lie in memory.
+void save_points(const PointStore<2> &store, StateWriter &out)
+{
+  const std::vector<PointStore<2>::Handle> handles = store.by_id();
+  std::vector<dealii::Point<2>> positions;
+  for (const auto handle : handles)
+    positions.push_back(store(handle).position());
+  out.write("mpm/points/position", flat(positions));
+  for (const PointSlotDescription &slot : store.layout().slots())
+  {
+    std::vector<double> values;
+    for (const auto handle : handles)
+    {
+      const auto point = store(handle);
+      values.insert(values.end(), point.data(slot.slot), point.data(slot.slot) + slot.n_components);
+    }
+    out.write("mpm/points/" + slot.name, values);
+  }
+}
+
+void load_points(PointStore<2> &store, const StateReader &in)
+{
+  std::vector<dealii::Point<2>> positions;
+  unflat(in.read_doubles("mpm/points/position"), positions);
+  const std::vector<double> bodies = in.read_doubles("mpm/points/body");
+  if (positions.size() != store.size() || bodies.size() != positions.size())
+    throw InputError("the checkpoint was made with another number of material points");
+  store.clear();
+  store.reserve(positions.size());
+  std::vector<PointStore<2>::Handle> handles;
+  for (std::size_t p = 0; p < positions.size(); ++p)
+    handles.push_back(store.add(positions[p], static_cast<unsigned int>(bodies[p])));
+  for (const PointSlotDescription &slot : store.layout().slots())
+  {
+    const std::vector<double> values = in.read_doubles("mpm/points/" + slot.name);
+    if (values.size() != positions.size() * slot.n_components)
+      throw InputError("the checkpoint was made with other settings: its points have another '" + slot.name +
+                       "'");
+    for (std::size_t p = 0; p < positions.size(); ++p)
+    {
+      auto point = store(handles[p]);
+      std::copy_n(&values[p * slot.n_components], slot.n_components, point.data(slot.slot));
+    }
+  }
+}
 } // namespace
 
 void MpmModel::save(StateWriter &out) const
@@ -72,23 +119,10 @@ void MpmModel::save(StateWriter &out) const
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
 
+  save_points(*world.points, out);
   for (const Body<2> &body : world.bodies)
   {
     const std::string at = "mpm/bodies/" + body.name + "/";
-    const PointData<2> &points = body.points;
-    out.write(at + "id", std::vector<std::uint64_t>(points.id.begin(), points.id.end()));
-    out.write(at + "position", flat(points.position));
-    out.write(at + "volume", points.volume);
-    out.write(at + "rest_volume", points.rest_volume);
-    out.write(at + "mass", points.mass);
-    out.write(at + "half_extent", points.half_extent);
-    out.write(at + "gradient", flat(points.gradient));
-    out.write(at + "velocity", flat(points.velocity));
-    out.write(at + "acceleration", flat(points.acceleration));
-    out.write(at + "affine", flat(points.affine));
-    out.write(at + "history", points.history);
-    out.write(at + "stress", flat(points.stress));
-    out.write(at + "out_of_plane_stress", points.out_of_plane_stress);
     out.write(at + "boundary_grid_position", flat(body.boundary.grid_position));
     out.write(at + "boundary_position", flat(body.boundary.position));
     out.write(at + "nodes/displacement", flat(body.displacement));
@@ -133,27 +167,12 @@ void MpmModel::load(StateReader &in)
   for (std::size_t k = 0; k < keys.size(); ++k)
     world.contact.memory()[keys[k]] = {{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
-  const BuildContext context{*world.lattice, *world.shape, world.settings};
+  load_points(*world.points, in);
+  world.sort_points();
+  const BuildContext context{*world.lattice, *world.shape, world.settings, *world.points};
   for (Body<2> &body : world.bodies)
   {
     const std::string at = "mpm/bodies/" + body.name + "/";
-    PointData<2> &points = body.points;
-    const auto ids = in.read_integers(at + "id");
-    if (ids.size() != points.size())
-      throw InputError("the checkpoint was made with another number of points in body '" + body.name + "'");
-    points.id.assign(ids.begin(), ids.end());
-    unflat(in.read_doubles(at + "position"), points.position);
-    points.volume = in.read_doubles(at + "volume");
-    points.rest_volume = in.read_doubles(at + "rest_volume");
-    points.mass = in.read_doubles(at + "mass");
-    points.half_extent = in.read_doubles(at + "half_extent");
-    unflat(in.read_doubles(at + "gradient"), points.gradient);
-    unflat(in.read_doubles(at + "velocity"), points.velocity);
-    unflat(in.read_doubles(at + "acceleration"), points.acceleration);
-    unflat(in.read_doubles(at + "affine"), points.affine);
-    points.history = in.read_doubles(at + "history");
-    unflat(in.read_doubles(at + "stress"), points.stress);
-    points.out_of_plane_stress = in.read_doubles(at + "out_of_plane_stress");
     unflat(in.read_doubles(at + "boundary_grid_position"), body.boundary.grid_position);
     lay_grid(body, context);
     unflat(in.read_doubles(at + "boundary_position"), body.boundary.position);

@@ -57,7 +57,8 @@ void look(const Body<2> &body, BodyViews &at)
 {
   const BodyField<2> &field = body.field;
   const unsigned int n = field.nodes_per_cell();
-  at.uncut = *std::max_element(body.points.half_extent.begin(), body.points.half_extent.end());
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    at.uncut = std::max(at.uncut, body.points[p].half_extent());
   for (unsigned int c = 0; c < field.n_cells(); ++c)
   {
     const unsigned int *nodes = field.nodes_of_cell(c);
@@ -69,8 +70,9 @@ void look(const Body<2> &body, BodyViews &at)
       for (unsigned int p = field.first_point(c); p < field.first_point(c + 1); ++p)
         if (field.values(p)[k] > 0.)
         {
-          view.mass += body.points.mass[p] * field.values(p)[k];
-          view.gradient += body.points.mass[p] * field.slopes(p)[k];
+          const double mass = body.points[p].mass();
+          view.mass += mass * field.values(p)[k];
+          view.gradient += mass * field.slopes(p)[k];
           view.points.push_back(p);
         }
     }
@@ -103,12 +105,12 @@ double extent(const Body<2> &body,
     // Half the thickness along the normal of the ellipse that the circle in the domain of the point has
     // become. The boundary has cut the domains of its points to a thickness V / edge; half_extent is sqrt(V)
     // / 2.
-    const double cut = body.points.half_extent[p] / at.uncut;
-    const double r =
-        cut * body.points.half_extent[p] * (transpose(body.points.gradient[p]) * direction).norm();
-    const double furthest = body.points.position[p] * direction + r;
+    const auto point = body.points[p];
+    const double cut = point.half_extent() / at.uncut;
+    const double r = cut * point.half_extent() * (transpose(point.gradient()) * direction).norm();
+    const double furthest = point.position() * direction + r;
     anywhere = std::max(anywhere, furthest);
-    if (std::abs((body.points.position[p] - body.field.position(node)) * tangent) <= 0.5 * cell_size)
+    if (std::abs((point.position() - body.field.position(node)) * tangent) <= 0.5 * cell_size)
       beside = std::max(beside, furthest);
   }
   return beside > std::numeric_limits<double>::lowest() ? beside : anywhere;

@@ -33,7 +33,7 @@ double rotation_resistance(const Body<2> &body)
 {
   double pressure_area = 0.;
   for (unsigned int p = 0; p < body.points.size(); ++p)
-    pressure_area -= 0.5 * body.points.rest_volume[p] * trace(body.points.stress[p]);
+    pressure_area -= 0.5 * body.points[p].rest_volume() * trace(body.points[p].stress());
   return 2.5 * std::max(0., pressure_area) + 1e-3 * body.law->young_modulus() * body.rest_area;
 }
 

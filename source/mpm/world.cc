@@ -2,12 +2,24 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/assembly.h>
 #include <softgrain/mpm/body_builder.h>
+#include <softgrain/mpm/point_store.h>
 #include <softgrain/mpm/world.h>
 
 #include <algorithm>
 
 namespace softgrain::mpm
 {
+World::World() = default;
+World::~World() = default;
+
+void World::sort_points()
+{
+  points->sort();
+  std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(bodies.size());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    bodies[b].points.renew(std::move(lists[b]));
+}
+
 std::vector<WallMotion<2>> World::wall_motion(const double dt) const
 {
   std::vector<WallMotion<2>> motion;
@@ -109,6 +121,24 @@ void account_contacts(World &world,
       world.balance.contact_loss -= acting * relative;
     }
 }
+
+/// Gives the points what the step has come to.
+void keep_stress(Body<2> &body)
+{
+  const unsigned int n_history = body.law->n_history();
+  parallel_for(body.points.size(), 1024,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t p = begin; p < end; ++p)
+                 {
+                   auto point = body.points[p];
+                   point.stress() = body.step.stress[p];
+                   point.out_of_plane_stress() = body.step.out_of_plane_stress[p];
+                   if (n_history > 0)
+                     std::copy_n(&body.step.history[p * n_history], n_history, point.history());
+                 }
+               });
+}
 } // namespace
 
 void accept_step(World &world,
@@ -146,9 +176,7 @@ void accept_step(World &world,
     body.displacement += increment[b];
     std::swap(body.velocity, end_velocity[b]);
     move_boundary(body);
-    body.points.stress = body.step.stress;
-    body.points.out_of_plane_stress = body.step.out_of_plane_stress;
-    std::swap(body.points.history, body.step.history);
+    keep_stress(body);
     body.elastic_energy = stored_energy(body);
     for (unsigned int p = 0; p < body.points.size(); ++p)
       world.balance.law_loss += body.step.dissipation[p] * body.step.volume[p];

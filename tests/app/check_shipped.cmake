@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# `PROGRAM check FILE` must pass in an empty folder, say nothing on stderr and write nothing.
+# `PROGRAM check FILE` (with CHANGES set, if any) must pass in an empty folder, say nothing on stderr and write nothing.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-execute_process(COMMAND ${PROGRAM} check ${FILE}
+set(assignment "")
+if(CHANGES)
+  set(assignment --set ${CHANGES})
+endif()
+execute_process(COMMAND ${PROGRAM} check ${FILE} ${assignment}
   WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE printed ERROR_VARIABLE errors RESULT_VARIABLE status)
 if(NOT status EQUAL 0 OR NOT errors STREQUAL "")
   message(FATAL_ERROR "exit code ${status}\n${printed}\n${errors}")

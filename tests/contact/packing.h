@@ -91,7 +91,7 @@ struct DiskSystem
 struct SystemSettings
 {
   double density = 1.;   ///< of a disk
-  double reach = 0.02;   ///< gap up to which a pair is a contact, in mean radii
+  double reach = 0.02;   ///< gap up to which a pair is a contact, in mean radii (0.5)
   double time_step = 1.; ///< turns gaps into velocities
   double friction = -1.; ///< below 0: no rotations
   double rolling = -1.;  ///< below 0: none

@@ -85,6 +85,11 @@ int main(int argc, char **argv)
   compare("grid update", "gallery/two_disks.prm", {"Material points/Grid update=every step"}, 30);
   compare("apic", "gallery/two_disks.prm",
           {"Material points/Grid update=every step", "Material points/Transfer=apic"}, 30);
+  // A limit that the bodies pass at different times.
+  compare("distortion", "gallery/two_disks.prm",
+          {"Material points/Grid update=distortion", "Material points/Distortion limit=1.02",
+           "Bodies/right/Radius=4e-3"},
+          30);
   compare("newmark", "gallery/two_disks.prm", {"Time/Scheme=newmark"}, 30);
   compare("explicit", "gallery/two_disks.prm", {"Time/Scheme=explicit"}, 60);
   compare("sliding block", "verification/sliding_block.prm", {}, 20);

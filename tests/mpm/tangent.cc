@@ -79,10 +79,10 @@ void check(const std::string &shape, const std::string &law, const std::string &
       x = size * uniform(generator);
     return v;
   };
-  for (auto &F : body.points.gradient)
+  for (unsigned int p = 0; p < body.points.size(); ++p)
     for (unsigned int d = 0; d < 2; ++d)
       for (unsigned int e = 0; e < 2; ++e)
-        F[d][e] += 0.1 * uniform(generator);
+        body.points[p].gradient()[d][e] += 0.1 * uniform(generator);
   const Eigen::VectorXd u = random(0.08), d = random(1.);
   constexpr double step = 1e-5;
   mpm::SystemMatrix matrix;

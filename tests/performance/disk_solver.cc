@@ -18,7 +18,7 @@ using contact::DiskAlgorithm;
 
 namespace
 {
-constexpr double wall_speed = 0.002; // mean radii per step
+constexpr double wall_speed = 0.002; // mean diameters per step
 
 /// Disks at rest, walls that close in: all four prescribed, or held by a mass of their own and pushed.
 DiskSystem scene(const Packing &packing, const SystemSettings &settings, const bool pushed)
@@ -67,8 +67,8 @@ void print_report(const contact::DiskSolverReport &report)
 void cold_start(const DiskSystem &system, const unsigned int max_sweeps)
 {
   DiskSystem exact = system;
-  auto settings = only_residual(1e-9);
-  settings.max_sweeps = 10 * max_sweeps;
+  auto settings = only_residual(1e-8);
+  settings.max_sweeps = 2 * max_sweeps;
   const auto report = solve_disks(exact.bodies, exact.contacts, settings);
   const std::vector<double> reference = wall_impulses(exact);
   std::cout << "reference: residual " << report.residual << " after " << report.sweeps << " sweeps\n"
@@ -146,7 +146,7 @@ void warm_start(Packing packing, DiskSystem system)
   {
     DiskSystem exact = system;
     auto settings = only_residual(1e-7);
-    settings.max_sweeps = 20000;
+    settings.max_sweeps = 4000;
     solve_disks(exact.bodies, exact.contacts, settings);
     const std::vector<double> reference = wall_impulses(exact);
     for (unsigned int way = 0; way < n_ways; ++way)
@@ -157,7 +157,7 @@ void warm_start(Packing packing, DiskSystem system)
       settings.algorithm = ways[way].algorithm;
       settings.tolerance = ways[way].tolerance;
       settings.wall_tolerance = ways[way].wall_tolerance;
-      settings.max_sweeps = 3000;
+      settings.max_sweeps = 2000;
       const auto start = std::chrono::steady_clock::now();
       const auto report = solve_disks(trial.bodies, trial.contacts, settings);
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -240,7 +240,7 @@ int main(int argc, char **argv)
   for (const bool pushed : {true, false})
   {
     const DiskSystem system = scene(packing, settings, pushed);
-    const unsigned int max_sweeps = system.contacts.size() > 100000 && friction ? 2000 : 5000;
+    const unsigned int max_sweeps = friction ? 3000 : 5000;
     std::cout << "\n"
               << packing.size() << " disks, " << system.contacts.size() << " contacts, walls "
               << (pushed ? "pushed" : "at constant speed") << "\n\nCold start\n";

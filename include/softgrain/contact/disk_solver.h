@@ -20,9 +20,9 @@ struct DiskSolverSettings
 {
   DiskAlgorithm algorithm = DiskAlgorithm::accelerated;
   double tolerance = 1e-3;      ///< natural-map residual over the approach speed
-  double wall_tolerance = 1e-2; ///< estimated error of the forces on walls over the largest of them
-  double penetration_tolerance =
-      0.; ///< worst approach speed that contacts may be left with [m/s]; 0: no matter
+  double wall_tolerance = 3e-2; ///< estimated error of the forces on walls over the largest of them
+  /// Worst approach speed that contacts may be left with [m/s]; 0: no matter.
+  double penetration_tolerance = 0.;
   unsigned int max_sweeps = 10000;
   double relaxation = 1.; ///< in (0, 2); for plain sweeps
   unsigned int check_interval = 5;

@@ -7,6 +7,7 @@
 #include <softgrain/contact/thread_team.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace softgrain::contact
@@ -78,6 +79,7 @@ private:
     std::uint32_t first, last;
   };
 
+  std::size_t n_bodies() const { return original_of.size(); }
   void number_bodies();
   void make_ranges();
   void pack(Range range, bool wall);
@@ -89,6 +91,8 @@ private:
   /// As for_ranges(), but all ranges at the same time: for work that only reads bodies.
   template <class Work>
   void for_ranges_at_once(const Work &work);
+  template <class Work>
+  void for_bodies(const Work &work);
   /// Calls work(packed row, index in the contacts) in the order of the rows.
   template <class Work>
   static void interleave(Range range, const Work &work);
@@ -97,9 +101,10 @@ private:
   const DiskContacts &contacts;
   ThreadTeam &team;
 
-  std::vector<Row> rows;
-  std::vector<State> states;
-  std::vector<std::array<double, n_velocities>> last_velocity;
+  // Not vectors: those would fill them on one thread before all threads do.
+  std::unique_ptr<Row[]> rows;
+  std::unique_ptr<State[]> states;
+  std::unique_ptr<std::array<double, n_velocities>[]> last_velocity;
   std::vector<std::uint32_t> packed_of;   ///< of a body of the caller
   std::vector<std::uint32_t> original_of; ///< of a packed body
   std::vector<Range> ranges;              ///< by colour; the last one is the walls

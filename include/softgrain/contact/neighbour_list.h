@@ -9,13 +9,13 @@
 namespace softgrain::contact
 {
 /**
- * @brief Pairs of disks that are near each other, found with a grid of cells and kept until a disk has moved by
- * half the skin (Verlet).
+ * @brief Pairs of disks that are near each other, found with a grid of cells and kept until a disk has moved
+ * by half the skin (Verlet).
  *
  * Pairs are ordered by tiles: vertical strips at least as wide as the longest pair, so that a tile reaches no
  * farther than the next strip and tiles of one colour (every other one) share no disk. Loops over pairs may
- * therefore run over the tiles of a colour at the same time and add to their disks without locks, with the same
- * answer for any number of threads. Each pair carries what its contact remembers from step to step.
+ * therefore run over the tiles of a colour at the same time and add to their disks without locks, with the
+ * same answer for any number of threads. Each pair carries what its contact remembers from step to step.
  */
 class NeighbourList
 {
@@ -23,9 +23,9 @@ public:
   /// How near a pair is that belongs to the list.
   struct Range
   {
-    double gap = 0;      ///< distance between the edges of any two disks [m]
-    double stretch = 0;  ///< in a group also those with centres nearer than this times the sum of the radii
-    double skin = 0;     ///< added to both, room to move before the list is made anew [m]
+    double gap = 0;     ///< distance between the edges of any two disks [m]
+    double stretch = 0; ///< in a group also those with centres nearer than this times the sum of the radii
+    double skin = 0;    ///< added to both, room to move before the list is made anew [m]
   };
 
   /// Impulses of a contact: normal, tangential, rolling.
@@ -57,7 +57,8 @@ public:
   std::uint32_t a(const std::size_t pair) const { return first[pair]; }
   std::uint32_t b(const std::size_t pair) const { return second[pair]; }
 
-  /// Tiles of a colour `c` are [colour_start()[c], colour_start()[c + 1]), pairs of tile t [tile_start()[t], …).
+  /// Tiles of a colour `c` are [colour_start()[c], colour_start()[c + 1]), pairs of tile t [tile_start()[t],
+  /// …).
   const std::vector<std::uint32_t> &tile_start() const { return tiles; }
   const std::vector<std::uint32_t> &colour_start() const { return colours; }
   unsigned int n_tiles() const { return tiles.empty() ? 0 : tiles.size() - 1; }

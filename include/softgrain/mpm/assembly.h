@@ -48,13 +48,6 @@ StressOutcome evaluate_stress(Body<dim> &body,
 template <int dim>
 void internal_force(Body<dim> &body, Eigen::VectorXd &force);
 
-/// Force of gravity and the body's own load on the independent nodes [N]; false when there is none.
-template <int dim>
-bool external_force(Body<dim> &body,
-                    const dealii::Tensor<1, dim> &gravity,
-                    double time,
-                    Eigen::VectorXd &force);
-
 /**
  * @brief Stiffness -d(internal force)/d(displacement) for the stress and tangent last evaluated, times @p
  * factor, added.

@@ -5,6 +5,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/constitutive/law.h>
 #include <softgrain/mpm/body_field.h>
+#include <softgrain/mpm/body_points.h>
 #include <softgrain/scene/scene.h>
 
 #include <deal.II/base/point.h>
@@ -19,31 +20,6 @@
 
 namespace softgrain::mpm
 {
-/**
- * @brief State of the material points of one body, one entry of every vector per point.
- *
- * This is the state that the points carry from grid to grid; what a step computes lives in StepState.
- */
-template <int dim>
-struct PointData
-{
-  std::vector<unsigned int> id;                     ///< number at generation; points are sorted by cell
-  std::vector<dealii::Point<dim>> position;         ///< when the grid was built [m]
-  std::vector<double> rest_volume;                  ///< [m^dim]
-  std::vector<double> mass;                         ///< [kg]
-  std::vector<double> half_extent;                  ///< half the edge of the domain at rest [m]
-  std::vector<double> volume;                       ///< small-strain laws: when the grid was built [m^dim]
-  std::vector<dealii::Tensor<2, dim>> gradient;     ///< F from rest to the configuration of the grid
-  std::vector<dealii::Tensor<1, dim>> velocity;     ///< when the grid was built [m/s]
-  std::vector<dealii::Tensor<1, dim>> acceleration; ///< `newmark` only [m/s^2]
-  std::vector<dealii::Tensor<2, dim>> affine;       ///< APIC matrix, when wanted [1/s]
-  std::vector<double> history;                      ///< rows of Law::n_history() values, end of the last step
-  std::vector<dealii::SymmetricTensor<2, dim>> stress; ///< as the law returns it, end of the last step [Pa]
-  std::vector<double> out_of_plane_stress;             ///< [Pa]
-
-  std::size_t size() const { return position.size(); }
-};
-
 /// What one step works on; sized once per grid, overwritten by every trial.
 template <int dim>
 struct StepState
@@ -58,9 +34,9 @@ struct StepState
   std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
   std::vector<double> energy;                           ///< per rest volume [J/m^dim]
   std::vector<double> dissipation;
-  std::vector<double> history;
-  Eigen::VectorXd nodal, nodal_increment; ///< scratch, all nodes
-  std::vector<double> of_cells;           ///< scratch, dim per node of every cell
+  std::vector<double> history_old, history; ///< rows of Law::n_history() values, start and end of the step
+  Eigen::VectorXd nodal, nodal_increment;   ///< scratch, all nodes
+  std::vector<double> of_cells;             ///< scratch, dim per node of every cell
 };
 
 /**
@@ -103,9 +79,9 @@ struct Body
   dealii::Tensor<1, dim> drive;                      ///< velocity of a driven body [m/s]
   unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
   std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
-  std::vector<dealii::Point<dim>> rest_position;     ///< of the points, when a load needs it [m]
+  std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
 
-  PointData<dim> points;
+  BodyPoints<dim> points;
   StepState<dim> step;
   Boundary<dim> boundary;
   BodyField<dim> field;

@@ -4,11 +4,13 @@
 
 #include <softgrain/mpm/body.h>
 #include <softgrain/mpm/lattice.h>
+#include <softgrain/mpm/point_store.h>
 #include <softgrain/mpm/settings.h>
 #include <softgrain/mpm/shape_function.h>
 #include <softgrain/scene/scene.h>
 
 #include <memory>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -18,17 +20,22 @@ struct BuildContext
   const Lattice<2> &lattice;
   const ShapeFunction &shape;
   const Settings &settings;
+  PointStore<2> &points; ///< of all bodies
 };
 
 /**
- * @brief A body at rest in its place: points, boundary, grid, and the initial velocity on its nodes.
+ * @brief A body at rest in its place: points and boundary. The points are to be sorted, then follows
+ * start_body().
  * @throw InputError when it holds no point or reaches out of the mesh
  */
-Body<2> build_body(const BodyDescription<2> &description,
-                   unsigned int index,
-                   std::shared_ptr<const constitutive::Law<2>> law,
-                   double density,
-                   const BuildContext &context);
+Body<2> make_body(const BodyDescription<2> &description,
+                  unsigned int index,
+                  std::shared_ptr<const constitutive::Law<2>> law,
+                  double density,
+                  const BuildContext &context);
+
+/// Lays the first grid and gives nodes and points their initial velocity. @throw InputError
+void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context);
 
 /// The slab of material points, three cells thick, that stands for a wall; it is driven and has no law of its
 /// own use.
@@ -36,16 +43,20 @@ Body<2> build_body(const BodyDescription<2> &description,
 BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context);
 
 /**
- * @brief Lays the grid anew under the points of a body: numbering, shape values, lumped mass (3.10) and what
- * the points bring to the nodes (3.13).
+ * @brief Lays the grid under the points of a body, sorted before: numbering, shape values, lumped mass (3.10)
+ * and what the points bring to the nodes (3.13).
  */
 void lay_grid(Body<2> &body, const BuildContext &context);
 
+/// Where the grid has taken the points of a body [m]. @throw ComputationError when one has left the mesh, or
+/// a marker has
+std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice);
+
 /**
- * @brief Gives what the nodes have reached to the points, before the grid is laid anew: places, deformation,
- * velocities.
+ * @brief Gives what the nodes have reached to the points, before they are sorted and the grid is laid anew:
+ * places, deformation, velocities.
  */
-void leave_grid(Body<2> &body, const Settings &settings, const ShapeFunction &shape, double cell_size);
+void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context);
 
 /// Places of the boundary markers for the present displacement of the nodes.
 void move_boundary(Body<2> &body);

@@ -45,7 +45,7 @@ public:
   /// Inputs of build(): where the body is on the lattice.
   struct Places
   {
-    const std::vector<dealii::Point<dim>> &points;  ///< material points, sorted by cell_order() [m]
+    const std::vector<dealii::Point<dim>> &points;  ///< material points, in the order of their cells [m]
     const std::vector<double> &volumes;             ///< their volumes, to tell how full a cell is [m^dim]
     const std::vector<double> &half_extent;         ///< half edge of their domains [m], GIMP only
     const std::vector<dealii::Point<dim>> &markers; ///< boundary markers, where the field must exist too [m]
@@ -84,10 +84,6 @@ public:
   /// Points are sorted by cell: those of cell @p c are first_point(c) ... first_point(c + 1) - 1.
   unsigned int first_point(const unsigned int c) const { return cell_point_start[c]; }
   const unsigned int *nodes_of_cell(const unsigned int c) const { return &cell_nodes[c * n_cell_nodes]; }
-
-  /// Order in which points at @p places must stand for build(): by cell, and within a cell as they are.
-  static std::vector<unsigned int> cell_order(const Lattice<dim> &lattice,
-                                              const std::vector<dealii::Point<dim>> &places);
 
   /**
    * @brief Sums what cells give to their nodes, in an order that does not depend on the number of threads.

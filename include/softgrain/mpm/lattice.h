@@ -8,6 +8,8 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <cmath>
+#include <string>
 
 namespace softgrain::mpm
 {
@@ -57,7 +59,35 @@ public:
     return true;
   }
 
+  /// @p x moved off the faces of its cell to 1e-10 of its edge, if it lies on one: rounding must not decide
+  /// to which cell a particle belongs, or whether to any.
+  dealii::Point<dim> off_faces(dealii::Point<dim> x) const
+  {
+    constexpr double least = 1e-10;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const double place = (x[d] - origin[d]) / h, first = std::floor(place), inside = place - first;
+      if (inside < least)
+        x[d] = origin[d] + h * (first + least);
+      else if (inside > 1. - least)
+        x[d] = origin[d] + h * (first + 1. - least);
+    }
+    return x;
+  }
+
+  /// @throw ComputationError when @p x, the place of a @p thing, lies outside of the mesh
+  void check_inside(const dealii::Point<dim> &x, const std::string &thing) const;
+
   const dealii::Triangulation<dim> &triangulation() const { return mesh; }
+
+  /// Cell of the mesh at integer coordinates @p c; its index counts the first coordinate fastest.
+  typename dealii::Triangulation<dim>::active_cell_iterator cell(const Index &c) const
+  {
+    int index = 0;
+    for (int d = dim - 1; d >= 0; --d)
+      index = index * cells[d] + c[d];
+    return typename dealii::Triangulation<dim>::active_cell_iterator(&mesh, 0, index);
+  }
 
 private:
   dealii::Point<dim> origin;

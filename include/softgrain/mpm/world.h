@@ -21,6 +21,9 @@
 
 namespace softgrain::mpm
 {
+template <int dim>
+class PointStore;
+
 /// A wall with its formula of motion and what it has felt.
 struct Wall
 {
@@ -52,10 +55,14 @@ struct Balance
  */
 struct World
 {
+  World();
+  ~World();
+
   Scene<2> scene;
   Settings settings;
   std::unique_ptr<Lattice<2>> lattice;
   std::unique_ptr<ShapeFunction> shape;
+  std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
   std::vector<SystemMatrix> matrices;                 ///< one per body, implicit schemes
@@ -65,6 +72,9 @@ struct World
   Balance balance;
   double time = 0; ///< [s]
   dealii::TimerOutput *timer = nullptr;
+
+  /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
+  void sort_points();
 
   /// Walls as the contact search sees them for a step of length @p dt from now.
   std::vector<WallMotion<2>> wall_motion(double dt) const;

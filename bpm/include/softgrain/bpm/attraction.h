@@ -35,7 +35,7 @@ public:
   /// Primaries attract each other up to this distance of centres over the sum of their radii (at least 1).
   virtual double range() const = 0;
 
-  /// Force at contact [N/m in 2D]: the scale of forces, of p_I = F0 / <a0> and of the time step.
+  /// Force at contact [N/m in 2D]: the scale of forces, of the stress F0 / a0 and of the time step.
   virtual double contact_force() const = 0;
 
   /**

@@ -98,6 +98,7 @@ private:
 
   double now = 0, step_scale = 1, last_dt = 0;
   std::size_t steps = 0;
+  std::size_t fallbacks = 0; ///< steps in which the accelerated contact solver gave way to plain sweeps
   Bookkeeping books;
   std::vector<double> area_at_start;    ///< enclosed by the outline of every body [m^2]
   mutable double area_now = -1;         ///< enclosed by all outlines when it was last measured [m^2]

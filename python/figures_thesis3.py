@@ -1,0 +1,213 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws figures 3.10-3.12 of Nguyen (2016), a grain between two walls, and measures plateau and unloading."""
+
+import argparse
+import json
+import os
+import sys
+
+from reading import InputError, Parser, need, run_tool
+
+try:
+    import matplotlib
+    matplotlib.use("Agg")  # no display is needed
+    import matplotlib.pyplot as plt
+    import numpy as np
+    from drawing import STYLE
+    from figures_diametral import CONSTANTS, compare_slopes, read_run
+    from figures_runs import NotDrawn
+    from figures_thesis4 import axes_of, finish, write, write_text
+except ImportError as missing:
+    print(f"figures thesis-3: {need('python3-matplotlib', missing)}", file=sys.stderr)
+    sys.exit(2)
+
+COLOURS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a")
+MPM_COLOUR = "#0072B2"
+THESIS = {"plateau_Pa": 0.5e6, "characteristic_stress_Pa": 0.5e6, "plateau_over_characteristic": 1.,
+          "linear_until_strain": 0.02, "unloading_slope_Pa": 25e6, "unloading_slope_over_plateau": 50.}
+THESIS_DIAMETERS = (0.16e-3, 0.26e-3)
+MPA = 1e-6
+
+
+def parse_arguments():
+    parser = Parser(
+        prog="figures thesis-3", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="What a run is, its parameters.prm and history.csv tell: the model, F0 and the diameters of the\n"
+               "primaries, whether the walls open again. The runs need the walls bottom and top and, unless\n"
+               "history.csv has a column width_m, outlines in snapshots.h5 or fields.pvd.\n\n"
+               "examples:\n"
+               "  softgrain figures thesis-3 output/diametral_compression_*\n"
+               "  softgrain figures thesis-3 mpm bpm unloaded --output doc/pictures --format svg\n")
+    parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
+    parser.add_argument("--output", metavar="FOLDER", default="thesis-3",
+                        help="for figures, constants.md and constants.json (default: %(default)s)")
+    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
+    parser.add_argument("--dpi", type=int, default=200, help="dots per inch of png (default: %(default)s)")
+    arguments = parser.parse_args()
+    if not 10 <= arguments.dpi <= 2400:
+        raise InputError("--dpi must be 10 to 2400")
+    return arguments
+
+
+def same_diameters(run, diameters):
+    return run.diameters is not None and np.allclose(run.diameters, diameters, rtol=1e-6)
+
+
+def loading_runs(runs):
+    """Runs of primaries to draw while loading: of one grain those that only load, else the one loaded farthest."""
+    chosen = []
+    for key in dict.fromkeys(run.key for run in runs if run.model != "mpm"):
+        same = [run for run in runs if run.key == key]
+        only = [run for run in same if not run.unloading]
+        chosen += only or [max(same, key=lambda run: run.loading[0][-1])]
+    return chosen
+
+
+def draw_loading(axes, run, colour, label):
+    """The mean, and for primaries the rows themselves, faint."""
+    if run.model != "mpm":
+        axes.plot(run.loading[0], MPA * run.loading[1], color=colour, linewidth=0.4, alpha=0.22, zorder=2)
+    axes.plot(run.smooth[0], MPA * run.smooth[1], color=colour, linewidth=1.8, label=label, zorder=4)
+
+
+def draw_characteristic(axes, run, colour, label=None):
+    if run.characteristic_stress:
+        axes.axhline(MPA * run.characteristic_stress, color=colour, linewidth=1, linestyle=(0, (4, 2)), zorder=3,
+                     label=label)
+
+
+def limit_by_means(axes, runs):
+    """The noise may leave the panel, the means may not."""
+    curves = [curve for run in runs for curve in (run.smooth, run.smooth_unloading) if curve]
+    stresses = [curve[1].max() for curve in curves] + [run.characteristic_stress or 0. for run in runs]
+    axes.set(xlim=(0, 1.02 * max(curve[0].max() for curve in curves)), ylim=(0, 1.45 * MPA * max(stresses)))
+
+
+def finish_stress(axes, **settings):
+    finish(axes, "axial strain $\\varepsilon = \\ln(h_0/h)$", "stress $\\sigma = F/L$  [MPa]", **settings)
+
+
+def two_models(runs):
+    solid, bonded = [run for run in runs if run.model == "mpm"], loading_runs(runs)
+    bonded = [run for run in bonded if same_diameters(run, THESIS_DIAMETERS)] or bonded
+    if not solid or not bonded:
+        raise NotDrawn("it needs a run by MPM and one by BPM")
+    figure, (axes,) = axes_of("Fig. 3.10: a grain between two walls, MPM and BPM")
+    for number, run in enumerate(solid):
+        draw_loading(axes, run, MPM_COLOUR, "MPM" if number == 0 else None)
+    for run, colour in zip(bonded, np.resize(COLOURS, len(bonded))):
+        draw_loading(axes, run, colour, run.label)
+        draw_characteristic(axes, run, colour)
+    axes.plot([], [], color="#1a1a1a", linewidth=1, linestyle=(0, (4, 2)), label="$p_I = F_0/\\langle a_0\\rangle$")
+    limit_by_means(axes, solid + bonded)
+    finish_stress(axes)
+    return figure
+
+
+def polydispersities(runs):
+    panels = {}
+    for run in loading_runs(runs):
+        panels.setdefault(run.force, []).append(run)
+    panels = {force: sorted(found, key=lambda run: run.mean_diameter or run.diameters[0])
+              for force, found in sorted(panels.items(), key=lambda item: item[0] or 0)
+              if None not in [run.diameters for run in found] and len({run.diameters for run in found}) > 1}
+    if not panels:
+        raise NotDrawn("it needs runs by BPM with different diameters and the same F0")
+    figure, all_axes = axes_of("Fig. 3.11: primaries of different sizes (dashed: $p_I = F_0/\\langle a_0\\rangle$)",
+                               len(panels))
+    for axes, (force, found) in zip(all_axes, panels.items()):
+        colours = {diameters: COLOURS[i % len(COLOURS)]
+                   for i, diameters in enumerate(dict.fromkeys(run.diameters for run in found))}
+        for run in found:
+            text = f"{1e3 * run.diameters[0]:.2f}\u2013{1e3 * run.diameters[1]:.2f} mm"
+            if run.mean_diameter:
+                text += f", $\\langle a_0\\rangle$ = {1e3 * run.mean_diameter:.3f} mm"
+            draw_loading(axes, run, colours[run.diameters], text)
+            draw_characteristic(axes, run, colours[run.diameters])
+        limit_by_means(axes, found)
+        finish_stress(axes, title=f"$F_0$ = {force:g} N/m" if force else "")
+    return figure
+
+
+def unloading(runs):
+    found = sorted((run for run in runs if run.unloading and run.model != "mpm"), key=lambda run: run.loading[0][-1])
+    if not found:
+        raise NotDrawn("it needs runs by BPM whose walls open again")
+    figure, (axes, near) = axes_of("Fig. 3.12: unloading", 2)
+    for run, colour in zip(found, np.resize(COLOURS, len(found))):
+        numbers = run.constants
+        label = f"from $\\varepsilon$ = {numbers['reversal_strain']:.3f}"
+        if len({other.key for other in found}) > 1:
+            label += f", {run.label}"
+        draw_loading(axes, run, colour, label)
+        axes.plot(run.smooth_unloading[0], MPA * run.smooth_unloading[1], color=colour, linewidth=1.8, zorder=4)
+        axes.plot(run.unloading[0], MPA * run.unloading[1], color=colour, linewidth=0.4, alpha=0.22, zorder=2)
+        # The way back alone, against what is recovered.
+        back = numbers["reversal_strain"]
+        if numbers["unloading_slope_Pa"]:
+            label += f": E' = {MPA * numbers['unloading_slope_Pa']:.0f} MPa"
+        near.plot(back - run.unloading[0], MPA * run.unloading[1], color=colour, linewidth=0.4, alpha=0.35, zorder=2)
+        near.plot(back - run.smooth_unloading[0], MPA * run.smooth_unloading[1], color=colour, linewidth=1.8,
+                  label=label, zorder=4)
+    limit_by_means(axes, found)
+    finish_stress(axes)
+    finish(near, "strain recovered", "stress $\\sigma = F/L$  [MPa]", xlim=(0, None), ylim=axes.get_ylim())
+    return figure
+
+
+FIGURES = {"3.10": two_models, "3.11": polydispersities, "3.12": unloading}
+
+
+def text_of(value):
+    return "-" if value is None else f"{value:.4g}"
+
+
+def table_of(runs):
+    """The constants as a Markdown table, those of the thesis (BPM, F0 = 100 N/m) beside ours."""
+    names = [os.path.basename(os.path.normpath(run.directory)) for run in runs]
+    rows = [["", "thesis, BPM", *names],
+            ["model", "BPM", *(run.model.upper() for run in runs)],
+            ["F0 [N/m]", "100", *(text_of(run.force) for run in runs)],
+            ["<a0> [mm]", "0.2", *(text_of(run.mean_diameter and 1e3 * run.mean_diameter) for run in runs)]]
+    for name, text in CONSTANTS.items():
+        rows.append([text, text_of(THESIS.get(name)), *(text_of(run.constants[name]) for run in runs)])
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths)) + " |" for row in rows]
+    lines.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
+    return "\n".join(lines) + "\n"
+
+
+def numbers_of(runs):
+    """The same for programs."""
+    return {"thesis": THESIS,
+            "runs": [{"directory": run.directory, "model": run.model, "force_at_contact_N_per_m": run.force,
+                      "diameters_m": run.diameters, "mean_diameter_m": run.mean_diameter,
+                      "largest_strain": float(run.loading[0][-1]), "constants": run.constants} for run in runs]}
+
+
+def main():
+    arguments = parse_arguments()
+    runs = [read_run(directory) for directory in arguments.directories]
+    compare_slopes(runs)
+    os.makedirs(arguments.output, exist_ok=True)
+    plt.rcParams.update(STYLE)
+    for number, draw in FIGURES.items():
+        try:
+            figure = draw(runs)
+        except NotDrawn as reason:
+            print(f"figure {number} is left out: {reason}")
+            continue
+        write(os.path.join(arguments.output, f"fig-{number}.{arguments.format}"),
+              lambda path: figure.savefig(path, dpi=arguments.dpi, facecolor="white"))
+        plt.close("all")
+    table = table_of(runs)
+    write(os.path.join(arguments.output, "constants.md"), lambda path: write_text(path, table))
+    numbers = json.dumps(numbers_of(runs), indent=1) + "\n"
+    write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
+    print(table, end="")
+    return 0
+
+
+if __name__ == "__main__":
+    run_tool(main)
