@@ -43,6 +43,8 @@ def parse_arguments():
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch of png (default: %(default)s)")
     parser.add_argument("--reference", type=float, default=0.8, metavar="PHI",
                         help="packing fraction of the reference state (default: %(default)s)")
+    parser.add_argument("--only", metavar="NUMBER", nargs="+", choices=list(FIGURES),
+                        help="figures to draw, of " + ", ".join(FIGURES) + " (default: all)")
     arguments = parser.parse_args()
     if not 10 <= arguments.dpi <= 2400:
         raise InputError("--dpi must be 10 to 2400")
@@ -298,9 +300,9 @@ def main():
     groups = groups_of(runs)
     os.makedirs(arguments.output, exist_ok=True)
     plt.rcParams.update(STYLE)
-    for number, draw in FIGURES.items():
+    for number in arguments.only or FIGURES:
         try:
-            figure = draw(groups)
+            figure = FIGURES[number](groups)
         except NotDrawn as reason:
             print(f"figure {number} is left out: {reason}")
             continue

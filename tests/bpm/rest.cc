@@ -29,6 +29,6 @@ int main()
             << ", primaries by " << below(5e-3, moved) << "\nkinetic over stored energy "
             << below(2e-5, fastest / energy) << ", stored energy changed by "
             << below(1e-5, end.energies.elastic / energy - 1.) << "\nmomentum error "
-            << below(1e-12, model->momentum_error()) << ", turning "
+            << below(1e-11, model->momentum_error()) << ", turning "
             << below(1e-5, end.bodies[0].angular_momentum) << '\n';
 }
