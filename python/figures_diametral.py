@@ -167,7 +167,7 @@ def smoothen(run):
 def linear_part(strain, stress):
     """(slope of the stiffest secant through the origin, strain beyond which the curve first is BEND away from it)."""
     searched = (strain >= LOADING_MEAN) & (strain <= STIFFEST_WITHIN)
-    if searched.sum() < 3:
+    if searched.sum() < 3 or strain[-1] < STIFFEST_WITHIN:
         return None, None
     secant = stress[searched] / strain[searched]
     stiffest = float(secant.max())

@@ -120,7 +120,8 @@ class Picture:
         if self.primaries and (arguments.contacts == "inner" or (arguments.contacts == "auto" and not self.field)):
             self.choose_forces(frames, len(np.unique(first.point_data["body"])))
         elif arguments.contacts == "inner":
-            raise InputError(f"--contacts inner is for primaries, {frames[0].files.get('points', 'the frame')} has none")
+            raise InputError("--contacts inner is for primaries: " +
+                             f"{frames[0].files.get('points', 'a frame without points')} has no radius_m")
         if arguments.attraction and self.contacts != "inner":
             raise InputError("--attraction needs --contacts inner and a run with 'Inner forces'")
 
