@@ -22,10 +22,14 @@ RunStatistics::RunStatistics(const Model<2> &model) : begin(std::chrono::steady_
   largest_energy = std::max(std::abs(energies.kinetic), std::abs(energies.elastic));
 }
 
-void RunStatistics::add_step(const StepReport &report, const Energies &energies)
+void RunStatistics::add_step(const StepReport &report)
 {
   max_contact_residual = std::max(max_contact_residual, report.contact_residual);
   max_penetration = std::max(max_penetration, report.max_penetration);
+}
+
+void RunStatistics::add_energies(const Energies &energies)
+{
   for (const double term : {energies.kinetic, energies.elastic, energies.dissipated, energies.external_work})
     largest_energy = std::max(largest_energy, std::abs(term));
   energy_error =

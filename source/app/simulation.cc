@@ -138,7 +138,7 @@ std::string Simulation::loop(const InterruptGuard &interrupt)
   {
     report = model.advance(planner.limit(model.time(), next_target()));
     planner.taken(report.dt);
-    statistics.add_step(report, model.energies());
+    statistics.add_step(report);
     write_due_output(report);
     progress.update(model.time(), model.step(), report, fraction_done(), fraction_at_start);
     if (parameters.checkpoint_minutes > 0 &&
@@ -203,6 +203,7 @@ void Simulation::write_history(const StepReport &report)
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const std::vector<WallState<2>> walls = model.walls();
   const Energies energies = model.energies();
+  statistics.add_energies(energies);
   HistoryRow row = {
       {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", report.dt}};
   for (const WallState<2> &wall : walls)

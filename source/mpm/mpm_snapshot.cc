@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/stress.h>
 #include <softgrain/scene/polygon.h>
 
 #include <algorithm>
@@ -44,6 +45,8 @@ void add_points(const Body<2> &body, PointStates<2> &points)
   Eigen::VectorXd u, v;
   body.field.prolongate(body.displacement, u);
   body.field.prolongate(body.velocity, v);
+  const std::vector<double> out_of_plane =
+      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
   for (unsigned int p = 0; p < n; ++p)
   {
     const auto point = body.points[p];
@@ -57,7 +60,7 @@ void add_points(const Body<2> &body, PointStates<2> &points)
     points.velocity[at] = field_at(body.field, p, v).first;
     points.size[at] = point.rest_volume() * determinant(F);
     points.stress[at] = point.stress() / J;
-    points.out_of_plane_stress[at] = point.out_of_plane_stress() / J;
+    points.out_of_plane_stress[at] = out_of_plane[p] / J;
     points.deformation_gradient[at] = F;
   }
 }

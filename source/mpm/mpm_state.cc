@@ -130,7 +130,6 @@ void MpmModel::save(StateWriter &out) const
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
     out.write(at + "nodes/acceleration", flat(body.acceleration));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
-    out.write(at + "elastic_energy", std::vector<double>{body.elastic_energy});
   }
 }
 
@@ -181,7 +180,6 @@ void MpmModel::load(StateReader &in)
     body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
     body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
     body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
-    body.elastic_energy = in.read_doubles(at + "elastic_energy").at(0);
     if (world.settings.scheme.implicit && !body.driven)
       world.matrices[body.index].reinit(body.field);
   }

@@ -17,7 +17,6 @@ PointLayout<dim>::PointLayout(const PointNeeds &needs)
       {PointSlot::gradient, "deformation_gradient", dim * dim, ""},
       {PointSlot::velocity, "velocity", dim, "m/s"},
       {PointSlot::stress, "stress", dealii::SymmetricTensor<2, dim>::n_independent_components, "Pa"},
-      {PointSlot::out_of_plane, "out_of_plane_stress", 1, "Pa"},
       {PointSlot::volume, "volume", needs.volume ? 1u : 0u, length},
       {PointSlot::acceleration, "acceleration", needs.acceleration ? dim : 0u, "m/s^2"},
       {PointSlot::affine, "affine_velocity", needs.affine ? dim * dim : 0u, "1/s"},

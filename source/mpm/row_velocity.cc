@@ -8,7 +8,8 @@ std::vector<double> row_velocity(const World &world,
                                  const std::vector<WallMotion<2>> &motion,
                                  const std::vector<double> &start_relative,
                                  const double theta,
-                                 const double dt)
+                                 const double dt,
+                                 const bool reopen)
 {
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
@@ -18,8 +19,10 @@ std::vector<double> row_velocity(const World &world,
     const bool plane = rows[r].partner == ContactRow<2>::none;
     const double wall = plane ? motion[rows[r].wall].velocity : 0.;
     q[r * components] -= wall;
-    const double predicted = rows[r].gap + (1. - theta) * dt * (start_relative[r * components] - wall);
-    if (predicted > 0. || theta == 1.)
+    double predicted = rows[r].gap;
+    if (theta < 1.)
+      predicted += (1. - theta) * dt * (start_relative[r * components] - wall);
+    if (predicted > 0. || reopen)
       q[r * components] += predicted / (theta * dt);
   }
   return q;

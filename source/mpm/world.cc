@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
-#include <softgrain/mpm/assembly.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/point_store.h>
 #include <softgrain/mpm/world.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -20,7 +20,7 @@ void World::sort_points()
     bodies[b].points.renew(std::move(lists[b]));
 }
 
-std::vector<WallMotion<2>> World::wall_motion(const double dt) const
+std::vector<WallMotion<2>> World::begin_step(const double dt)
 {
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
@@ -28,7 +28,34 @@ std::vector<WallMotion<2>> World::wall_motion(const double dt) const
     motion.push_back({wall.point(), wall.description.normal,
                       wall.velocity.empty() ? 0. : wall.velocity[0]({time + 0.5 * dt}),
                       wall.description.friction, wall.body == ContactRow<2>::none});
+  for (unsigned int w = 0; w < walls.size(); ++w)
+    if (walls[w].body != ContactRow<2>::none)
+      bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
+  dealii::TimerOutput::Scope section(*timer, "contact search");
+  std::vector<ContactRow<2>> rows;
+  geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size()}, rows);
+  contact.reinit(std::move(rows), bodies);
   return motion;
+}
+
+void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
+{
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!bodies[b].driven)
+                     work(bodies[b]);
+               });
+}
+
+std::string World::inside_out(const unsigned int body, const std::size_t point) const
+{
+  std::ostringstream text;
+  text << "a material point of body '" << bodies[body].name << "' turned inside out near ("
+       << bodies[body].points[point].position()
+       << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
+  return text.str();
 }
 
 std::vector<double> end_gaps(const World &world,
@@ -126,18 +153,13 @@ void account_contacts(World &world,
 void keep_stress(Body<2> &body)
 {
   const unsigned int n_history = body.law->n_history();
-  parallel_for(body.points.size(), 1024,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t p = begin; p < end; ++p)
-                 {
-                   auto point = body.points[p];
-                   point.stress() = body.step.stress[p];
-                   point.out_of_plane_stress() = body.step.out_of_plane_stress[p];
-                   if (n_history > 0)
-                     std::copy_n(&body.step.history[p * n_history], n_history, point.history());
-                 }
-               });
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+  {
+    auto point = body.points[p];
+    point.stress() = body.step.stress[p];
+    if (n_history > 0)
+      std::copy_n(&body.step.history[p * n_history], n_history, point.history());
+  }
 }
 } // namespace
 
@@ -152,35 +174,40 @@ void accept_step(World &world,
   account_contacts(world, dt, rate, motion);
   const bool half = world.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
-  for (unsigned int b = 0; b < world.bodies.size(); ++b)
-  {
-    Body<2> &body = world.bodies[b];
+  for (Body<2> &body : world.bodies)
     if (body.driven)
     {
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
           body.displacement[2 * i + d] += dt * body.drive[d];
       move_boundary(body);
-      continue;
     }
-    if (external[b].size() > 0)
+    else if (external[body.index].size() > 0)
     {
-      world.balance.body_force_work += external[b].dot(rate[b]) * dt;
+      const Eigen::VectorXd &force = external[body.index];
+      world.balance.body_force_work += force.dot(rate[body.index]) * dt;
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
-          load[d] += external[b][2 * i + d];
+          load[d] += force[2 * i + d];
     }
-    if (half)
-      // (3.15), which is (3.16) as long as no position has been repaired.
-      body.acceleration = 2. / dt * (end_velocity[b] - body.velocity) - body.acceleration;
-    body.displacement += increment[b];
-    std::swap(body.velocity, end_velocity[b]);
-    move_boundary(body);
-    keep_stress(body);
-    body.elastic_energy = stored_energy(body);
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-      world.balance.law_loss += body.step.dissipation[p] * body.step.volume[p];
-  }
+  std::vector<double> law_loss(world.bodies.size(), 0.);
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        Eigen::VectorXd &v = end_velocity[body.index];
+        if (half)
+          // (3.15), which is (3.16) as long as no position has been repaired.
+          body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
+        body.displacement += increment[body.index];
+        std::swap(body.velocity, v);
+        move_boundary(body);
+        keep_stress(body);
+        if (body.law->n_history() > 0)
+          for (unsigned int p = 0; p < body.points.size(); ++p)
+            law_loss[body.index] += body.step.dissipation[p] * body.step.volume[p];
+      });
+  for (const double loss : law_loss)
+    world.balance.law_loss += loss;
   world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
   world.balance.carried_load = load;
   for (Wall &wall : world.walls)

@@ -3,7 +3,8 @@
 // neither its error nor the condition number of the system depends on how the mesh cuts the block.
 #include "scene_of.h"
 
-#include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/stiffness.h>
+#include <softgrain/mpm/stress.h>
 #include <softgrain/mpm/system_matrix.h>
 
 #include <Eigen/Eigenvalues>
@@ -37,7 +38,7 @@ double condition(const mpm::MpmModel &model)
   matrix.reinit(body.field);
   matrix.set_zero();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(body.field.n_dofs());
-  mpm::evaluate_stress(body, zero, zero, 0., {true, false});
+  mpm::evaluate_stress(body, zero, zero, 0., true);
   mpm::add_stiffness(body, std::pow(20. * model.cfl_step(), 2), false, matrix);
   matrix.add_mass<2>(body.mass, 1.);
   Eigen::MatrixXd A = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();

@@ -4,7 +4,8 @@
 // with deformation carried from an earlier grid.
 #include "scene_of.h"
 
-#include <softgrain/mpm/assembly.h>
+#include <softgrain/mpm/stiffness.h>
+#include <softgrain/mpm/stress.h>
 #include <softgrain/mpm/system_matrix.h>
 
 #include <iostream>
@@ -58,9 +59,9 @@ struct Evaluation
 Evaluation evaluate(mpm::Body<2> &body, const Eigen::VectorXd &u)
 {
   Evaluation e;
-  if (!mpm::evaluate_stress(body, u, u, 0., {true, true}).good())
+  if (!mpm::evaluate_stress(body, u, u, 0., true).good())
     std::cout << "inside out\n";
-  e.energy = mpm::stored_energy(body);
+  e.energy = mpm::measure_points(body, u, u).energy;
   mpm::internal_force(body, e.force);
   return e;
 }

@@ -21,7 +21,9 @@ public:
   /// Takes the energies of the start from @p model.
   explicit RunStatistics(const Model<2> &model);
 
-  void add_step(const StepReport &report, const Energies &energies);
+  void add_step(const StepReport &report);
+  /// Of a recorded step.
+  void add_energies(const Energies &energies);
 
   /// Counts @p seconds as spent on output.
   void add_output_seconds(double seconds) { output_seconds += seconds; }

@@ -29,11 +29,10 @@ struct StepState
   std::vector<dealii::Tensor<2, dim>> gradient;  ///< F of the trial
   std::vector<dealii::Tensor<2, dim>> increment; ///< displacement gradient over the step
   std::vector<double> volume;                    ///< that multiplies the stress: at rest, or (3.17) [m^dim]
-  std::vector<dealii::SymmetricTensor<2, dim>> stress; ///< [Pa]
-  std::vector<double> out_of_plane_stress;
+  std::vector<dealii::SymmetricTensor<2, dim>> stress;  ///< [Pa]
   std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
-  std::vector<double> energy;                           ///< per rest volume [J/m^dim]
-  std::vector<double> dissipation;
+  std::vector<double> energy, out_of_plane_stress;      ///< of measures only: per rest volume [J/m^dim], [Pa]
+  std::vector<double> dissipation;                      ///< of laws with history, per rest volume [J/m^dim]
   std::vector<double> history_old, history; ///< rows of Law::n_history() values, start and end of the step
   Eigen::VectorXd nodal, nodal_increment;   ///< scratch, all nodes
   std::vector<double> of_cells;             ///< scratch, dim per node of every cell
@@ -92,7 +91,6 @@ struct Body
   Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]
   Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
   Eigen::VectorXd internal_force;     ///< end of the last step [N]
-  double elastic_energy = 0;          ///< end of the last step [J]
 
   bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
 

@@ -18,7 +18,6 @@ enum class PointSlot : unsigned int
   gradient,     ///< F from rest to the configuration of the grid, by rows
   velocity,     ///< when the grid was laid
   stress,       ///< as the law returns it, end of the last step, in the order of dealii::SymmetricTensor
-  out_of_plane, ///< stress normal to the plane, end of the last step
   volume,       ///< small-strain laws only: when the grid was laid
   acceleration, ///< `newmark` only
   affine,       ///< APIC matrix, when wanted, by rows

@@ -51,8 +51,6 @@ public:
     return at<dealii::SymmetricTensor<2, dim>>(PointSlot::stress);
   }
   dealii::SymmetricTensor<2, dim> &stress() { return at<dealii::SymmetricTensor<2, dim>>(PointSlot::stress); }
-  double out_of_plane_stress() const { return at<double>(PointSlot::out_of_plane); }
-  double &out_of_plane_stress() { return at<double>(PointSlot::out_of_plane); }
 
   /// Only where the layout has it, like those that follow.
   double volume() const { return at<double>(PointSlot::volume); }

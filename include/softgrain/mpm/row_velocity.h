@@ -15,14 +15,16 @@ namespace softgrain::mpm
  * While a gap is open, once the part of the displacement that is known has happened, the condition holds for
  * the gap at the end of the step, so nothing touches early; once it is closed the condition holds for the
  * velocity.
- * @param start_relative H v at the start of the step [m/s]
+ * @param start_relative H v at the start of the step; empty when theta is 1 [m/s]
+ * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
  */
 std::vector<double> row_velocity(const World &world,
                                  const std::vector<Eigen::VectorXd> &v,
                                  const std::vector<WallMotion<2>> &motion,
                                  const std::vector<double> &start_relative,
                                  double theta,
-                                 double dt);
+                                 double dt,
+                                 bool reopen);
 } // namespace softgrain::mpm
 
 #endif

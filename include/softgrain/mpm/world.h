@@ -16,7 +16,9 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace softgrain::mpm
@@ -76,8 +78,15 @@ struct World
   /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
   void sort_points();
 
-  /// Walls as the contact search sees them for a step of length @p dt from now.
-  std::vector<WallMotion<2>> wall_motion(double dt) const;
+  /// What every step of length @p dt starts with: how walls move, slabs among them, and the contact rows.
+  std::vector<WallMotion<2>> begin_step(double dt);
+
+  /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
+  /// body's.
+  void for_moving_bodies(const std::function<void(Body<2> &)> &work);
+
+  /// Why a step that turned point @p point of body @p body inside out is no good.
+  std::string inside_out(unsigned int body, std::size_t point) const;
 };
 
 /// What a step tried and found; only an accepted one is written into the world.

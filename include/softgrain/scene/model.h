@@ -56,8 +56,9 @@ public:
   /// The neutral state: what pictures and measures are made of. Costs a pass over the points.
   virtual Snapshot<dim> snapshot() const = 0;
 
-  /// Walls and energies alone, cheap enough for every step.
+  /// Walls alone, cheap enough for every step.
   virtual std::vector<WallState<dim>> walls() const = 0;
+  /// May cost a pass over the points.
   virtual Energies energies() const = 0;
 
   /// Sum of the areas that the outlines of the bodies enclose now [m^2], for the packing fraction.

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/cell_slopes.h>
+#include <softgrain/mpm/stress.h>
+
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr std::size_t cell_grain = 32;
+
+template <int dim>
+dealii::Tensor<2, dim> identity()
+{
+  dealii::Tensor<2, dim> one;
+  for (unsigned int d = 0; d < dim; ++d)
+    one[d][d] = 1.;
+  return one;
+}
+
+/// Adds the gradient of a nodal vector at point @p p to @p gradient.
+template <int dim>
+void add_gradient(const BodyField<dim> &field,
+                  const unsigned int p,
+                  const unsigned int *nodes,
+                  const Eigen::VectorXd &nodal,
+                  dealii::Tensor<2, dim> &gradient)
+{
+  const dealii::Tensor<1, dim> *slope = field.slopes(p);
+  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const double u = nodal[dim * nodes[k] + d];
+      for (unsigned int e = 0; e < dim; ++e)
+        gradient[d][e] += u * slope[k][e];
+    }
+}
+
+/// What to compute besides the stress.
+struct Wishes
+{
+  bool tangent = false;
+  bool measures = false; ///< energy and out-of-plane stress
+};
+
+/// Sizes a step state for the body's points; cheap when nothing changed.
+template <int dim>
+void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
+{
+  const std::size_t n = body.points.size();
+  s.grid_gradient.resize(n);
+  s.gradient.resize(n);
+  s.volume.resize(n);
+  s.stress.resize(n);
+  if (body.small_strain() || body.law->n_history() > 0)
+    s.increment.resize(n);
+  if (wishes.tangent)
+    s.tangent.resize(n);
+  if (wishes.measures)
+  {
+    s.energy.resize(n);
+    s.out_of_plane_stress.resize(n);
+  }
+  if (body.law->n_history() > 0)
+  {
+    s.dissipation.resize(n);
+    s.history_old.resize(n * body.law->n_history());
+    s.history.resize(n * body.law->n_history());
+  }
+}
+
+/// F = (I + grad U) F_grid at the points of one cell, and what the law needs beside it.
+template <int dim>
+void deform_cell(const Body<dim> &body,
+                 const unsigned int cell,
+                 const double half_dt,
+                 const Eigen::VectorXd &nodal_velocity,
+                 StepState<dim> &s)
+{
+  const unsigned int *nodes = body.field.nodes_of_cell(cell);
+  const bool small = body.small_strain();
+  const unsigned int n_history = body.law->n_history();
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    s.grid_gradient[p] = identity<dim>();
+    add_gradient(body.field, p, nodes, s.nodal, s.grid_gradient[p]);
+    const auto point = body.points[p];
+    s.gradient[p] = s.grid_gradient[p] * point.gradient();
+    s.volume[p] = small ? point.volume() : point.rest_volume();
+    if (n_history > 0)
+      std::copy_n(point.history(), n_history, &s.history_old[p * n_history]);
+    if (s.increment.empty())
+      continue;
+    dealii::Tensor<2, dim> increment;
+    add_gradient(body.field, p, nodes, s.nodal_increment, increment);
+    if (small)
+    {
+      s.increment[p] = increment;
+      if (half_dt > 0.)
+      {
+        // (3.17): trapezoidal rule for the conservation of mass.
+        dealii::Tensor<2, dim> rate;
+        add_gradient(body.field, p, nodes, nodal_velocity, rate);
+        const double old_part = 1. + half_dt * trace(rate);
+        s.volume[p] *= old_part / (old_part - trace(increment));
+      }
+    }
+    else
+    {
+      // From the start of the step: (I + grad U)(I + grad U_old)^-1 - I.
+      s.increment[p] = s.grid_gradient[p] * invert(s.grid_gradient[p] - increment) - identity<dim>();
+    }
+  }
+}
+
+/// Replaces the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza Neto et al.
+/// 1996).
+template <int dim>
+void average_dilatation(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
+{
+  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  double sum = 0., weight = 0.;
+  for (unsigned int p = begin; p < end; ++p)
+  {
+    sum += s.volume[p] * (body.small_strain() ? trace(s.increment[p]) : determinant(s.gradient[p]));
+    weight += s.volume[p];
+  }
+  const double mean = sum / weight;
+  for (unsigned int p = begin; p < end; ++p)
+    if (body.small_strain())
+      s.increment[p] += (mean - trace(s.increment[p])) / dim * identity<dim>();
+    else if (determinant(s.gradient[p]) > 0. && mean > 0.)
+      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), 1. / dim);
+}
+
+template <int dim>
+StressOutcome evaluate(const Body<dim> &body,
+                       const Eigen::VectorXd &displacement,
+                       const Eigen::VectorXd &increment,
+                       const double half_dt,
+                       const Wishes &wishes,
+                       StepState<dim> &s)
+{
+  resize(body, wishes, s);
+  body.field.prolongate(displacement, s.nodal);
+  Eigen::VectorXd nodal_velocity;
+  if (!s.increment.empty())
+    body.field.prolongate(increment, s.nodal_increment);
+  if (half_dt > 0. && body.small_strain())
+    body.field.prolongate(body.velocity, nodal_velocity);
+
+  const unsigned int n_history = body.law->n_history();
+  std::atomic<std::size_t> bad{StressOutcome::none};
+  const auto work = [&](const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      deform_cell(body, c, half_dt, nodal_velocity, s);
+      if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+        average_dilatation(body, c, s);
+    }
+    const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
+    if (n == 0)
+      return;
+    constitutive::Inputs<dim> in;
+    in.n_points = n;
+    in.deformation_gradient = &s.gradient[first];
+    in.increment = s.increment.empty() ? nullptr : &s.increment[first];
+    constitutive::Outputs<dim> out;
+    out.stress = &s.stress[first];
+    if (wishes.tangent)
+      out.tangent = &s.tangent[first];
+    if (wishes.measures)
+    {
+      out.energy = &s.energy[first];
+      out.out_of_plane_stress = &s.out_of_plane_stress[first];
+    }
+    if (n_history > 0)
+    {
+      in.history_old = &s.history_old[first * n_history];
+      out.history_new = &s.history[first * n_history];
+      out.dissipation = &s.dissipation[first];
+    }
+    const std::size_t good = body.law->update(in, out);
+    if (good < n)
+    {
+      // The smallest index, so that the message does not depend on the number of threads.
+      std::size_t expected = bad.load();
+      while (first + good < expected && !bad.compare_exchange_weak(expected, first + good))
+        ;
+    }
+  };
+  parallel_for(body.field.n_cells(), cell_grain, work);
+  StressOutcome outcome;
+  outcome.bad_point = bad.load();
+  return outcome;
+}
+} // namespace
+
+template <int dim>
+StressOutcome evaluate_stress(Body<dim> &body,
+                              const Eigen::VectorXd &displacement,
+                              const Eigen::VectorXd &increment,
+                              const double half_dt,
+                              const bool tangent)
+{
+  return evaluate(body, displacement, increment, half_dt, {tangent, false}, body.step);
+}
+
+template <int dim>
+PointMeasures
+measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment)
+{
+  StepState<dim> s;
+  PointMeasures measures;
+  evaluate(body, displacement, increment, 0., {false, true}, s);
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    measures.energy += s.energy[p] * s.volume[p];
+  measures.out_of_plane_stress = std::move(s.out_of_plane_stress);
+  return measures;
+}
+
+template <int dim>
+void internal_force(Body<dim> &body, Eigen::VectorXd &force)
+{
+  StepState<dim> &s = body.step;
+  const unsigned int n = body.field.nodes_per_cell();
+  s.of_cells.assign(body.field.n_cells() * n * dim, 0.);
+  parallel_for(body.field.n_cells(), cell_grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 std::vector<dealii::Tensor<1, dim>> mean;
+                 for (std::size_t c = begin; c < end; ++c)
+                 {
+                   double *f = &s.of_cells[c * n * dim];
+                   double pressure = 0.;
+                   for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
+                   {
+                     auto stress = s.stress[p];
+                     if (body.f_bar)
+                     {
+                       const double mean_stress = trace(stress) / dim;
+                       pressure += s.volume[p] * mean_stress;
+                       for (unsigned int d = 0; d < dim; ++d)
+                         stress[d][d] -= mean_stress;
+                     }
+                     // -V tau G^-T, so that every node costs one product with its slope.
+                     dealii::Tensor<2, dim> q = -s.volume[p] * dealii::Tensor<2, dim>(stress);
+                     if (!body.small_strain())
+                       q = q * transpose(invert(s.grid_gradient[p]));
+                     const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] += q[d] * slope[k];
+                   }
+                   if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+                   {
+                     mean_slopes(body, c, mean);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] -= pressure * mean[k][d];
+                   }
+                 }
+               });
+  body.field.gather(s.of_cells, s.nodal_increment);
+  body.field.restrict(s.nodal_increment, force);
+}
+
+#define INSTANTIATE(dim)                                                                                     \
+  template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
+                                              double, bool);                                                 \
+  template PointMeasures measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                     \
+                                             const Eigen::VectorXd &);                                       \
+  template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+} // namespace softgrain::mpm
