@@ -3,8 +3,9 @@
 
 #include <deal.II/base/multithread_info.h>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include <algorithm>
 
 namespace softgrain
 {
@@ -23,14 +24,16 @@ void parallel_for(const std::size_t n,
                   const std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)> &work)
 {
-  if (n <= grain || n_threads() == 1)
+  // The same pieces whatever the number of threads: what is vectorised may round differently in the
+  // remainder of a piece, so other cuts could change the last bit.
+  const std::size_t n_pieces = (n + grain - 1) / grain;
+  const auto run = [&](const std::size_t piece) { work(piece * grain, std::min(n, (piece + 1) * grain)); };
+  if (n_pieces <= 1 || n_threads() == 1)
   {
-    if (n > 0)
-      work(0, n);
+    for (std::size_t piece = 0; piece < n_pieces; ++piece)
+      run(piece);
     return;
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                    [&work](const tbb::blocked_range<std::size_t> &range)
-                    { work(range.begin(), range.end()); });
+  tbb::parallel_for(std::size_t(0), n_pieces, run);
 }
 } // namespace softgrain

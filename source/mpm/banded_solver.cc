@@ -176,7 +176,7 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
   // W = Y^T Y with L Y = P H^T: half of the work of full solves, and symmetric by construction.
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(n_panels * block, rows.cols());
-  parallel_for(rows.cols(), 8,
+  parallel_for(rows.cols(), 16,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t c = begin; c < end; ++c)

@@ -82,14 +82,14 @@ StepOutcome explicit_step(World &world, const double dt)
       {
         const unsigned int b = body.index;
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    half_dt, false);
+                                    {half_dt, false, 0.});
         if (stress[b].good())
           internal_force(body, forces[b]);
       });
   for (unsigned int b = 0; b < n_bodies; ++b)
     if (!stress[b].good())
     {
-      outcome.reason = world.inside_out(b, stress[b].bad_point);
+      outcome.reason = world.why_not(b, stress[b]);
       return outcome;
     }
   for (unsigned int b = 0; b < n_bodies; ++b)

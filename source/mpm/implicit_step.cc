@@ -52,7 +52,7 @@ public:
       for (Eigen::VectorXd &v : trial)
         v.setZero();
       if (!equations.evaluate(trial))
-        return reject(equations.inside_out());
+        return reject(equations.why_not());
     }
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
@@ -219,7 +219,7 @@ private:
       if (now <= (1. - 1e-4 * alpha) * merit || equations.residual() <= world.settings.residual_tolerance)
         return "";
     }
-    return best == std::numeric_limits<double>::max() ? equations.inside_out()
+    return best == std::numeric_limits<double>::max() ? equations.why_not()
                                                       : "the line search found no smaller residual";
   }
 
@@ -277,7 +277,7 @@ private:
           energy[body.index] = -measure_points(body, before, increment).energy;
           increment += moved;
           energy[body.index] += measure_points(body, after, increment).energy;
-          good[body.index] = evaluate_stress(body, after, increment, half_dt, false).good();
+          good[body.index] = evaluate_stress(body, after, increment, {half_dt, false, 0.}).good();
           if (good[body.index])
             internal_force(body, equations.internal[body.index]);
         });

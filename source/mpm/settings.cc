@@ -101,6 +101,10 @@ void declare_time(dealii::ParameterHandler &prm)
                                  "Unbalanced impulse over the largest impulse of the step.");
                prm.declare_entry("Maximum iterations", "25", Integer(1, 1000),
                                  "More than this and the step is cut in half.");
+               prm.declare_entry(
+                   "Largest strain", "0.3", Double(1e-6, 1e6),
+                   "Of any material point in one implicit step (Green-Lagrange, norm); more and the "
+                   "step is cut: Newton may then have found another, false balance.");
              });
   in_section(prm, "Linear solver",
              [&]
@@ -222,6 +226,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
                energy_tolerance = prm.get_double("Energy tolerance");
                residual_tolerance = prm.get_double("Residual tolerance");
                max_newton = prm.get_integer("Maximum iterations");
+               max_strain = prm.get_double("Largest strain");
              });
   in_section(prm, "Linear solver",
              [&]

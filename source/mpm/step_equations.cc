@@ -73,7 +73,7 @@ bool StepEquations::evaluate(const Vectors &v)
         const unsigned int b = body.index;
         increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    half_dt, true);
+                                    {half_dt, true, world.settings.max_strain});
         if (!stress[b].good())
           return;
         internal_force(body, internal[b]);
@@ -91,7 +91,7 @@ bool StepEquations::evaluate(const Vectors &v)
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
     {
-      bad_point = stress[bad_body].bad_point;
+      trouble = stress[bad_body];
       return false;
     }
   return true;

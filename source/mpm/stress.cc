@@ -43,7 +43,7 @@ void add_gradient(const BodyField<dim> &field,
 /// What to compute besides the stress.
 struct Wishes
 {
-  bool tangent = false;
+  Trial trial;
   bool measures = false; ///< energy and out-of-plane stress
 };
 
@@ -56,9 +56,9 @@ void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
   s.gradient.resize(n);
   s.volume.resize(n);
   s.stress.resize(n);
-  if (body.small_strain() || body.law->n_history() > 0)
+  if (body.small_strain() || body.law->n_history() > 0 || wishes.trial.max_strain > 0.)
     s.increment.resize(n);
-  if (wishes.tangent)
+  if (wishes.trial.tangent)
     s.tangent.resize(n);
   if (wishes.measures)
   {
@@ -137,14 +137,28 @@ void average_dilatation(const Body<dim> &body, const unsigned int cell, StepStat
       s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), 1. / dim);
 }
 
+/// Whether the strain of any of these points over the step, f^T f - I with the deformation f over the step,
+/// is above twice @p limit; @return the first such point or @p end.
+template <int dim>
+std::size_t leaps(const StepState<dim> &s, const std::size_t begin, const std::size_t end, const double limit)
+{
+  for (std::size_t p = begin; p < end; ++p)
+  {
+    const dealii::Tensor<2, dim> f = identity<dim>() + s.increment[p];
+    if (!((transpose(f) * f - identity<dim>()).norm_square() <= 4. * limit * limit))
+      return p;
+  }
+  return end;
+}
+
 template <int dim>
 StressOutcome evaluate(const Body<dim> &body,
                        const Eigen::VectorXd &displacement,
                        const Eigen::VectorXd &increment,
-                       const double half_dt,
                        const Wishes &wishes,
                        StepState<dim> &s)
 {
+  const double half_dt = wishes.trial.half_dt;
   resize(body, wishes, s);
   body.field.prolongate(displacement, s.nodal);
   Eigen::VectorXd nodal_velocity;
@@ -172,7 +186,7 @@ StressOutcome evaluate(const Body<dim> &body,
     in.increment = s.increment.empty() ? nullptr : &s.increment[first];
     constitutive::Outputs<dim> out;
     out.stress = &s.stress[first];
-    if (wishes.tangent)
+    if (wishes.trial.tangent)
       out.tangent = &s.tangent[first];
     if (wishes.measures)
     {
@@ -185,7 +199,9 @@ StressOutcome evaluate(const Body<dim> &body,
       out.history_new = &s.history[first * n_history];
       out.dissipation = &s.dissipation[first];
     }
-    const std::size_t good = body.law->update(in, out);
+    std::size_t good = body.law->update(in, out);
+    if (good == n && wishes.trial.max_strain > 0.)
+      good = leaps(s, first, first + n, wishes.trial.max_strain) - first;
     if (good < n)
     {
       // The smallest index, so that the message does not depend on the number of threads.
@@ -197,6 +213,7 @@ StressOutcome evaluate(const Body<dim> &body,
   parallel_for(body.field.n_cells(), cell_grain, work);
   StressOutcome outcome;
   outcome.bad_point = bad.load();
+  outcome.leaps = !outcome.good() && determinant(s.gradient[outcome.bad_point]) > 0.;
   return outcome;
 }
 } // namespace
@@ -205,10 +222,9 @@ template <int dim>
 StressOutcome evaluate_stress(Body<dim> &body,
                               const Eigen::VectorXd &displacement,
                               const Eigen::VectorXd &increment,
-                              const double half_dt,
-                              const bool tangent)
+                              const Trial &trial)
 {
-  return evaluate(body, displacement, increment, half_dt, {tangent, false}, body.step);
+  return evaluate(body, displacement, increment, {trial, false}, body.step);
 }
 
 template <int dim>
@@ -217,7 +233,7 @@ measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const
 {
   StepState<dim> s;
   PointMeasures measures;
-  evaluate(body, displacement, increment, 0., {false, true}, s);
+  evaluate(body, displacement, increment, {Trial(), true}, s);
   for (unsigned int p = 0; p < body.points.size(); ++p)
     measures.energy += s.energy[p] * s.volume[p];
   measures.out_of_plane_stress = std::move(s.out_of_plane_stress);
@@ -272,7 +288,7 @@ void internal_force(Body<dim> &body, Eigen::VectorXd &force)
 
 #define INSTANTIATE(dim)                                                                                     \
   template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
-                                              double, bool);                                                 \
+                                              const Trial &);                                                \
   template PointMeasures measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                     \
                                              const Eigen::VectorXd &);                                       \
   template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);

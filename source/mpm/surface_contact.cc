@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
 #include <softgrain/mpm/surface_contact.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -61,7 +66,8 @@ struct Box
 struct Surface
 {
   Box box;
-  double speed = 0.; ///< of its fastest node [m/s]
+  Vector velocity;    ///< of its centre of mass [m/s]
+  double spread = 0.; ///< of the velocities of its nodes about it [m/s]
 };
 
 Surface look_at(const Body<2> &body)
@@ -70,11 +76,25 @@ Surface look_at(const Body<2> &body)
   for (const Point &x : body.boundary.position)
     surface.box.add(x);
   if (body.driven)
-    surface.speed = body.drive.norm();
-  else
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      surface.speed = std::max(surface.speed, body.velocity.segment<2>(2 * i).norm());
+  {
+    surface.velocity = body.drive;
+    return surface;
+  }
+  surface.velocity = body.momentum() / body.mass.sum();
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    surface.spread = std::max(surface.spread, std::hypot(body.velocity[2 * i] - surface.velocity[0],
+                                                         body.velocity[2 * i + 1] - surface.velocity[1]));
   return surface;
+}
+
+/// Gap up to which a row is needed where things come nearer at @p approach at most: twice that way, and what
+/// the walls may add when they hit what was at rest.
+double reach(const ContactScene<2> &scene, const double approach)
+{
+  double drive = 0.;
+  for (const WallMotion<2> &wall : scene.walls)
+    drive = std::max(drive, std::abs(wall.velocity));
+  return 0.1 * scene.cell_size + 2. * scene.dt * (approach + drive);
 }
 
 /// Half the way to the neighbouring contact markers on both sides.
@@ -111,7 +131,8 @@ void find_wall_rows(const ContactScene<2> &scene,
     const WallMotion<2> &wall = scene.walls[w];
     if (!wall.plane)
       continue;
-    const double margin = 0.5 * scene.cell_size + 2. * scene.dt * (surface.speed + std::abs(wall.velocity));
+    const double approach = std::abs(surface.velocity * wall.normal - wall.velocity) + surface.spread;
+    const double margin = reach(scene, approach);
     for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
     {
       const double gap = (body.boundary.position[m] - wall.point) * wall.normal;
@@ -199,7 +220,7 @@ void find_pair_rows(const ContactScene<2> &scene,
                     const Surface &other,
                     std::vector<Row> &rows)
 {
-  const double margin = 0.5 * scene.cell_size + 2. * scene.dt * (own.speed + other.speed);
+  const double margin = reach(scene, (own.velocity - other.velocity).norm() + own.spread + other.spread);
   if (!own.box.near(other.box, margin))
     return;
   // Segments one cell further than the margin: the nearest point of a marker within it lies on one of them.
@@ -235,27 +256,71 @@ void find_pair_rows(const ContactScene<2> &scene,
     rows.push_back(row);
   }
 }
+
+/// For every body those whose boundaries it looks for with its markers: all that are near, each pair once.
+std::vector<std::vector<unsigned int>> find_partners(const ContactScene<2> &scene,
+                                                     const std::vector<Surface> &surfaces)
+{
+  // Grown by this each, boxes overlap whenever find_pair_rows() may find a row.
+  std::vector<dealii::BoundingBox<2>> boxes;
+  for (const Surface &surface : surfaces)
+  {
+    Box box = surface.box;
+    const double margin = 0.5 * reach(scene, 2. * (surface.velocity.norm() + surface.spread));
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      box.lower[d] -= margin;
+      box.upper[d] += margin;
+    }
+    boxes.emplace_back(std::make_pair(box.lower, box.upper));
+  }
+  const auto tree = dealii::pack_rtree_of_indices(boxes);
+  std::vector<std::vector<unsigned int>> partners(boxes.size());
+  for (unsigned int b = 0; b < boxes.size(); ++b)
+    for (const std::size_t a :
+         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
+      if (a < b)
+      {
+        // The lower index looks, unless it is driven: what is driven needs no rows of its own.
+        const bool first = scene.bodies[a].driven, second = scene.bodies[b].driven;
+        if (!first)
+          partners[a].push_back(b);
+        else if (!second)
+          partners[b].push_back(a);
+      }
+  for (std::vector<unsigned int> &list : partners)
+    std::sort(list.begin(), list.end());
+  return partners;
+}
 } // namespace
 
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
 {
+  const std::size_t n = scene.bodies.size();
+  std::vector<Surface> surfaces(n);
+  parallel_for(n, 8,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   surfaces[b] = look_at(scene.bodies[b]);
+               });
+  const std::vector<std::vector<unsigned int>> partners = find_partners(scene, surfaces);
+  std::vector<std::vector<Row>> of_body(n);
+  parallel_for(n, 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                 {
+                   const Body<2> &body = scene.bodies[b];
+                   if (!body.driven)
+                     find_wall_rows(scene, body, surfaces[b], of_body[b]);
+                   for (const unsigned int partner : partners[b])
+                     find_pair_rows(scene, body, surfaces[b], scene.bodies[partner], surfaces[partner],
+                                    of_body[b]);
+                 }
+               });
   rows.clear();
-  std::vector<Surface> surfaces;
-  for (const Body<2> &body : scene.bodies)
-    surfaces.push_back(look_at(body));
-  for (const Body<2> &body : scene.bodies)
-    if (!body.driven)
-      find_wall_rows(scene, body, surfaces[body.index], rows);
-  for (unsigned int a = 0; a < scene.bodies.size(); ++a)
-    for (unsigned int b = a + 1; b < scene.bodies.size(); ++b)
-    {
-      const Body<2> &first = scene.bodies[a], &second = scene.bodies[b];
-      if (first.driven && second.driven)
-        continue;
-      if (first.driven)
-        find_pair_rows(scene, second, surfaces[b], first, surfaces[a], rows);
-      else
-        find_pair_rows(scene, first, surfaces[a], second, surfaces[b], rows);
-    }
+  for (std::vector<Row> &found : of_body)
+    rows.insert(rows.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }
 } // namespace softgrain::mpm

@@ -2,6 +2,7 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/point_store.h>
+#include <softgrain/mpm/stress.h>
 #include <softgrain/mpm/world.h>
 
 #include <algorithm>
@@ -49,11 +50,13 @@ void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
                });
 }
 
-std::string World::inside_out(const unsigned int body, const std::size_t point) const
+std::string World::why_not(const unsigned int body, const StressOutcome &outcome) const
 {
   std::ostringstream text;
-  text << "a material point of body '" << bodies[body].name << "' turned inside out near ("
-       << bodies[body].points[point].position()
+  text << "a material point of body '" << bodies[body].name << "' "
+       << (outcome.leaps ? "deformed by more than 'Newton/Largest strain' allows in one step"
+                         : "turned inside out")
+       << " near (" << bodies[body].points[outcome.bad_point].position()
        << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
   return text.str();
 }

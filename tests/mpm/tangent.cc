@@ -59,7 +59,7 @@ struct Evaluation
 Evaluation evaluate(mpm::Body<2> &body, const Eigen::VectorXd &u)
 {
   Evaluation e;
-  if (!mpm::evaluate_stress(body, u, u, 0., true).good())
+  if (!mpm::evaluate_stress(body, u, u, {0., true, 0.}).good())
     std::cout << "inside out\n";
   e.energy = mpm::measure_points(body, u, u).energy;
   mpm::internal_force(body, e.force);

@@ -14,11 +14,11 @@ unsigned int n_threads();
 void set_n_threads(unsigned int n);
 
 /**
- * @brief Calls @p work(begin, end) on pieces of [0, n), at least @p grain long, on all threads.
+ * @brief Calls @p work(begin, end) on pieces of [0, n) on all threads.
  *
- * Pieces may be cut differently from run to run, so @p work must write only to what belongs to its own
- * indices: then the result does not depend on the number of threads. An exception thrown by a piece is
- * rethrown here.
+ * Pieces are @p grain long, the last may be shorter, whatever the number of threads. @p work must write only
+ * to what belongs to its own indices: then the result does not depend on the number of threads. An exception
+ * thrown by a piece is rethrown here.
  */
 void parallel_for(std::size_t n,
                   std::size_t grain,

@@ -63,6 +63,7 @@ struct Settings
   double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
   double residual_tolerance = 1e-5;
   unsigned int max_newton = 25;
+  double max_strain = 0.3; ///< of any material point in one implicit step
 
   LinearSolverSettings linear_solver;
 

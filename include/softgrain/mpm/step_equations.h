@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_step_equations_h
 #define softgrain_mpm_step_equations_h
 
+#include <softgrain/mpm/stress.h>
 #include <softgrain/mpm/world.h>
 
 #include <Eigen/Core>
@@ -27,10 +28,11 @@ public:
 
   bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
 
-  /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out.
+  /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
+  /// or deforms by too much over the step.
   bool evaluate(const Vectors &v);
   /// Why the last evaluate() failed.
-  std::string inside_out() const { return world.inside_out(bad_body, bad_point); }
+  std::string why_not() const { return world.why_not(bad_body, trouble); }
 
   /// Impulse that is missing for balance at every node of a body, those of the contacts counted [N s/m].
   Eigen::VectorXd unbalanced(unsigned int b) const;
@@ -61,7 +63,7 @@ private:
   Vectors old_force, missing_impulse, rotation;
   std::vector<double> shift, rotation_stiffness;
   unsigned int bad_body = 0;
-  std::size_t bad_point = 0;
+  StressOutcome trouble;
 };
 } // namespace softgrain::mpm
 

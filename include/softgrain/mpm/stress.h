@@ -16,8 +16,18 @@ struct StressOutcome
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::size_t bad_point = none; ///< first point whose trial deformation is inside out
+  std::size_t bad_point = none; ///< first point whose trial deformation is no good
+  bool leaps = false;           ///< it is not inside out, but deforms by more than was allowed
   bool good() const { return bad_point == none; }
+};
+
+/// What evaluate_stress() is to do beside the stress.
+struct Trial
+{
+  double half_dt =
+      0; ///< dt/2 when volumes of small-strain laws follow (3.17) within the step, 0: they stay [s]
+  bool tangent = false;  ///< add_stiffness() is to follow
+  double max_strain = 0; ///< largest strain of any point over the step, see leaps(); 0: any
 };
 
 /**
@@ -27,16 +37,13 @@ struct StressOutcome
  * @param body         its step state is filled
  * @param displacement of the independent nodes since the grid was laid [m]
  * @param increment    the part of it that belongs to this step [m]
- * @param half_dt      dt/2 when volumes of small-strain laws follow (3.17) within the step, 0 when they stay
- * [s]
- * @param tangent      whether add_stiffness() is to follow
+ * @param trial        how far to go
  */
 template <int dim>
 StressOutcome evaluate_stress(Body<dim> &body,
                               const Eigen::VectorXd &displacement,
                               const Eigen::VectorXd &increment,
-                              double half_dt,
-                              bool tangent);
+                              const Trial &trial);
 
 /// What the state of a body tells beside its stress.
 struct PointMeasures

@@ -25,6 +25,7 @@ namespace softgrain::mpm
 {
 template <int dim>
 class PointStore;
+struct StressOutcome;
 
 /// A wall with its formula of motion and what it has felt.
 struct Wall
@@ -85,8 +86,8 @@ struct World
   /// body's.
   void for_moving_bodies(const std::function<void(Body<2> &)> &work);
 
-  /// Why a step that turned point @p point of body @p body inside out is no good.
-  std::string inside_out(unsigned int body, std::size_t point) const;
+  /// Why a step is no good in which the points of body @p body came out as @p outcome tells.
+  std::string why_not(unsigned int body, const StressOutcome &outcome) const;
 };
 
 /// What a step tried and found; only an accepted one is written into the world.
