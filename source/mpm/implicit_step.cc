@@ -62,7 +62,13 @@ public:
         return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +
                       " iterations ('Newton/Maximum iterations'); relative residual " +
                       number(outcome.newton_residual));
-      const std::string trouble = newton_step();
+      const bool old_factors = factors_serve;
+      std::string trouble = newton_step();
+      if (!trouble.empty() && old_factors)
+      {
+        factors_serve = false;
+        trouble = newton_step();
+      }
       if (!trouble.empty())
         return reject(trouble);
     }
@@ -111,20 +117,23 @@ private:
   std::string newton_step()
   {
     std::string trouble;
-    // Lumped contact goes on long after the bulk is balanced; then the factors of the iteration before serve
-    // as well.
-    const bool balanced =
-        outcome.newton_iterations > 0 && outcome.newton_residual <= world.settings.residual_tolerance;
-    if (world.settings.coupling == ContactCoupling::condensed || !balanced)
+    const bool condensed = world.settings.coupling == ContactCoupling::condensed;
+    if (!factors_serve)
+    {
       trouble = equations.factorise();
-    if (!trouble.empty())
-      return trouble;
-    if (world.contact.empty() || world.settings.coupling == ContactCoupling::condensed)
+      if (!trouble.empty())
+        return trouble;
+      if (condensed && !world.contact.empty())
+      {
+        dealii::TimerOutput::Scope section(*world.timer, "condensation");
+        world.contact.condense(world.bodies, world.solvers);
+      }
+    }
+    if (world.contact.empty() || condensed)
       equations.solve(false, direction);
     if (!world.contact.empty())
     {
-      trouble =
-          world.settings.coupling == ContactCoupling::condensed ? contact_condensed() : contact_lumped();
+      trouble = condensed ? contact_condensed() : contact_lumped();
       if (!trouble.empty())
         return trouble;
       equations.solve(true, direction);
@@ -138,10 +147,6 @@ private:
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (equations.moves(b))
         free[b] = trial[b] + direction[b];
-    {
-      dealii::TimerOutput::Scope section(*world.timer, "condensation");
-      world.contact.condense(world.bodies, world.solvers);
-    }
     return solve_contact(free, false);
   }
 
@@ -217,7 +222,13 @@ private:
       const double now = equations.unbalanced_norm();
       best = std::min(best, now);
       if (now <= (1. - 1e-4 * alpha) * merit || equations.residual() <= world.settings.residual_tolerance)
+      {
+        // Factors that leave so little of the imbalance once do so again, for a fraction of the work. With
+        // lumped contact iterations go on long after the bulk is balanced.
+        factors_serve = now <= 0.03 * merit || (world.settings.coupling == ContactCoupling::lumped &&
+                                                equations.residual() <= world.settings.residual_tolerance);
         return "";
+      }
     }
     return best == std::numeric_limits<double>::max() ? equations.why_not()
                                                       : "the line search found no smaller residual";
@@ -300,6 +311,7 @@ private:
   const unsigned int n_bodies;
   StepOutcome outcome;
   Vectors trial, direction;
+  bool factors_serve = false; ///< those of the iteration before are good enough for the next
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
 };
 } // namespace

@@ -4,6 +4,8 @@
 #include <softgrain/mpm/stiffness.h>
 #include <softgrain/mpm/system_matrix.h>
 
+#include <array>
+
 namespace softgrain::mpm
 {
 namespace
@@ -78,6 +80,10 @@ void add_rotation_guard(const std::vector<dealii::Tensor<1, dim>> &slopes,
               0.25 * weight * ((d == e ? slopes[i] * slopes[j] : 0.) - slopes[i][e] * slopes[j][d]);
 }
 
+/// Stiffness by pair of directions: rows and columns x x, y x, x y, y y.
+template <int n>
+using PlaneBlocks = std::array<Eigen::Matrix<double, n, n>, 4>;
+
 /// Stiffness of one cell over its own nodes.
 template <int dim>
 void cell_stiffness(const Body<dim> &body,
@@ -133,6 +139,91 @@ void cell_stiffness(const Body<dim> &body,
   if (body.f_bar && !body.small_strain())
     add_dilatation_terms(body, cell, mean, total, local);
 }
+/// The same in the plane without F-bar and guard, for a number of nodes known to the compiler: by direction,
+/// so that all is products of small matrices.
+template <int n>
+void plane_stiffness(const Body<2> &body, const unsigned int cell, PlaneBlocks<n> &blocks)
+{
+  using Column = Eigen::Matrix<double, n, 1>;
+  for (auto &block : blocks)
+    block.setZero();
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    const double v = body.step.volume[p];
+    const dealii::Tensor<1, 2> *slope = body.field.slopes(p);
+    Column gx, gy;
+    if (body.small_strain())
+      for (int k = 0; k < n; ++k)
+      {
+        gx[k] = slope[k][0];
+        gy[k] = slope[k][1];
+      }
+    else
+    {
+      const dealii::Tensor<2, 2> inverse = invert(body.step.grid_gradient[p]);
+      for (int k = 0; k < n; ++k)
+      {
+        gx[k] = slope[k][0] * inverse[0][0] + slope[k][1] * inverse[1][0];
+        gy[k] = slope[k][0] * inverse[0][1] + slope[k][1] * inverse[1][1];
+      }
+    }
+    // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
+    const auto C = [&](const unsigned int a, const unsigned int b)
+    { return v * body.step.tangent[p].access_raw_entry(3 * a + b); };
+    const Column xx = C(0, 0) * gx + C(0, 2) * gy, yx = C(1, 0) * gx + C(1, 2) * gy,
+                 sx = C(2, 0) * gx + C(2, 2) * gy, xy = C(0, 1) * gy + C(0, 2) * gx,
+                 yy = C(1, 1) * gy + C(1, 2) * gx, sy = C(2, 1) * gy + C(2, 2) * gx;
+    blocks[0].noalias() += gx * xx.transpose() + gy * sx.transpose();
+    blocks[1].noalias() += gy * yx.transpose() + gx * sx.transpose();
+    blocks[2].noalias() += gx * xy.transpose() + gy * sy.transpose();
+    blocks[3].noalias() += gy * yy.transpose() + gx * sy.transpose();
+    if (body.small_strain())
+      continue;
+    const auto &tau = body.step.stress[p];
+    const Column tx = v * (tau[0][0] * gx + tau[0][1] * gy), ty = v * (tau[1][0] * gx + tau[1][1] * gy);
+    const Eigen::Matrix<double, n, n> geometric = gx * tx.transpose() + gy * ty.transpose();
+    blocks[0] += geometric;
+    blocks[3] += geometric;
+  }
+}
+
+/// Adds the cells of the plane, all of n nodes.
+template <int n>
+void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix &matrix)
+{
+  for (const std::vector<unsigned int> &color : body.field.colors())
+    parallel_for(color.size(), 8,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   PlaneBlocks<n> blocks;
+                   Eigen::Matrix<double, n, Eigen::Dynamic> half;
+                   Eigen::MatrixXd local, part;
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const unsigned int c = color[i];
+                     plane_stiffness<n>(body, c, blocks);
+                     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+                     const Eigen::Map<const Eigen::Matrix<double, n, Eigen::Dynamic>> E(extension.data(), n,
+                                                                                        extension.cols());
+                     const int m = extension.size() == 0 ? n : extension.cols();
+                     local.resize(2 * m, 2 * m);
+                     for (int d = 0; d < 2; ++d)
+                       for (int e = 0; e < 2; ++e)
+                       {
+                         auto to = local(Eigen::seqN(d, m, 2), Eigen::seqN(e, m, 2));
+                         if (extension.size() == 0)
+                         {
+                           to = blocks[2 * e + d];
+                           continue;
+                         }
+                         half.noalias() = blocks[2 * e + d].lazyProduct(E);
+                         part.noalias() = E.transpose().lazyProduct(half);
+                         to = part;
+                       }
+                     matrix.add_cell<2>(body.field, c, local, factor);
+                   }
+                 });
+}
 } // namespace
 
 template <int dim>
@@ -141,6 +232,14 @@ void add_stiffness(const Body<dim> &body,
                    const bool guard_rotation,
                    SystemMatrix &matrix)
 {
+  if constexpr (dim == 2)
+    if (!body.f_bar && !guard_rotation)
+    {
+      if (body.field.nodes_per_cell() == 4)
+        return add_plane_stiffness<4>(body, factor, matrix);
+      if (body.field.nodes_per_cell() == 9)
+        return add_plane_stiffness<9>(body, factor, matrix);
+    }
   for (const std::vector<unsigned int> &color : body.field.colors())
     parallel_for(color.size(), 8,
                  [&](const std::size_t begin, const std::size_t end)

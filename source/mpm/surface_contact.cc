@@ -67,7 +67,7 @@ struct Surface
 {
   Box box;
   Vector velocity;    ///< of its centre of mass [m/s]
-  double spread = 0.; ///< of the velocities of its nodes about it [m/s]
+  double spread = 0.; ///< of the velocities of its markers about it [m/s]
 };
 
 Surface look_at(const Body<2> &body)
@@ -81,9 +81,16 @@ Surface look_at(const Body<2> &body)
     return surface;
   }
   surface.velocity = body.momentum() / body.mass.sum();
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    surface.spread = std::max(surface.spread, std::hypot(body.velocity[2 * i] - surface.velocity[0],
-                                                         body.velocity[2 * i + 1] - surface.velocity[1]));
+  // Not of the nodes: those on the rim may be fast and move nothing.
+  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+  {
+    const NodeWeights &weights = body.field.marker_weights(m);
+    Vector v = -surface.velocity;
+    for (unsigned int k = 0; k < weights.node.size(); ++k)
+      for (unsigned int d = 0; d < 2; ++d)
+        v[d] += weights.weight[k] * body.velocity[2 * weights.node[k] + d];
+    surface.spread = std::max(surface.spread, v.norm());
+  }
   return surface;
 }
 
@@ -239,6 +246,9 @@ void find_pair_rows(const ContactScene<2> &scene,
     const Projection at = project(x, marker_normal(body.boundary, m), partner.boundary, segments);
     // Deeper than two cells is the far side of a thin partner, not a contact.
     if (at.distance > margin + 2. * scene.cell_size || at.gap > margin)
+      continue;
+    // Far to the side of what it faces: the true nearest place looks the other way, and there is no contact.
+    if (std::abs(at.gap) < 0.7 * at.distance && at.distance > 0.1 * scene.cell_size)
       continue;
     Row row;
     row.body = body.index;

@@ -39,7 +39,7 @@ struct SolverSettings
   unsigned int sweeps_before_newton = 100;
 
   /// Contact components above which Algorithm::automatic stays with sweeps: Newton factorises.
-  unsigned int max_newton_components = 6000;
+  unsigned int max_newton_components = 2000;
 
   /// Newton iterations at most in one call of solve().
   unsigned int max_newton_iterations = 100;

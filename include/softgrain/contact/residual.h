@@ -21,7 +21,7 @@ void project_on_cone(const double mu, double (&x)[n])
     for (unsigned int c = 1; c < n; ++c)
       tangent += x[c] * x[c];
     tangent = std::sqrt(tangent);
-    if (tangent <= mu * x[0])
+    if (x[0] >= 0. && tangent <= mu * x[0]) // without friction and tangent 0 <= -0 holds anywhere
       return;
     const bool polar = mu * tangent <= -x[0];
     const double normal = polar ? 0. : (x[0] + mu * tangent) / (1. + mu * mu);
