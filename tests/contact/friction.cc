@@ -188,6 +188,21 @@ int main()
       error = std::max({error, std::abs(P[2 * i] - P_normal[i]), std::abs(P[2 * i + 1])});
     std::cout << "mu = 0 is frictionless to 1e-9: " << verdict(error < 1e-9) << '\n';
   }
+  // Friction at some contacts only, and nothing approaches: no impulse, no residual.
+  {
+    BlockDelassus W = random_bodies(10, 2, 2, 0., 11);
+    Problem problem = random_problem(W.n_contacts(), 2, 0.5, 13);
+    for (unsigned int i = 0; i < W.n_contacts(); ++i)
+    {
+      problem.free_velocity[2 * i] = 1. + std::abs(problem.free_velocity[2 * i]);
+      problem.free_velocity[2 * i + 1] *= i % 3;
+      problem.friction[i] *= i % 2;
+    }
+    std::vector<double> P, w;
+    const SolverReport report = solve(W, problem, SolverSettings(), P, w);
+    std::cout << "all contacts open: converged " << verdict(report.converged && report.residual == 0.)
+              << '\n';
+  }
   // Every contact twice: W is singular, the sums of the impulses are those of the single contacts'
   // velocities.
   {

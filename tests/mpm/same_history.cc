@@ -93,6 +93,7 @@ int main(int argc, char **argv)
   compare("newmark", "gallery/two_disks.prm", {"Time/Scheme=newmark"}, 30);
   compare("explicit", "gallery/two_disks.prm", {"Time/Scheme=explicit"}, 60);
   compare("sliding block", "verification/sliding_block.prm", {}, 20);
+  compare("assembly", "gallery/thirty_grains_mpm.prm", {"Contact/Friction=0.3"}, 12);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }
