@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
 #include <softgrain/contact/block_delassus.h>
 #include <softgrain/contact/diagonal_delassus.h>
 #include <softgrain/contact/gauss_seidel.h>
 #include <softgrain/contact/local_solver.h>
 #include <softgrain/contact/mass_delassus.h>
 #include <softgrain/contact/residual.h>
+#include <softgrain/contact/thread_team.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <string>
 
 namespace softgrain::contact
@@ -26,36 +30,63 @@ void SolverSettings::check() const
 
 namespace
 {
-template <unsigned int n, class Operator>
-void velocities_of_all(Operator &op, const Problem &problem, std::vector<double> &velocities)
+/// Calls @p work on pieces of [0, n_items), on all threads of @p team if there is one.
+template <class Work>
+void in_pieces(ThreadTeam *team, const std::size_t n_items, const std::size_t piece, const Work &work)
 {
-  double w[n];
-  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+  if (team == nullptr)
   {
-    op.template velocity<n>(i, w);
-    for (unsigned int c = 0; c < n; ++c)
-      velocities[i * n + c] = w[c] + problem.free_velocity[i * n + c];
+    work(0, n_items);
+    return;
   }
+  const auto run = [&](const std::uint32_t i) { work(i * piece, std::min(n_items, (i + 1) * piece)); };
+  team->run((n_items + piece - 1) / piece, run);
 }
 
-/// One sweep; returns the largest change of an impulse times the contact's compliance (m/s).
 template <unsigned int n, class Operator>
-double sweep(Operator &op,
-             const Problem &problem,
-             const std::vector<double> &blocks,
-             const std::vector<double> &compliance,
-             const double relaxation,
-             std::vector<double> &impulses)
+void velocities_of_all(Operator &op,
+                       const Problem &problem,
+                       std::vector<double> &velocities,
+                       ThreadTeam *team = nullptr)
+{
+  in_pieces(team, problem.n_contacts(), 64,
+            [&](const std::size_t begin, const std::size_t end)
+            {
+              double w[n];
+              for (std::size_t i = begin; i < end; ++i)
+              {
+                op.template velocity<n>(i, w);
+                for (unsigned int c = 0; c < n; ++c)
+                  velocities[i * n + c] = w[c] + problem.free_velocity[i * n + c];
+              }
+            });
+}
+
+/// What a sweep works on.
+template <class Operator>
+struct Sweep
+{
+  Operator &op;
+  const Problem &problem;
+  const std::vector<double> &blocks, &compliance;
+  double relaxation;
+  std::vector<double> &impulses;
+};
+
+/// Solves one contact after the other; returns the largest change of an impulse times the contact's
+/// compliance (m/s).
+template <unsigned int n, class Operator>
+double solve_range(const Sweep<Operator> &on, const unsigned int first, const unsigned int end)
 {
   double largest = 0.;
-  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+  for (unsigned int i = first; i < end; ++i)
   {
-    if (!(compliance[i] > 0.))
+    if (!(on.compliance[i] > 0.))
       continue;
-    double *P = &impulses[i * n];
-    const double *W = &blocks[i * n * n], *q = &problem.free_velocity[i * n];
+    double *P = &on.impulses[i * n];
+    const double *W = &on.blocks[i * n * n], *q = &on.problem.free_velocity[i * n];
     double w[n], next[n], change[n];
-    op.template velocity<n>(i, w);
+    on.op.template velocity<n>(i, w);
     for (unsigned int c = 0; c < n; ++c)
       w[c] += q[c];
     if (P[0] == 0. && w[0] >= 0.)
@@ -63,12 +94,12 @@ double sweep(Operator &op,
     for (unsigned int c = 0; c < n; ++c)
       for (unsigned int d = 0; d < n; ++d)
         w[c] -= W[c * n + d] * P[d];
-    const double mu = problem.friction_of(i);
+    const double mu = on.problem.friction_of(i);
     solve_local<n>(W, w, mu, next);
-    if (relaxation != 1.)
+    if (on.relaxation != 1.)
     {
       for (unsigned int c = 0; c < n; ++c)
-        next[c] = P[c] + relaxation * (next[c] - P[c]);
+        next[c] = P[c] + on.relaxation * (next[c] - P[c]);
       project_on_cone<n>(mu, next);
     }
     double size = 0.;
@@ -80,8 +111,32 @@ double sweep(Operator &op,
     }
     if (size == 0.)
       continue;
-    op.template apply<n>(i, change);
-    largest = std::max(largest, size * compliance[i]);
+    on.op.template apply<n>(i, change);
+    largest = std::max(largest, size * on.compliance[i]);
+  }
+  return largest;
+}
+
+/// One sweep over all contacts, colour by colour; returns what solve_range() does.
+template <unsigned int n, class Operator>
+double sweep(const Sweep<Operator> &on, ThreadTeam *team)
+{
+  if (on.problem.colors.empty())
+    return solve_range<n>(on, 0, on.problem.n_contacts());
+  constexpr std::size_t piece = 8; // ranges to an item: some microseconds of work
+  double largest = 0.;
+  std::vector<double> of_piece;
+  for (const std::vector<Problem::Range> &color : on.problem.colors)
+  {
+    of_piece.assign(color.size() / piece + 1, 0.);
+    in_pieces(team, color.size(), piece,
+              [&](const std::size_t begin, const std::size_t end)
+              {
+                double &mine = of_piece[begin / piece];
+                for (std::size_t r = begin; r < end; ++r)
+                  mine = std::max(mine, solve_range<n>(on, color[r].first, color[r].end));
+              });
+    largest = std::max(largest, *std::max_element(of_piece.begin(), of_piece.end()));
   }
   return largest;
 }
@@ -109,11 +164,17 @@ SolverReport sweeps(Operator &op,
   if (speed == 0.) // nothing approaches: P = 0 solves the problem exactly
     std::fill(impulses.begin(), impulses.end(), 0.);
 
+  // Threads that spin pay only where a colour is some microseconds of work.
+  std::unique_ptr<ThreadTeam> team;
+  if (!problem.colors.empty() && problem.n_contacts() >= 512 && n_threads() > 1)
+    team = std::make_unique<ThreadTeam>(n_threads());
+  const Sweep<Operator> on{op, problem, blocks, compliance, settings.relaxation, impulses};
+
   const auto evaluate = [&]
   {
     // Afresh from the impulses: an operator that updates its state collects rounding over many sweeps.
     op.begin(impulses);
-    velocities_of_all<n>(op, problem, velocities);
+    velocities_of_all<n>(op, problem, velocities, team.get());
     report.residual = natural_residual(problem, compliance, impulses, velocities);
     if (std::isnan(report.residual))
       throw ComputationError("contact solver: an impulse is no longer finite after " +
@@ -124,7 +185,7 @@ SolverReport sweeps(Operator &op,
   bool checked = false;
   while (speed > 0. && report.sweeps < settings.max_sweeps)
   {
-    const double change = sweep<n>(op, problem, blocks, compliance, settings.relaxation, impulses);
+    const double change = sweep<n>(on, team.get());
     ++report.sweeps;
     checked = report.sweeps % settings.check_interval == 0 || !(change > settings.tolerance * speed);
     if (checked)

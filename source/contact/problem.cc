@@ -18,6 +18,13 @@ void Problem::check() const
   if (n_components > 1 && friction.size() != n_contacts())
     throw InputError("contact problem: " + std::to_string(friction.size()) + " friction coefficients for " +
                      std::to_string(n_contacts()) + " contacts");
+  std::size_t colored = 0;
+  for (const std::vector<Range> &color : colors)
+    for (const Range &range : color)
+      colored += range.end - range.first;
+  if (!colors.empty() && colored != n_contacts())
+    throw InputError("contact problem: colours hold " + std::to_string(colored) + " of " +
+                     std::to_string(n_contacts()) + " contacts");
   for (std::size_t i = 0; i < free_velocity.size(); ++i)
     if (!std::isfinite(free_velocity[i]))
       throw ComputationError("contact " + std::to_string(i / n_components) +

@@ -73,6 +73,38 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std
         impulse[r * components + c] = old->second[c];
   }
   delassus.reset();
+  color_pairs(bodies);
+}
+
+template <int dim>
+void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
+{
+  // Rows of a pair follow each other. Each pair gets the first colour that neither of its bodies has yet.
+  colors.clear();
+  std::vector<std::vector<char>> taken(bodies.size());
+  for (unsigned int first = 0, end; first < rows.size(); first = end)
+  {
+    end = first + 1;
+    while (end < rows.size() && rows[end].body == rows[first].body &&
+           rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall)
+      ++end;
+    std::vector<unsigned int> pair = {rows[first].body};
+    if (rows[first].partner != ContactRow<dim>::none)
+      pair.push_back(rows[first].partner);
+    unsigned int color = 0;
+    while (std::any_of(pair.begin(), pair.end(),
+                       [&](const unsigned int b)
+                       { return !bodies[b].driven && color < taken[b].size() && taken[b][color]; }))
+      ++color;
+    for (const unsigned int b : pair)
+    {
+      taken[b].resize(std::max<std::size_t>(taken[b].size(), color + 1), 0);
+      taken[b][color] = 1;
+    }
+    if (color == colors.size())
+      colors.emplace_back();
+    colors[color].push_back({first, end});
+  }
 }
 
 template <int dim>
@@ -179,6 +211,7 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
 {
   contact::Problem problem;
   problem.n_components = components;
+  problem.colors = colors;
   problem.free_velocity = std::move(free_velocity);
   if (components > 1)
     for (const auto &row : rows)
@@ -209,6 +242,7 @@ std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap,
 {
   contact::Problem problem;
   problem.n_components = components;
+  problem.colors = colors;
   problem.free_velocity.assign(rows.size() * components, 0.);
   for (unsigned int r = 0; r < rows.size(); ++r)
     problem.free_velocity[r * components] = gap[r];

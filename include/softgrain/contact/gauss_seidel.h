@@ -72,7 +72,8 @@ struct SolverReport
  * @brief Nonlinear Gauss–Seidel (Moreau and Jean): contacts one after the other, each solved exactly with
  * solve_local(), until the residual of the solution is below the tolerance.
  *
- * Serial and in the order of the contacts: the result does not depend on the number of threads.
+ * In the order of the contacts, or of Problem::colors and then on all threads: the result does not depend on
+ * their number.
  * @tparam Operator DiagonalDelassus, BlockDelassus or MassDelassus
  * @param op the Delassus operator; holds the solution's state afterwards
  * @param problem q and mu

@@ -25,6 +25,17 @@ struct Problem
   /// Friction coefficient of every contact; may be empty when n_components is 1, where it is not read.
   std::vector<double> friction;
 
+  /// Contacts first, ..., end - 1.
+  struct Range
+  {
+    unsigned int first, end;
+  };
+
+  /// All contacts, as ranges by colour: those of a colour share no unknown of the operator (for bodies: no
+  /// body), so they are solved at the same time, and the order does not depend on the number of threads.
+  /// Empty: one contact after the other.
+  std::vector<std::vector<Range>> colors;
+
   /// Number of contacts that @p free_velocity describes.
   unsigned int n_contacts() const { return n_components == 0 ? 0 : free_velocity.size() / n_components; }
 

@@ -79,10 +79,13 @@ public:
 private:
   struct Operator;
 
+  void color_pairs(const std::vector<Body<dim>> &bodies);
+
   std::vector<ContactRow<dim>> rows;
   unsigned int components = 1;
-  std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
-  std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
+  std::vector<std::vector<contact::Problem::Range>> colors; ///< rows by pair; pairs of a colour share no body
+  std::vector<std::vector<unsigned int>> body_components;   ///< components that body b takes part in
+  std::vector<LinearSolver::Rows> body_rows;                ///< its H^T on them
   std::vector<double> impulse, velocity, last_free_velocity, last_start;
   std::shared_ptr<Operator> delassus;
   std::unordered_map<std::uint64_t, std::array<double, dim>> remembered;

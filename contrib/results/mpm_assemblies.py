@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs and tables of doc/results/thesis-4.md: compaction of soft disks by MPM with other seeds, at half the spacing and
+half the step, and with other numbers of bodies. A run that is there already is not repeated."""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WIDTH = 34.5e-3  # of the box of 300 disks [m]
+QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
+FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "4"}  # the step goes with the cell
+
+
+def box(number):
+    """Changes that give the scene another number of disks at the same packing fraction."""
+    width = WIDTH * math.sqrt(number / 300)
+    mesh = f"{width + 1e-3:.6g}"
+    return {"Packing/Number": str(number), "Packing/Upper": f"{width:.6g}, {width:.6g}", "Mesh/Upper": f"{mesh}, {mesh}",
+            "Walls/top/Point": f"0, {width:.6g}", "Walls/right/Point": f"{width:.6g}, 0", "Stop/End time": "6e-3"}
+
+
+SERIES = {
+    "seeds": [(f"mpm-{seed}", "", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
+    "friction": [(f"mpm-friction-{seed}", "_friction", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
+    "fine": [("mpm-fine", "", FINE)],
+    "bodies": [(f"mpm-{number}-bodies", "", {**box(number), "Output/Measures": ""}) for number in (30, 100, 300, 1000)],
+}
+
+
+def run(program, name, friction, changes, folder, threads):
+    target = folder / name
+    if not (target / "summary.json").exists():
+        command = [program, "run", str(ROOT / f"parameters/thesis/uniaxial_compaction_mpm{friction}.prm"), "--output",
+                   str(target), "--threads", str(threads)]
+        for key, value in {**QUIET, **changes}.items():
+            command += ["--set", f"{key}={value}"]
+        print("#", " ".join(f"'{c}'" if " " in c else c for c in command), file=sys.stderr, flush=True)
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            print(f"{name}: {done.stderr.strip()}", file=sys.stderr)
+            return None
+    return target
+
+
+def stress(target, fractions):
+    """Mean normal stress on the walls [MPa], averaged over +-0.01 of the packing fraction."""
+    with open(target / "history.csv") as file:
+        rows = [{k: float(v) if v else math.nan for k, v in row.items()} for row in csv.DictReader(file)]
+    result = []
+    for wanted in fractions:
+        near = [r for r in rows if abs(r["packing_fraction"] - wanted) < 0.01]
+        time = sum(r["dt_s"] for r in near)
+        total = 0.0
+        for r in near:
+            width = r["right_position_m"] - r["left_position_m"]
+            height = r["top_position_m"] - r["bottom_position_m"]
+            total += r["dt_s"] * ((r["top_force_N_per_m"] + r["bottom_force_N_per_m"]) / width +
+                                  (r["left_force_N_per_m"] + r["right_force_N_per_m"]) / height) / 4
+        result.append(total / time / 1e6 if time > 0 else math.nan)
+    return result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="build/release/bin/softgrain")
+    parser.add_argument("folder", type=pathlib.Path, help="for the output folders of the runs")
+    parser.add_argument("--only", choices=sorted(SERIES), nargs="*", default=list(SERIES))
+    parser.add_argument("--threads", type=int, default=0)
+    arguments = parser.parse_args()
+    fractions = [0.80 + 0.01 * i for i in range(16)]
+    curves = {}
+    print("| run | points | steps | Newton / step | sweeps / step | seconds | us / point / step |\n"
+          "|---|---|---|---|---|---|---|")
+    for series in arguments.only:
+        for name, friction, changes in SERIES[series]:
+            target = run(arguments.program, name, friction, changes, arguments.folder, arguments.threads)
+            if target is None:
+                continue
+            with open(target / "summary.json") as file:
+                summary = json.load(file)
+            with open(target / "history.csv") as file:
+                rows = list(csv.DictReader(file))[1:]
+            seconds, steps, points = summary["wall_seconds"], summary["steps"], summary["material_points"]
+            mean = lambda key: sum(float(r[key]) for r in rows) / len(rows)
+            print(f"| {name} | {points} | {steps} | {mean('newton_iterations'):.2f} | {mean('contact_sweeps'):.0f} | "
+                  f"{seconds:.1f} | {1e6 * seconds / points / steps:.2f} |", flush=True)
+            curves[name] = stress(target, fractions)
+    if "mpm-1" in curves and "mpm-fine" in curves:
+        coarse, fine = curves["mpm-1"], curves["mpm-fine"]
+        rms = math.sqrt(sum((a - b)**2 for a, b in zip(coarse, fine)) / len(fine))
+        print(f"\nstress against packing fraction, 0.80 to 0.95, at half the spacing and step: r.m.s. difference "
+              f"{100 * rms / (sum(fine) / len(fine)):.1f} % of the mean stress")
+        for fraction, a, b in zip(fractions, coarse, fine):
+            print(f"  {fraction:.2f}  {a:.4f}  {b:.4f} MPa")
+
+
+if __name__ == "__main__":
+    main()
