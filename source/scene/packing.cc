@@ -20,8 +20,8 @@ using Place = std::array<double, 2>;
 
 /// Share of area that disks thrown at random reach at once.
 constexpr double loose_fraction = 0.40;
-/// Share that the length of the box loses in a step.
-constexpr double largest_shrinkage = 0.01;
+/// Share that the length of the box loses in a step, at most and where it counts as jammed.
+constexpr double largest_shrinkage = 0.01, jammed_shrinkage = 2e-5;
 
 /// The four sides of a box about the origin.
 struct Box
@@ -111,6 +111,15 @@ public:
 
   const std::vector<Place> &disks() const { return places; }
   double scale() const { return box.half[0]; }
+
+  /// Places and box as they were before.
+  void restore(const std::vector<Place> &old_places, const double old_scale)
+  {
+    places = old_places;
+    const double factor = old_scale / box.half[0];
+    for (double &edge : box.half)
+      edge *= factor;
+  }
 
 private:
   void collect(const double factor, contact::DiskBodies &bodies, contact::DiskContacts &rows)
@@ -213,7 +222,7 @@ Packing pack_disks(const std::vector<double> &radius,
   std::ostringstream numbers;
   numbers << radius.size() << " disks fill " << fraction << " of the box";
   if (fraction > 0.9)
-    throw InputError("'Packing': " + numbers.str() + "; at most about 0.78 is possible");
+    throw InputError("'Packing': " + numbers.str() + "; at most about 0.80 is possible");
   const double growth = std::max(1., std::sqrt(fraction / loose_fraction));
   Box box{{0.5 * growth * edges[0], 0.5 * growth * edges[1]}};
   Shrinking shrinking(radius, throw_in(radius, box, random), box);
@@ -221,15 +230,25 @@ Packing pack_disks(const std::vector<double> &radius,
   // Overlaps are relative to the final radii; a share of them may stay and is taken from the radii at the
   // end.
   const double mean = sum / radius.size(), allowed = 1e-3 * mean, end = 0.5 * edges[0];
+  double shrinkage = largest_shrinkage;
   for (bool there = growth == 1.; !there;)
   {
-    const double factor = std::max(end / shrinking.scale(), 1. - largest_shrinkage);
-    double overlap = shrinking.step(factor);
-    for (unsigned int rest = 0; overlap > allowed && overlap < 0.5 * mean && rest < 200; ++rest)
+    const std::vector<Place> before = shrinking.disks();
+    const double scale = shrinking.scale();
+    double overlap = shrinking.step(std::max(end / scale, 1. - shrinkage));
+    for (unsigned int rest = 0; overlap > allowed && overlap < 0.5 * mean && rest < 50; ++rest)
       overlap = shrinking.step(1.);
     if (overlap > allowed)
-      throw InputError("'Packing': the disks jam before they are in the box: " + numbers.str() +
-                       "; enlarge the box or use fewer disks");
+    {
+      // Near jamming disks must go long ways for little: a smaller step leaves them time to.
+      shrinking.restore(before, scale);
+      shrinkage *= 0.3;
+      if (shrinkage < jammed_shrinkage)
+        throw InputError("'Packing': the disks jam before they are in the box: " + numbers.str() +
+                         "; enlarge the box or use fewer disks");
+      continue;
+    }
+    shrinkage = std::min(largest_shrinkage, 1.2 * shrinkage);
     there = shrinking.scale() <= end * (1. + 1e-12);
   }
 

@@ -54,7 +54,7 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
                     "Lower left corner of the box that the disks are packed in. Units: m.");
   prm.declare_entry("Upper", "1, 1", List(Double(), 2, 2, ","),
-                    "Upper right corner. Number, diameters and box decide how dense it is; about 0.78 is "
+                    "Upper right corner. Number, diameters and box decide how dense it is; about 0.80 is "
                     "possible. Units: m.");
   prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
   prm.leave_subsection();

@@ -67,7 +67,7 @@ int main()
 {
   using Form = SizeDistribution::Form;
   look(300, 0.70, 1.2, Form::uniform_area);
-  look(300, 0.77, 1.2, Form::equal_areas);
+  look(300, 0.80, 1.2, Form::equal_areas);
   look(40, 0.74, 1.0, Form::uniform_diameter);
   look(20, 0.30, 2.0, Form::uniform_area);
   look(40, 0.70, 2.0, Form::uniform_area);

@@ -38,7 +38,7 @@ struct PackingRequest
  * @brief Disks of given @p radii [m] in the box from @p lower to @p upper, at random and without overlap.
  *
  * The disks are thrown at random into a larger box of the same shape, which then shrinks with everything in
- * it, a little at a time; the contact kernel keeps the disks apart. Solid fractions up to about 0.78 can be
+ * it, a little at a time; the contact kernel keeps the disks apart. Solid fractions up to about 0.80 can be
  * reached. A thousandth of the mean radius is taken from every radius at the end, so that no rounding makes
  * disks overlap.
  *
