@@ -19,18 +19,20 @@ struct ContactSystem<dim>::Operator
 
 namespace
 {
-/// Weights of one row on one body's dofs for a unit impulse along @p direction, added to column @p column.
+/// Weights of one row on one body's dofs for a unit impulse along @p direction, as the next column of @p
+/// matrix.
 template <int dim>
-void add_side(const NodeWeights &weights,
-              const dealii::Tensor<1, dim> &direction,
-              const double sign,
-              const unsigned int column,
-              std::vector<Eigen::Triplet<double>> &entries)
+void add_column(const NodeWeights &weights,
+                const dealii::Tensor<1, dim> &direction,
+                const double sign,
+                const unsigned int column,
+                LinearSolver::Rows &matrix)
 {
+  matrix.startVec(column);
   for (unsigned int k = 0; k < weights.node.size(); ++k)
     for (unsigned int d = 0; d < dim; ++d)
       if (direction[d] != 0.)
-        entries.emplace_back(dim * weights.node[k] + d, column, sign * weights.weight[k] * direction[d]);
+        matrix.insertBack(dim * weights.node[k] + d, column) = sign * weights.weight[k] * direction[d];
 }
 } // namespace
 
@@ -42,27 +44,30 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std
       std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
   components = friction ? dim : 1;
   body_components.assign(bodies.size(), {});
-  std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
-    for (unsigned int c = 0; c < components; ++c)
-    {
-      const dealii::Tensor<1, dim> direction = rows[r].direction(c);
-      const auto side = [&](const unsigned int b, const NodeWeights &weights, const double sign)
-      {
-        if (b == ContactRow<dim>::none || bodies[b].driven)
-          return;
-        add_side(weights, direction, sign, body_components[b].size(), entries[b]);
-        body_components[b].push_back(r * components + c);
-      };
-      side(rows[r].body, rows[r].body_weights, 1.);
-      side(rows[r].partner, rows[r].partner_weights, -1.);
-    }
+    for (const unsigned int b : {rows[r].body, rows[r].partner})
+      if (b != ContactRow<dim>::none && !bodies[b].driven)
+        for (unsigned int c = 0; c < components; ++c)
+          body_components[b].push_back(r * components + c);
   body_rows.resize(bodies.size());
-  for (unsigned int b = 0; b < bodies.size(); ++b)
-  {
-    body_rows[b].resize(bodies[b].field.n_dofs(), body_components[b].size());
-    body_rows[b].setFromTriplets(entries[b].begin(), entries[b].end());
-  }
+  parallel_for(bodies.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                 {
+                   LinearSolver::Rows &matrix = body_rows[b];
+                   matrix.resize(bodies[b].field.n_dofs(), body_components[b].size());
+                   for (unsigned int k = 0; k < body_components[b].size(); ++k)
+                   {
+                     const ContactRow<dim> &row = rows[body_components[b][k] / components];
+                     const bool own = row.body == b;
+                     add_column<dim>(own ? row.body_weights : row.partner_weights,
+                                     row.direction(body_components[b][k] % components), own ? 1. : -1., k,
+                                     matrix);
+                   }
+                   matrix.finalize();
+                 }
+               });
   impulse.assign(rows.size() * components, 0.);
   velocity.assign(rows.size() * components, 0.);
   for (unsigned int r = 0; r < rows.size(); ++r)

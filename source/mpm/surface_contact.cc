@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 
 namespace softgrain::mpm
 {
@@ -206,14 +205,19 @@ Projection project(const Point &x,
 
 NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
 {
-  std::map<unsigned int, double> sum;
-  for (unsigned int k = 0; k < a.node.size(); ++k)
-    sum[a.node[k]] += (1. - share) * a.weight[k];
-  for (unsigned int k = 0; k < b.node.size(); ++k)
-    sum[b.node[k]] += share * b.weight[k];
+  // Both are in the order of their nodes.
   NodeWeights result;
-  for (const auto &[node, weight] : sum)
+  result.node.reserve(a.node.size() + b.node.size());
+  result.weight.reserve(a.node.size() + b.node.size());
+  for (unsigned int i = 0, j = 0; i < a.node.size() || j < b.node.size();)
   {
+    const unsigned int node =
+        std::min(i < a.node.size() ? a.node[i] : b.node[j], j < b.node.size() ? b.node[j] : a.node[i]);
+    double weight = 0.;
+    if (i < a.node.size() && a.node[i] == node)
+      weight += (1. - share) * a.weight[i++];
+    if (j < b.node.size() && b.node[j] == node)
+      weight += share * b.weight[j++];
     result.node.push_back(node);
     result.weight.push_back(weight);
   }

@@ -34,7 +34,7 @@ struct Problem
   /// All contacts, as ranges by colour: those of a colour share no unknown of the operator (for bodies: no
   /// body), so they are solved at the same time, and the order does not depend on the number of threads.
   /// Empty: one contact after the other.
-  std::vector<std::vector<Range>> colors;
+  std::vector<std::vector<Range>> colors = {};
 
   /// Number of contacts that @p free_velocity describes.
   unsigned int n_contacts() const { return n_components == 0 ? 0 : free_velocity.size() / n_components; }
