@@ -31,6 +31,18 @@ std::unique_ptr<mpm::MpmModel> squeeze(const std::string &what, std::vector<std:
             << ", momentum " << below(1e-9, model->momentum_error()) << ", energy from nowhere "
             << below(0.01, energy.gained()) << ", penetration in cells " << below(1e-4, penetration / 4e-4)
             << '\n';
+  // A marker that is projected on the far side of a neighbour makes a contact whose normal looks away.
+  double worst = 1.;
+  const Snapshot<2> now = model->snapshot();
+  for (const ContactState<2> &contact : now.contacts)
+    if (contact.body_b < now.bodies.size())
+    {
+      const auto line = now.bodies[contact.body_a].center - now.bodies[contact.body_b].center;
+      worst = std::min(worst, contact.normal * line / line.norm());
+    }
+  std::cout << "  " << (now.contacts.size() > 200 ? "more" : "not more")
+            << " than 200 contacts, all within 60 degrees of the line of centres: "
+            << (worst > 0.5 ? "yes" : "no") << '\n';
   return model;
 }
 
