@@ -36,7 +36,7 @@ Packing pack_around(const dealii::Tensor<1, 2> &half,
     const dealii::Tensor<1, 2> corner = std::sqrt(filled / wanted) * half;
     try
     {
-      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random);
+      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random, false);
     }
     catch (const InputError &)
     {

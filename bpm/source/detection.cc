@@ -266,9 +266,17 @@ void Dynamics::remember()
     return {rows.impulse[row], rotations ? rows.tangential_impulse[row] : 0.,
             rows.rolling_impulse.empty() ? 0. : rows.rolling_impulse[row]};
   };
-  std::fill(list.memory().begin(), list.memory().end(), contact::NeighbourList::Memory{});
-  for (std::size_t row = 0; row < pair_of_row.size(); ++row)
-    list.memory()[pair_of_row[row]] = impulses(row);
+  std::vector<contact::NeighbourList::Memory> &memory = list.memory();
+  parallel_for(memory.size(), 65536,
+               [&](const std::size_t begin, const std::size_t end) {
+                 std::fill(memory.begin() + begin, memory.begin() + end, contact::NeighbourList::Memory{});
+               });
+  parallel_for(pair_of_row.size(), 8192,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t row = begin; row < end; ++row)
+                   memory[pair_of_row[row]] = impulses(row);
+               });
   remembered_at_walls.clear();
   for (std::size_t row = pair_of_row.size(); row < rows.size(); ++row)
     remembered_at_walls.push_back(

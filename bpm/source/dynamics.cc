@@ -14,6 +14,9 @@ namespace softgrain::bpm
 {
 namespace
 {
+/// Primaries or rows that a thread takes at a time.
+constexpr std::size_t grain = 4096;
+
 /// A section of the timer, or nothing when there is no timer.
 class Section
 {
@@ -75,13 +78,17 @@ void Dynamics::prepare_bodies(const double dt,
   bodies.velocity.resize(n + walls.size());
   bodies.inverse_mass = inverse_mass;
   bodies.inverse_mass.resize(n + walls.size());
-  for (std::size_t i = 0; i < n; ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      bodies.velocity[i][d] = primaries.velocity[i][d] + dt * inverse_mass[i] * force[i][d];
-      if (!acceleration.empty() && inverse_mass[i] > 0.)
-        bodies.velocity[i][d] += dt * acceleration[i][d];
-    }
+  parallel_for(n, grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   for (unsigned int d = 0; d < 2; ++d)
+                   {
+                     bodies.velocity[i][d] = primaries.velocity[i][d] + dt * inverse_mass[i] * force[i][d];
+                     if (!acceleration.empty() && inverse_mass[i] > 0.)
+                       bodies.velocity[i][d] += dt * acceleration[i][d];
+                   }
+               });
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     const MovingWall &wall = walls[w];
@@ -106,12 +113,18 @@ void Dynamics::prepare_bodies(const double dt,
 void Dynamics::prepare_gap_velocities(const double dt, const std::vector<MovingWall> &walls)
 {
   const std::size_t n = primaries.size();
+  parallel_for(rows.size(), grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 // An open gap may close within the step; of an overlap a share is pushed out.
+                 for (std::size_t row = begin; row < end; ++row)
+                   rows.gap_velocity[row] =
+                       (gap[row] > 0. ? gap[row] : settings.gap_correction * gap[row]) / dt;
+               });
+  if (settings.restitution == 0.)
+    return;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    // An open gap may close within the step; of an overlap a share is pushed out.
-    rows.gap_velocity[row] = (gap[row] > 0. ? gap[row] : settings.gap_correction * gap[row]) / dt;
-    if (settings.restitution == 0.)
-      continue;
     // Newton's law of impact, in the step in which the gap would close.
     double before = 0.;
     for (unsigned int d = 0; d < 2; ++d)
@@ -181,27 +194,42 @@ void Dynamics::account(const double dt,
 {
   // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
   // but for the work of the attraction, which is compared with its potential.
-  double kinetic_loss = 0., attraction_work = 0.;
-  for (std::size_t i = 0; i < primaries.size(); ++i)
+  struct Work
   {
-    if (inverse_mass[i] == 0.)
-      continue;
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
-      kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
-      attraction_work += dt * force[i][d] * 0.5 * (before + after);
-      if (!acceleration.empty())
-        report.force_work += dt * primaries.mass[i] * acceleration[i][d] * 0.5 * (before + after);
-    }
-    if (rotations)
-    {
-      const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
-      kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] * primaries.radius[i] *
-                      (before - after) * (before + after);
-    }
+    double kinetic_loss = 0., attraction = 0., force = 0.;
+  };
+  // By pieces that do not depend on the number of threads, so neither does their sum.
+  std::vector<Work> of_piece(primaries.size() / grain + 1);
+  parallel_for(primaries.size(), grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 Work work;
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   if (inverse_mass[i] == 0.)
+                     continue;
+                   for (unsigned int d = 0; d < 2; ++d)
+                   {
+                     const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
+                     work.kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
+                     work.attraction += dt * force[i][d] * 0.5 * (before + after);
+                     if (!acceleration.empty())
+                       work.force += dt * primaries.mass[i] * acceleration[i][d] * 0.5 * (before + after);
+                   }
+                   if (rotations)
+                   {
+                     const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
+                     work.kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] *
+                                          primaries.radius[i] * (before - after) * (before + after);
+                   }
+                 }
+                 of_piece[begin / grain] = work;
+               });
+  for (const Work &work : of_piece)
+  {
+    report.force_work += work.force;
+    report.contact_loss += work.kinetic_loss + work.attraction + work.force;
   }
-  report.contact_loss += kinetic_loss + attraction_work + report.force_work;
 }
 
 DynamicsReport Dynamics::step(const double dt,
@@ -226,15 +254,19 @@ DynamicsReport Dynamics::step(const double dt,
     const Section section(timer, "motion");
     move_walls(dt, walls, report);
     account(dt, acceleration, report);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
-        throw ComputationError("primary " + std::to_string(i) + " of body " +
-                               std::to_string(primaries.body[i]) + " has no finite velocity");
-      primaries.velocity[i] = bodies.velocity[i];
-      for (unsigned int d = 0; d < 2; ++d)
-        primaries.position[i][d] += dt * primaries.velocity[i][d];
-    }
+    parallel_for(n, grain,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
+                       throw ComputationError("primary " + std::to_string(i) + " of body " +
+                                              std::to_string(primaries.body[i]) + " has no finite velocity");
+                     primaries.velocity[i] = bodies.velocity[i];
+                     for (unsigned int d = 0; d < 2; ++d)
+                       primaries.position[i][d] += dt * primaries.velocity[i][d];
+                   }
+                 });
     if (rotations)
       std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
     remember();

@@ -209,7 +209,8 @@ double Packing::solid_area() const
 Packing pack_disks(const std::vector<double> &radius,
                    const dealii::Point<2> &lower,
                    const dealii::Point<2> &upper,
-                   Uniform &random)
+                   Uniform &random,
+                   const bool patient)
 {
   double solid = 0., sum = 0.;
   for (const double r : radius)
@@ -236,14 +237,14 @@ Packing pack_disks(const std::vector<double> &radius,
     const std::vector<Place> before = shrinking.disks();
     const double scale = shrinking.scale();
     double overlap = shrinking.step(std::max(end / scale, 1. - shrinkage));
-    for (unsigned int rest = 0; overlap > allowed && overlap < 0.5 * mean && rest < 50; ++rest)
+    for (unsigned int rest = 0; overlap > allowed && overlap < 0.5 * mean && rest < 200; ++rest)
       overlap = shrinking.step(1.);
     if (overlap > allowed)
     {
       // Near jamming disks must go long ways for little: a smaller step leaves them time to.
       shrinking.restore(before, scale);
       shrinkage *= 0.3;
-      if (shrinkage < jammed_shrinkage)
+      if (!patient || shrinkage < jammed_shrinkage)
         throw InputError("'Packing': the disks jam before they are in the box: " + numbers.str() +
                          "; enlarge the box or use fewer disks");
       continue;

@@ -38,16 +38,18 @@ struct PackingRequest
  * @brief Disks of given @p radii [m] in the box from @p lower to @p upper, at random and without overlap.
  *
  * The disks are thrown at random into a larger box of the same shape, which then shrinks with everything in
- * it, a little at a time; the contact kernel keeps the disks apart. Solid fractions up to about 0.80 can be
- * reached. A thousandth of the mean radius is taken from every radius at the end, so that no rounding makes
- * disks overlap.
+ * it, a little at a time; the contact kernel keeps the disks apart. A thousandth of the mean radius is taken
+ * from every radius at the end, so that no rounding makes disks overlap.
  *
+ * @param patient whether the box shrinks in ever smaller steps once the disks jam, up to about 0.80; else it
+ * is given up at once, from about 0.75 on
  * @throw InputError when the disks do not fit into the box.
  */
 Packing pack_disks(const std::vector<double> &radii,
                    const dealii::Point<2> &lower,
                    const dealii::Point<2> &upper,
-                   Uniform &random);
+                   Uniform &random,
+                   bool patient = true);
 
 /// pack_disks() with radii drawn at random.
 Packing make_packing(const PackingRequest &request);
