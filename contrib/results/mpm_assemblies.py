@@ -28,7 +28,7 @@ SERIES = {
     "seeds": [(f"mpm-{seed}", "", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
     "friction": [(f"mpm-friction-{seed}", "_friction", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
     "fine": [("mpm-fine", "", FINE)],
-    "bodies": [(f"mpm-{number}-bodies", "", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.9"})
+    "bodies": [(f"mpm-{number}-bodies", "", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],
 }
 
