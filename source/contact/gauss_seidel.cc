@@ -30,17 +30,17 @@ void SolverSettings::check() const
 
 namespace
 {
-/// Calls @p work on pieces of [0, n_items), on all threads of @p team if there is one.
+/// Calls @p work on pieces of [0, n_items), the same ones for any number of threads, on those of @p team if
+/// there is one.
 template <class Work>
 void in_pieces(ThreadTeam *team, const std::size_t n_items, const std::size_t piece, const Work &work)
 {
-  if (team == nullptr)
-  {
-    work(0, n_items);
-    return;
-  }
   const auto run = [&](const std::uint32_t i) { work(i * piece, std::min(n_items, (i + 1) * piece)); };
-  team->run((n_items + piece - 1) / piece, run);
+  const std::size_t n_pieces = (n_items + piece - 1) / piece;
+  if (team != nullptr)
+    return team->run(n_pieces, run);
+  for (std::size_t i = 0; i < n_pieces; ++i)
+    run(i);
 }
 
 template <unsigned int n, class Operator>
@@ -166,7 +166,7 @@ SolverReport sweeps(Operator &op,
 
   // Threads that spin pay only where a colour is some microseconds of work.
   std::unique_ptr<ThreadTeam> team;
-  if (!problem.colors.empty() && problem.n_contacts() >= 512 && n_threads() > 1)
+  if (speed > 0. && !problem.colors.empty() && problem.n_contacts() >= 512 && n_threads() > 1)
     team = std::make_unique<ThreadTeam>(n_threads());
   const Sweep<Operator> on{op, problem, blocks, compliance, settings.relaxation, impulses};
 

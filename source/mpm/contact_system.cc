@@ -42,7 +42,12 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std
   rows = std::move(new_rows);
   const bool friction =
       std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
-  components = friction ? dim : 1;
+  const unsigned int components = friction ? dim : 1;
+  problem.n_components = components;
+  problem.friction.clear();
+  if (friction)
+    for (const auto &row : rows)
+      problem.friction.push_back(row.friction);
   body_components.assign(bodies.size(), {});
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (const unsigned int b : {rows[r].body, rows[r].partner})
@@ -85,7 +90,7 @@ template <int dim>
 void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 {
   // Rows of a pair follow each other. Each pair gets the first colour that neither of its bodies has yet.
-  colors.clear();
+  problem.colors.clear();
   std::vector<std::vector<char>> taken(bodies.size());
   for (unsigned int first = 0, end; first < rows.size(); first = end)
   {
@@ -106,9 +111,9 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
       taken[b].resize(std::max<std::size_t>(taken[b].size(), color + 1), 0);
       taken[b][color] = 1;
     }
-    if (color == colors.size())
-      colors.emplace_back();
-    colors[color].push_back({first, end});
+    if (color == problem.colors.size())
+      problem.colors.emplace_back();
+    problem.colors[color].push_back({first, end});
   }
 }
 
@@ -117,11 +122,11 @@ void ContactSystem<dim>::remember()
 {
   remembered.clear();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (impulse[r * components] > 0.)
+    if (impulse[r * n_components()] > 0.)
     {
       std::array<double, dim> value{};
-      for (unsigned int c = 0; c < components; ++c)
-        value[c] = impulse[r * components + c];
+      for (unsigned int c = 0; c < n_components(); ++c)
+        value[c] = impulse[r * n_components() + c];
       remembered[rows[r].key] = value;
     }
 }
@@ -130,7 +135,7 @@ template <int dim>
 std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>> &bodies,
                                                           const std::vector<Eigen::VectorXd> &nodal) const
 {
-  std::vector<double> w(rows.size() * components, 0.);
+  std::vector<double> w(rows.size() * n_components(), 0.);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (!bodies[b].driven && !body_components[b].empty())
     {
@@ -140,8 +145,8 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body
     }
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
-      for (unsigned int c = 0; c < components; ++c)
-        w[r * components + c] -= bodies[rows[r].partner].drive * rows[r].direction(c);
+      for (unsigned int c = 0; c < n_components(); ++c)
+        w[r * n_components() + c] -= bodies[rows[r].partner].drive * rows[r].direction(c);
   return w;
 }
 
@@ -170,7 +175,7 @@ void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
                    if (!bodies[b].driven && !body_components[b].empty())
                      solvers[b]->condense(body_rows[b], blocks[b]);
                });
-  contact::BlockDelassus W(rows.size(), components);
+  contact::BlockDelassus W(rows.size(), n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)
       W.add_block(body_components[b], blocks[b]);
@@ -189,7 +194,7 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
       for (unsigned int i = 0; i < bodies[b].field.n_dofs(); ++i)
         inverse_mass[offset[b] + i] = 1. / bodies[b].mass[i / dim];
 
-  std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * components);
+  std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
     for (unsigned int k = 0; k < body_components[b].size(); ++k)
       for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
@@ -206,7 +211,7 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
     start.push_back(dofs.size());
   }
   delassus = std::make_shared<Operator>(Operator{contact::MassDelassus(
-      components, std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
+      n_components(), std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
 }
 
 template <int dim>
@@ -214,27 +219,19 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
                                                 const contact::SolverSettings &settings,
                                                 const bool relative)
 {
-  contact::Problem problem;
-  problem.n_components = components;
-  problem.colors = colors;
-  problem.free_velocity = std::move(free_velocity);
-  if (components > 1)
-    for (const auto &row : rows)
-      problem.friction.push_back(row.friction);
   return std::visit(
       [&](auto &W)
       {
         if (relative)
         {
           // free velocity = (velocity with the present impulses) - W (present impulses)
-          contact::Problem zero = problem;
-          zero.free_velocity.assign(problem.free_velocity.size(), 0.);
+          problem.free_velocity.assign(free_velocity.size(), 0.);
           std::vector<double> effect;
-          contact::compute_velocities(W, zero, impulse, effect);
+          contact::compute_velocities(W, problem, impulse, effect);
           for (unsigned int k = 0; k < effect.size(); ++k)
-            problem.free_velocity[k] -= effect[k];
+            free_velocity[k] -= effect[k];
         }
-        last_free_velocity = problem.free_velocity;
+        problem.free_velocity = std::move(free_velocity);
         last_start = impulse;
         return contact::solve(W, problem, settings, impulse, velocity);
       },
@@ -245,16 +242,16 @@ template <int dim>
 std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap,
                                                const contact::SolverSettings &settings)
 {
-  contact::Problem problem;
-  problem.n_components = components;
-  problem.colors = colors;
-  problem.free_velocity.assign(rows.size() * components, 0.);
+  const unsigned int components = n_components();
+  contact::Problem positions;
+  positions.n_components = components;
+  positions.colors = problem.colors;
+  positions.friction.assign(problem.friction.size(), 0.);
+  positions.free_velocity.assign(rows.size() * components, 0.);
   for (unsigned int r = 0; r < rows.size(); ++r)
-    problem.free_velocity[r * components] = gap[r];
-  if (components > 1)
-    problem.friction.assign(rows.size(), 0.);
+    positions.free_velocity[r * components] = gap[r];
   std::vector<double> tau(rows.size() * components, 0.), moved;
-  std::visit([&](auto &W) { contact::solve(W, problem, settings, tau, moved); }, delassus->kind);
+  std::visit([&](auto &W) { contact::solve(W, positions, settings, tau, moved); }, delassus->kind);
   return tau;
 }
 
@@ -263,12 +260,6 @@ void ContactSystem<dim>::save_problem(const std::string &file,
                                       const std::string &description,
                                       const contact::SolverSettings &settings) const
 {
-  contact::Problem problem;
-  problem.n_components = components;
-  problem.free_velocity = last_free_velocity;
-  if (components > 1)
-    for (const auto &row : rows)
-      problem.friction.push_back(row.friction);
   std::visit([&](const auto &W)
              { contact::save_problem(file, W, problem, settings, last_start, description); },
              delassus->kind);

@@ -80,6 +80,21 @@ void add_rotation_guard(const std::vector<dealii::Tensor<1, dim>> &slopes,
               0.25 * weight * ((d == e ? slopes[i] * slopes[j] : 0.) - slopes[i][e] * slopes[j][d]);
 }
 
+/// Calls make_work() once on every thread that takes a piece, and what it returns for the cells of the piece;
+/// cells at the same time share no node.
+template <int dim, class MakeWork>
+void for_cells(const Body<dim> &body, const MakeWork &make_work)
+{
+  for (const std::vector<unsigned int> &color : body.field.colors())
+    parallel_for(color.size(), 8,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   auto work = make_work();
+                   for (std::size_t i = begin; i < end; ++i)
+                     work(color[i]);
+                 });
+}
+
 /// Stiffness by pair of directions: rows and columns x x, y x, x y, y y.
 template <int n>
 using PlaneBlocks = std::array<Eigen::Matrix<double, n, n>, 4>;
@@ -139,6 +154,7 @@ void cell_stiffness(const Body<dim> &body,
   if (body.f_bar && !body.small_strain())
     add_dilatation_terms(body, cell, mean, total, local);
 }
+
 /// The same in the plane without F-bar and guard, for a number of nodes known to the compiler: by direction,
 /// so that all is products of small matrices.
 template <int n>
@@ -191,38 +207,67 @@ void plane_stiffness(const Body<2> &body, const unsigned int cell, PlaneBlocks<n
 template <int n>
 void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix &matrix)
 {
-  for (const std::vector<unsigned int> &color : body.field.colors())
-    parallel_for(color.size(), 8,
-                 [&](const std::size_t begin, const std::size_t end)
-                 {
-                   PlaneBlocks<n> blocks;
-                   Eigen::Matrix<double, n, Eigen::Dynamic> half;
-                   Eigen::MatrixXd local, part;
-                   for (std::size_t i = begin; i < end; ++i)
-                   {
-                     const unsigned int c = color[i];
-                     plane_stiffness<n>(body, c, blocks);
-                     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
-                     const Eigen::Map<const Eigen::Matrix<double, n, Eigen::Dynamic>> E(extension.data(), n,
-                                                                                        extension.cols());
-                     const int m = extension.size() == 0 ? n : extension.cols();
-                     local.resize(2 * m, 2 * m);
-                     for (int d = 0; d < 2; ++d)
-                       for (int e = 0; e < 2; ++e)
-                       {
-                         auto to = local(Eigen::seqN(d, m, 2), Eigen::seqN(e, m, 2));
-                         if (extension.size() == 0)
-                         {
-                           to = blocks[2 * e + d];
-                           continue;
-                         }
-                         half.noalias() = blocks[2 * e + d].lazyProduct(E);
-                         part.noalias() = E.transpose().lazyProduct(half);
-                         to = part;
-                       }
-                     matrix.add_cell<2>(body.field, c, local, factor);
-                   }
-                 });
+  const auto make_work = [&]
+  {
+    return [&, blocks = PlaneBlocks<n>(), half = Eigen::Matrix<double, n, Eigen::Dynamic>(),
+            local = Eigen::MatrixXd(), part = Eigen::MatrixXd()](const unsigned int c) mutable
+    {
+      plane_stiffness<n>(body, c, blocks);
+      const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+      const bool whole = extension.size() == 0;
+      const int m = whole ? n : extension.cols();
+      local.resize(2 * m, 2 * m);
+      for (int d = 0; d < 2; ++d)
+        for (int e = 0; e < 2; ++e)
+        {
+          auto to = local(Eigen::seqN(d, m, 2), Eigen::seqN(e, m, 2));
+          const Eigen::Matrix<double, n, n> &block = blocks[2 * e + d];
+          if (whole)
+          {
+            to = block;
+            continue;
+          }
+          const Eigen::Map<const Eigen::Matrix<double, n, Eigen::Dynamic>> E(extension.data(), n, m);
+          half.noalias() = block.lazyProduct(E);
+          part.noalias() = E.transpose().lazyProduct(half);
+          to = part;
+        }
+      matrix.add_cell<2>(body.field, c, local, factor);
+    };
+  };
+  for_cells(body, make_work);
+}
+
+/// Adds the cells by cell_stiffness().
+template <int dim>
+void add_general_stiffness(const Body<dim> &body,
+                           const double factor,
+                           const bool guard_rotation,
+                           SystemMatrix &matrix)
+{
+  const auto make_work = [&]
+  {
+    return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
+    {
+      cell_stiffness(body, c, guard_rotation, local);
+      const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+      if (extension.size() == 0)
+      {
+        matrix.add_cell<dim>(body.field, c, local, factor);
+        return;
+      }
+      // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
+      const unsigned int m = extension.cols(), n = extension.rows();
+      Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int b = 0; b < m; ++b)
+          for (unsigned int d = 0; d < dim; ++d)
+            wide(dim * a + d, dim * b + d) = extension(a, b);
+      reduced.noalias() = wide.transpose() * (local * wide);
+      matrix.add_cell<dim>(body.field, c, reduced, factor);
+    };
+  };
+  for_cells(body, make_work);
 }
 } // namespace
 
@@ -240,33 +285,7 @@ void add_stiffness(const Body<dim> &body,
       if (body.field.nodes_per_cell() == 9)
         return add_plane_stiffness<9>(body, factor, matrix);
     }
-  for (const std::vector<unsigned int> &color : body.field.colors())
-    parallel_for(color.size(), 8,
-                 [&](const std::size_t begin, const std::size_t end)
-                 {
-                   Eigen::MatrixXd local, reduced;
-                   for (std::size_t i = begin; i < end; ++i)
-                   {
-                     const unsigned int c = color[i];
-                     cell_stiffness(body, c, guard_rotation, local);
-                     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
-                     if (extension.size() == 0)
-                     {
-                       matrix.add_cell<dim>(body.field, c, local, factor);
-                       continue;
-                     }
-                     // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components
-                     // per node.
-                     const unsigned int m = extension.cols(), n = extension.rows();
-                     Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
-                     for (unsigned int a = 0; a < n; ++a)
-                       for (unsigned int b = 0; b < m; ++b)
-                         for (unsigned int d = 0; d < dim; ++d)
-                           wide(dim * a + d, dim * b + d) = extension(a, b);
-                     reduced.noalias() = wide.transpose() * (local * wide);
-                     matrix.add_cell<dim>(body.field, c, reduced, factor);
-                   }
-                 });
+  add_general_stiffness(body, factor, guard_rotation, matrix);
 }
 
 template void add_stiffness<2>(const Body<2> &, double, bool, SystemMatrix &);

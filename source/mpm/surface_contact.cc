@@ -95,13 +95,22 @@ Surface look_at(const Body<2> &body)
 
 /// Gap up to which a row is needed where things come nearer at @p approach at most: twice that way, and what
 /// the walls may add when they hit what was at rest.
-double reach(const ContactScene<2> &scene, const double approach)
+class Reach
 {
-  double drive = 0.;
-  for (const WallMotion<2> &wall : scene.walls)
-    drive = std::max(drive, std::abs(wall.velocity));
-  return 0.1 * scene.cell_size + 2. * scene.dt * (approach + drive);
-}
+public:
+  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size), time(2. * scene.dt)
+  {
+    double drive = 0.;
+    for (const WallMotion<2> &wall : scene.walls)
+      drive = std::max(drive, std::abs(wall.velocity));
+    rest += time * drive;
+  }
+
+  double operator()(const double approach) const { return rest + time * approach; }
+
+private:
+  double rest, time;
+};
 
 /// Half the way to the neighbouring contact markers on both sides.
 double tributary_length(const Boundary<2> &boundary, const unsigned int m)
@@ -128,6 +137,7 @@ row_key(const unsigned int body, const unsigned int marker, const unsigned int p
 }
 
 void find_wall_rows(const ContactScene<2> &scene,
+                    const Reach &reach,
                     const Body<2> &body,
                     const Surface &surface,
                     std::vector<Row> &rows)
@@ -138,7 +148,7 @@ void find_wall_rows(const ContactScene<2> &scene,
     if (!wall.plane)
       continue;
     const double approach = std::abs(surface.velocity * wall.normal - wall.velocity) + surface.spread;
-    const double margin = reach(scene, approach);
+    const double margin = reach(approach);
     for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
     {
       const double gap = (body.boundary.position[m] - wall.point) * wall.normal;
@@ -225,13 +235,14 @@ NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share
 }
 
 void find_pair_rows(const ContactScene<2> &scene,
+                    const Reach &reach,
                     const Body<2> &body,
                     const Surface &own,
                     const Body<2> &partner,
                     const Surface &other,
                     std::vector<Row> &rows)
 {
-  const double margin = reach(scene, (own.velocity - other.velocity).norm() + own.spread + other.spread);
+  const double margin = reach((own.velocity - other.velocity).norm() + own.spread + other.spread);
   if (!own.box.near(other.box, margin))
     return;
   // Segments one cell further than the margin: the nearest point of a marker within it lies on one of them.
@@ -272,15 +283,15 @@ void find_pair_rows(const ContactScene<2> &scene,
 }
 
 /// For every body those whose boundaries it looks for with its markers: all that are near, each pair once.
-std::vector<std::vector<unsigned int>> find_partners(const ContactScene<2> &scene,
-                                                     const std::vector<Surface> &surfaces)
+std::vector<std::vector<unsigned int>>
+find_partners(const ContactScene<2> &scene, const Reach &reach, const std::vector<Surface> &surfaces)
 {
   // Grown by this each, boxes overlap whenever find_pair_rows() may find a row.
   std::vector<dealii::BoundingBox<2>> boxes;
   for (const Surface &surface : surfaces)
   {
     Box box = surface.box;
-    const double margin = 0.5 * reach(scene, 2. * (surface.velocity.norm() + surface.spread));
+    const double margin = 0.5 * reach(2. * (surface.velocity.norm() + surface.spread));
     for (unsigned int d = 0; d < 2; ++d)
     {
       box.lower[d] -= margin;
@@ -311,6 +322,7 @@ std::vector<std::vector<unsigned int>> find_partners(const ContactScene<2> &scen
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
 {
   const std::size_t n = scene.bodies.size();
+  const Reach reach(scene);
   std::vector<Surface> surfaces(n);
   parallel_for(n, 8,
                [&](const std::size_t begin, const std::size_t end)
@@ -318,7 +330,7 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                  for (std::size_t b = begin; b < end; ++b)
                    surfaces[b] = look_at(scene.bodies[b]);
                });
-  const std::vector<std::vector<unsigned int>> partners = find_partners(scene, surfaces);
+  const std::vector<std::vector<unsigned int>> partners = find_partners(scene, reach, surfaces);
   std::vector<std::vector<Row>> of_body(n);
   parallel_for(n, 4,
                [&](const std::size_t begin, const std::size_t end)
@@ -327,9 +339,9 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                  {
                    const Body<2> &body = scene.bodies[b];
                    if (!body.driven)
-                     find_wall_rows(scene, body, surfaces[b], of_body[b]);
+                     find_wall_rows(scene, reach, body, surfaces[b], of_body[b]);
                    for (const unsigned int partner : partners[b])
-                     find_pair_rows(scene, body, surfaces[b], scene.bodies[partner], surfaces[partner],
+                     find_pair_rows(scene, reach, body, surfaces[b], scene.bodies[partner], surfaces[partner],
                                     of_body[b]);
                  }
                });

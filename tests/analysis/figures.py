@@ -5,24 +5,21 @@ figures_thesis4.py on runs that follow the laws of Nguyen (2016) exactly: it mus
 Arguments: PYTHON_DIR WORK.
 """
 
-import contextlib
-import io
 import json
 import os
 import shutil
 import sys
 import unittest
 
-TOOLS, WORK = map(os.path.abspath, sys.argv[1:3])
-sys.path.insert(0, TOOLS)
-sys.dont_write_bytecode = True
+WORK = os.path.abspath(sys.argv[2])
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "output"))
+
+from tool_runs import run  # noqa: E402  (before matplotlib and the tools)
 
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 import figures_fits  # noqa: E402
-import figures_thesis4  # noqa: E402
-import reading  # noqa: E402
 
 INITIAL, REFERENCE, REFERENCE_STRESS, WIDTH = 0.7, 0.8, 2.5e5, 0.04
 BINS = np.arange(0.1, 4, 0.2)
@@ -93,25 +90,14 @@ def write_run(name, model, friction, beta=None, alpha=None, exponent=0.5, gamma=
     return directory
 
 
-def run(*arguments):
-    """(exit code, what is printed, error lines)."""
-    out, errors, code = io.StringIO(), io.StringIO(), 0
-    sys.argv = ["figures_thesis4.py", *arguments]
-    try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            reading.run_tool(figures_thesis4.main)
-    except SystemExit as end:
-        code = end.code
-    return code, out.getvalue(), errors.getvalue()
-
-
 class Figures(unittest.TestCase):
     def test_constants_of_the_thesis_are_found_again(self):
         runs = [write_run("mpm", "mpm", 0, beta=10, gamma=0.15),
                 write_run("mpm2", "mpm", 0, beta=12, gamma=0.15),
                 write_run("mpm_friction", "mpm", 0.5, beta=8, exponent=0.7),
                 write_run("bpm", "bpm", 0, alpha=0.27, gamma=0.25)]
-        code, printed, errors = run(*runs, "--output", os.path.join(WORK, "figures"), "--dpi", "40")
+        code, printed, errors = run("figures_thesis4.py", *runs, "--output", os.path.join(WORK, "figures"), "--dpi",
+                                    "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertNotIn("left out", printed)
         for number in ("4.1", "4.2", "4.3", "4.4", "4.5", "4.8", "4.9", "4.10", "4.11"):
@@ -149,7 +135,8 @@ class Figures(unittest.TestCase):
 
     def test_what_is_missing_is_said(self):
         bare = write_run("bare", "bpm", 0, alpha=0.3, measures=False)
-        code, printed, errors = run(bare, "--output", os.path.join(WORK, "bare_figures"), "--format", "svg",
+        code, printed, errors = run("figures_thesis4.py", bare, "--output", os.path.join(WORK, "bare_figures"),
+                                    "--format", "svg",
                                     "--only", "4.3", "4.8")
         self.assertEqual((code, errors), (0, ""))
         self.assertIn("figure 4.8 is left out: no run has the measure 'contact_surface'", printed)
@@ -160,7 +147,7 @@ class Figures(unittest.TestCase):
         for arguments, words in (([other], "is no compaction"), (["nowhere"], "there is no folder"),
                                  ([bare, "--only", "4.6"], "4.6"),
                                  ([bare, "--reference", "2"], "--reference")):
-            code, _, errors = run(*arguments)
+            code, _, errors = run("figures_thesis4.py", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

@@ -5,24 +5,20 @@ figures_thesis3.py on a grain made up: linear, then a plateau, then a line back;
 Arguments: PYTHON_DIR WORK.
 """
 
-import contextlib
-import io
 import json
 import os
 import shutil
 import sys
 import unittest
 
-TOOLS, WORK = map(os.path.abspath, sys.argv[1:3])
-sys.path.insert(0, TOOLS)
-sys.dont_write_bytecode = True
+WORK = os.path.abspath(sys.argv[2])
+
+from tool_runs import run  # noqa: E402  (before matplotlib and the tools)
 
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 import figures_diametral  # noqa: E402
-import figures_thesis3  # noqa: E402
-import reading  # noqa: E402
 from vtu import write_grid, write_series  # noqa: E402
 
 SLOPE, PLATEAU, UNLOADING = 10e6, 0.3e6, 60e6  # [Pa]
@@ -94,25 +90,13 @@ def write_run(name, kind, model="bpm", force=60, diameters=(1e-4, 3e-4), back=Fa
     return directory
 
 
-def run(*arguments):
-    """(exit code, what is printed, error lines)."""
-    out, errors, code = io.StringIO(), io.StringIO(), 0
-    sys.argv = ["figures_thesis3.py", *arguments]
-    try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            reading.run_tool(figures_thesis3.main)
-    except SystemExit as end:
-        code = end.code
-    return code, out.getvalue(), errors.getvalue()
-
-
 class OneGrain(unittest.TestCase):
     def test_numbers_are_found_again(self):
         runs = [write_run("mpm", "column", model="mpm"), write_run("loaded", "snapshots"),
                 write_run("finer", "fields", diameters=(1e-4, 2e-4)), write_run("back10", "fields", back=True, end=0.1),
                 write_run("back30", "column", back=True)]
         folder = os.path.join(WORK, "figures")
-        code, printed, errors = run(*runs, "--output", folder, "--dpi", "40")
+        code, printed, errors = run("figures_thesis3.py", *runs, "--output", folder, "--dpi", "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertNotIn("left out", printed)
         for number in ("3.10", "3.11", "3.12"):
@@ -158,7 +142,7 @@ class OneGrain(unittest.TestCase):
 
     def test_what_is_missing_is_said(self):
         alone = write_run("alone", "column")
-        code, printed, errors = run(alone, "--output", os.path.join(WORK, "alone_figures"))
+        code, printed, errors = run("figures_thesis3.py", alone, "--output", os.path.join(WORK, "alone_figures"))
         self.assertEqual((code, errors), (0, ""))
         for words in ("figure 3.10 is left out: it needs a run by MPM", "figure 3.11 is left out",
                       "figure 3.12 is left out: it needs runs by BPM whose walls open again"):
@@ -174,7 +158,7 @@ class OneGrain(unittest.TestCase):
             file.write("time_s\n0\n1\n")
         for arguments, words in ((["nowhere"], "there is no folder"), ([other], "no column bottom_position_m"),
                                  ([narrow], "how wide the grain is"), ([alone, "--dpi", "1"], "--dpi")):
-            code, _, errors = run(*arguments)
+            code, _, errors = run("figures_thesis3.py", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

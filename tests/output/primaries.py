@@ -5,19 +5,15 @@ render.py on two made-up bodies of primaries: where the forces are drawn, how wi
 Arguments: PYTHON_DIR WORK.
 """
 
-import contextlib
-import io
 import os
 import shutil
 import sys
 import unittest
 
-TOOLS, WORK = map(os.path.abspath, sys.argv[1:3])
-sys.path.insert(0, TOOLS)
-sys.dont_write_bytecode = True
+WORK = os.path.abspath(sys.argv[2])
 
-import matplotlib  # noqa: E402
-matplotlib.use("Agg")
+from tool_runs import run  # noqa: E402  (before matplotlib and the tools)
+
 import matplotlib.image  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
@@ -76,18 +72,6 @@ def write_run(name, pairs, with_radii=True):
     return directory
 
 
-def run(*arguments):
-    """(exit code, what is printed, error lines)."""
-    out, errors, code = io.StringIO(), io.StringIO(), 0
-    sys.argv = ["render.py", *arguments]
-    try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            reading.run_tool(render.main)
-    except SystemExit as end:
-        code = end.code
-    return code, out.getvalue(), errors.getvalue()
-
-
 def share(image, colour):
     """How much of a picture has a colour."""
     return np.mean(np.abs(image[..., :3] - to_rgb(colour)).max(axis=2) < 0.02)
@@ -95,7 +79,7 @@ def share(image, colour):
 
 class Primaries(unittest.TestCase):
     def picture(self, *arguments):
-        code, printed, errors = run(*arguments, "--dpi", "80")
+        code, printed, errors = run("render.py", *arguments, "--dpi", "80")
         self.assertEqual((code, errors), (0, ""))
         path = printed.split()[-1]
         if path.endswith(".svg"):
@@ -188,7 +172,7 @@ class Primaries(unittest.TestCase):
                                  ((bodies, "--field", "body", "--range", "0", "1"), "--range"),
                                  ((bodies, "--colours", "grue"), "grue"),
                                  ((solid, "--contacts", "inner"), "primaries")):
-            code, _, errors = run(*arguments)
+            code, _, errors = run("render.py", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

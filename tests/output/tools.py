@@ -1,22 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """render.py and plot.py on synthetic output: what they read, draw and refuse. Arguments: PYTHON_DIR SOURCE WORK."""
 
-import contextlib
-import importlib
-import io
 import os
 import shutil
 import subprocess
 import sys
 import unittest
 
-TOOLS, SOURCE, WORK = map(os.path.abspath, sys.argv[1:4])
-sys.path.insert(0, TOOLS)
-sys.dont_write_bytecode = True
+SOURCE, WORK = map(os.path.abspath, sys.argv[2:4])
+
+import tool_runs  # noqa: E402  (before matplotlib and the tools)
 
 import h5py  # noqa: E402
-import matplotlib  # noqa: E402
-matplotlib.use("Agg")
 import matplotlib.image  # noqa: E402
 import numpy as np  # noqa: E402
 
@@ -25,33 +20,16 @@ import reading  # noqa: E402
 import theory  # noqa: E402
 
 
-class Done:
-    """What a tool printed and how it ended."""
-
-    def __init__(self, returncode, stdout, stderr):
-        self.returncode, self.stdout, self.stderr = returncode, stdout, stderr
-
-
 def run(tool, *arguments):
-    """Runs a tool within this process: loading its libraries anew for every case would take most of the time."""
-    module = importlib.import_module(tool[:-3])
-    out, errors, code = io.StringIO(), io.StringIO(), 0
-    old_arguments, sys.argv = sys.argv, [tool, *arguments]
-    try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            reading.run_tool(module.main)
-    except SystemExit as end:
-        code = end.code
-    finally:
-        sys.argv = old_arguments
-    return Done(code, out.getvalue(), errors.getvalue())
+    """Runs a tool within this process, with the answer of run_alone()."""
+    return subprocess.CompletedProcess(arguments, *tool_runs.run(tool, *arguments))
 
 
 def run_alone(tool, *arguments, path=""):
     """Runs a tool as a user does, without a display; @path comes first in the search for libraries."""
     environment = dict(os.environ, PYTHONPATH=path, PYTHONDONTWRITEBYTECODE="1")
     environment.pop("DISPLAY", None)
-    return subprocess.run([sys.executable, os.path.join(TOOLS, tool), *arguments], cwd=WORK, env=environment,
+    return subprocess.run([sys.executable, os.path.join(tool_runs.TOOLS, tool), *arguments], cwd=WORK, env=environment,
                           capture_output=True, text=True, check=False)
 
 

@@ -32,7 +32,7 @@ public:
 
   bool empty() const { return rows.empty(); }
   const std::vector<ContactRow<dim>> &contact_rows() const { return rows; }
-  unsigned int n_components() const { return components; }
+  unsigned int n_components() const { return problem.n_components; }
   /// Impulses of the last solve [N s].
   const std::vector<double> &impulses() const { return impulse; }
   /// Relative velocities w of the last solve, gap terms included [m/s].
@@ -82,11 +82,10 @@ private:
   void color_pairs(const std::vector<Body<dim>> &bodies);
 
   std::vector<ContactRow<dim>> rows;
-  unsigned int components = 1;
-  std::vector<std::vector<contact::Problem::Range>> colors; ///< rows by pair; pairs of a colour share no body
-  std::vector<std::vector<unsigned int>> body_components;   ///< components that body b takes part in
-  std::vector<LinearSolver::Rows> body_rows;                ///< its H^T on them
-  std::vector<double> impulse, velocity, last_free_velocity, last_start;
+  contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
+  std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
+  std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
+  std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
   std::unordered_map<std::uint64_t, std::array<double, dim>> remembered;
 };
