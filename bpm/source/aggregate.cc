@@ -34,9 +34,11 @@ Packing pack_around(const dealii::Tensor<1, 2> &half,
     for (radii.clear(); filled < wanted; filled += dealii::numbers::PI * radii.back() * radii.back())
       radii.push_back(0.5 * sizes.draw(random));
     const dealii::Tensor<1, 2> corner = std::sqrt(filled / wanted) * half;
+    PackingProtocol impatient;
+    impatient.patient = false;
     try
     {
-      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random, false);
+      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random, impatient);
     }
     catch (const InputError &)
     {

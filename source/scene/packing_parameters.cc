@@ -30,7 +30,16 @@ PackingRequest parse_request(dealii::ParameterHandler &prm)
   request.sizes.parse_parameters(prm, "Packing");
   request.lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
   request.upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
+  request.fraction = prm.get_double("Packing fraction");
   request.seed = prm.get_integer("Seed");
+  request.protocol.jam = prm.get_bool("Until jammed");
+  request.protocol.friction = prm.get_double("Friction");
+  const std::string periodic = prm.get("Periodic");
+  request.protocol.periodic = {
+      {periodic.find('x') != std::string::npos, periodic.find('y') != std::string::npos}};
+  if (request.protocol.jam && request.fraction > 0.)
+    throw InputError("'Packing/Packing fraction' = '" + prm.get("Packing fraction") +
+                     "' is not allowed with 'Packing/Until jammed' = 'true', which decides it: it must be 0");
   for (unsigned int d = 0; d < 2; ++d)
     if (!(request.upper[d] - request.lower[d] > request.sizes.largest))
       throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
@@ -54,8 +63,25 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
                     "Lower left corner of the box that the disks are packed in. Units: m.");
   prm.declare_entry("Upper", "1, 1", List(Double(), 2, 2, ","),
-                    "Upper right corner. Number, diameters and box decide how dense it is; about 0.80 is "
-                    "possible. Units: m.");
+                    "Upper right corner. Number, diameters and box decide how dense it is, unless 'Packing "
+                    "fraction' or 'Until "
+                    "jammed' does; about 0.80 is possible. Units: m.");
+  prm.declare_entry(
+      "Packing fraction", "0", Double(0., 0.9),
+      "Share of the box that the disks fill; their diameters are scaled alike to do so. 0: diameters as "
+      "they are. Units: none.");
+  prm.declare_entry(
+      "Until jammed", "false", Bool(),
+      "Whether the box is closed until the disks carry it, as under a pressure (to rigid disks its height "
+      "does not matter). Then all is scaled to the box wanted: about 0.84 without friction.");
+  prm.declare_entry(
+      "Friction", "0", Double(0.),
+      "Coefficient between the disks, and with the sides of the box, while they are packed: more of it "
+      "jams them looser. Units: none.");
+  prm.declare_entry(
+      "Periodic", "", MultipleSelection("x|y"),
+      "Directions without sides, where disks reach over the edge of the box and go on at the other: x, y or "
+      "both. For packings without walls; a scene with walls there refuses them.");
   prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
   prm.leave_subsection();
 }

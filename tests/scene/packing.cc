@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <string>
 
 using namespace softgrain;
 
@@ -48,6 +49,53 @@ void look(const unsigned int n,
             << (std::abs(ratio - 1.) < 3. / std::sqrt(1. * n) ? "as expected" : "WRONG") << '\n';
 }
 
+/// Overlap and contacts of a packing with sides or without, over which disks are near each other.
+void look_across(const std::string &name, const PackingRequest &request, const double from, const double to)
+{
+  const Packing packing = make_packing(request);
+  const dealii::Tensor<1, 2> edges = request.upper - request.lower;
+  double overlap = 0., mean = 0., outside = 0.;
+  for (const Packing::Disk &disk : packing.disks)
+    mean += disk.radius / packing.disks.size();
+  unsigned int touching = 0, across = 0;
+  const auto &disks = packing.disks;
+  for (std::size_t i = 0; i < disks.size(); ++i)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const double free = request.protocol.periodic[d] ? 0. : disks[i].radius;
+      outside = std::max({outside, request.lower[d] + free - disks[i].center[d],
+                          disks[i].center[d] + free - request.upper[d]});
+      if (!request.protocol.periodic[d])
+        for (const double gap :
+             {disks[i].center[d] - free - request.lower[d], request.upper[d] - free - disks[i].center[d]})
+          touching += gap < 0.02 * mean;
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      dealii::Tensor<1, 2> apart = disks[i].center - disks[j].center;
+      bool crosses = false;
+      for (unsigned int d = 0; d < 2; ++d)
+        if (request.protocol.periodic[d] && std::abs(apart[d]) > 0.5 * edges[d])
+        {
+          apart[d] -= std::copysign(edges[d], apart[d]);
+          crosses = true;
+        }
+      const double gap = apart.norm() - disks[i].radius - disks[j].radius;
+      overlap = std::max(overlap, -gap);
+      touching += gap < 0.02 * mean ? 2 : 0;
+      across += crosses && gap < 0.02 * mean;
+    }
+  }
+  const double fraction = packing.solid_area() / (edges[0] * edges[1]);
+  std::cout << name << ": overlap " << overlap << ", outside " << std::max(0., outside) << ", fraction "
+            << (fraction >= from && fraction <= to ? "as expected" : "WRONG") << ", touching per disk "
+            << (touching > 3. * disks.size() ? "above 3" : "below 3") << ", across the edge "
+            << (across > 0 ? "some" : "none") << '\n';
+  if (!(fraction >= from && fraction <= to))
+    std::cout << fraction << '\n';
+}
+
 template <typename F>
 void refused(const F &work)
 {
@@ -71,6 +119,25 @@ int main()
   look(40, 0.74, 1.0, Form::uniform_diameter);
   look(20, 0.30, 2.0, Form::uniform_area);
   look(40, 0.70, 2.0, Form::uniform_area);
+
+  PackingRequest request;
+  request.number = 150;
+  request.sizes.smallest = 1.2;
+  request.sizes.largest = 2.;
+  request.lower = dealii::Point<2>(1., 2.);
+  request.upper = dealii::Point<2>(21., 18.);
+  request.fraction = 0.72;
+  look_across("fraction 0.72", request, 0.7199, 0.7201);
+  request.protocol.periodic = {{true, false}};
+  look_across("fraction 0.72, periodic in x", request, 0.7199, 0.7201);
+  request.fraction = 0.;
+  request.protocol.jam = true;
+  request.protocol.periodic = {{false, false}};
+  look_across("jammed", request, 0.80, 0.85);
+  request.protocol.periodic = {{true, true}};
+  look_across("jammed, periodic", request, 0.82, 0.86);
+  request.protocol.friction = 0.8;
+  look_across("jammed, periodic, friction", request, 0.74, 0.83);
   refused(
       []
       {

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,13 +26,30 @@ struct Packing
   double solid_area() const;
 };
 
+/// How disks are brought into their box.
+struct PackingProtocol
+{
+  /// Whether the box shrinks in ever smaller steps once the disks jam; else it is given up at once, from
+  /// about 0.75 on.
+  bool patient = true;
+  /**
+   * Whether the box shrinks until the disks carry its sides, as under a pressure (how high does not matter to
+   * rigid disks); then box and disks are scaled to the box wanted.
+   */
+  bool jam = false;
+  double friction = 0.;           ///< between disks, and with walls
+  std::array<bool, 2> periodic{}; ///< directions without walls: what leaves at one side comes in at the other
+};
+
 /// What make_packing() is to make.
 struct PackingRequest
 {
   unsigned int number = 0;
   SizeDistribution sizes;
-  dealii::Point<2> lower, upper; ///< box at the end [m]; walls all round
+  dealii::Point<2> lower, upper; ///< box at the end [m]
+  double fraction = 0; ///< of the box that the disks fill, their sizes scaled alike; 0: sizes as drawn
   std::uint64_t seed = 1;
+  PackingProtocol protocol;
 };
 
 /**
@@ -41,15 +59,14 @@ struct PackingRequest
  * it, a little at a time; the contact kernel keeps the disks apart. A thousandth of the mean radius is taken
  * from every radius at the end, so that no rounding makes disks overlap.
  *
- * @param patient whether the box shrinks in ever smaller steps once the disks jam, up to about 0.80; else it
- * is given up at once, from about 0.75 on
+ * About 0.80 is reached without friction, 0.84 when jammed.
  * @throw InputError when the disks do not fit into the box.
  */
 Packing pack_disks(const std::vector<double> &radii,
                    const dealii::Point<2> &lower,
                    const dealii::Point<2> &upper,
                    Uniform &random,
-                   bool patient = true);
+                   const PackingProtocol &protocol = {});
 
 /// pack_disks() with radii drawn at random.
 Packing make_packing(const PackingRequest &request);
