@@ -44,13 +44,15 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     for (std::size_t i = 0; i < disks.size(); ++i)
       disks.angular_velocity[i] = scene.bodies[disks.body[i]].angular_velocity;
   }
-  dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
-  dynamics->set_timer(timer.get());
   if (contact_force > 0.)
-    natural_time = attraction_time(dynamics->mean_diameter(),
-                                   *std::min_element(density.begin(), density.end()), contact_force);
+    natural_time = attraction_time(disks.mean_diameter(), *std::min_element(density.begin(), density.end()),
+                                   contact_force);
   if (wanted_step() <= 0.)
     throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
+  // More than a step, for what it accelerates.
+  settings.dynamics.look_ahead = 1.5 * wanted_step();
+  dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
+  dynamics->set_timer(timer.get());
 
   for (const BodyDescription<2> &body : scene.bodies)
     body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"

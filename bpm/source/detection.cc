@@ -11,6 +11,12 @@
 
 namespace softgrain::bpm
 {
+namespace
+{
+/// What a thread takes at a time where a pair is only cleared, and where a row is copied.
+constexpr std::size_t pairs_to_a_piece = 65536, rows_to_a_piece = 8192;
+} // namespace
+
 /// Pairs of one tile that attract each other, in the form a law wants.
 struct Dynamics::Scratch
 {
@@ -27,9 +33,22 @@ struct Dynamics::Scratch
   }
 };
 
+/// Whether a gap [m] that parts at @p relative velocity along @p normal is nearly closed, or will be within
+/// look_ahead.
+bool Dynamics::closes(const std::array<double, 2> &relative,
+                      const std::array<double, 2> &normal,
+                      const double opening) const
+{
+  const double range = settings.contact_range * diameter;
+  if (opening < range)
+    return true;
+  const double approach = -(relative[0] * normal[0] + relative[1] * normal[1]);
+  return opening - settings.look_ahead * approach < range;
+}
+
 void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
 {
-  const double contact_range = settings.contact_range * diameter;
+  const double reach = contact_reach() * diameter;
   std::vector<Found> &contacts = found[tile];
   contacts.clear();
   scratch.clear();
@@ -70,16 +89,18 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     const bool same = primaries.body[a] == primaries.body[b];
     const Attraction *own = same && !laws.empty() ? laws[primaries.body[a]].get() : nullptr;
     const double attraction_reach = own != nullptr ? own->range() * sum : 0.;
-    const double contact_reach = sum + contact_range;
+    const double contact_reach = sum + reach;
     const bool attracts = square < attraction_reach * attraction_reach;
-    const bool touches = square < contact_reach * contact_reach;
-    if (!attracts && !touches)
+    const bool near = square < contact_reach * contact_reach;
+    if (!attracts && !near)
       continue;
     const double distance = std::sqrt(square);
     // Disks on top of each other have no direction; any one gets them apart.
     const std::array<double, 2> direction =
         distance > 0. ? std::array<double, 2>{dx / distance, dy / distance} : std::array<double, 2>{1., 0.};
-    if (touches && inverse_mass[a] + inverse_mass[b] > 0.)
+    const std::array<double, 2> &va = primaries.velocity[a], &vb = primaries.velocity[b];
+    if (near && inverse_mass[a] + inverse_mass[b] > 0. &&
+        closes({va[0] - vb[0], va[1] - vb[1]}, direction, distance - sum))
       contacts.push_back({pair, distance - sum, direction});
     if (attracts)
     {
@@ -198,7 +219,6 @@ void Dynamics::set_row(const std::size_t row,
 
 void Dynamics::collect_walls(const std::vector<MovingWall> &walls)
 {
-  const double range = settings.contact_range * diameter;
   auto remembered = remembered_at_walls.begin();
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
@@ -208,7 +228,10 @@ void Dynamics::collect_walls(const std::vector<MovingWall> &walls)
     {
       const double opening = primaries.position[i][0] * wall.normal[0] +
                              primaries.position[i][1] * wall.normal[1] - offset - primaries.radius[i];
-      if (opening >= range || inverse_mass[i] == 0.)
+      const std::array<double, 2> &v = primaries.velocity[i];
+      if (inverse_mass[i] == 0. ||
+          !closes({v[0] - wall.velocity * wall.normal[0], v[1] - wall.velocity * wall.normal[1]}, wall.normal,
+                  opening))
         continue;
       // Both this loop and the memory run through walls and primaries in order.
       while (remembered != remembered_at_walls.end() &&
@@ -267,11 +290,11 @@ void Dynamics::remember()
             rows.rolling_impulse.empty() ? 0. : rows.rolling_impulse[row]};
   };
   std::vector<contact::NeighbourList::Memory> &memory = list.memory();
-  parallel_for(memory.size(), 65536,
+  parallel_for(memory.size(), pairs_to_a_piece,
                [&](const std::size_t begin, const std::size_t end) {
                  std::fill(memory.begin() + begin, memory.begin() + end, contact::NeighbourList::Memory{});
                });
-  parallel_for(pair_of_row.size(), 8192,
+  parallel_for(pair_of_row.size(), rows_to_a_piece,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t row = begin; row < end; ++row)

@@ -31,13 +31,18 @@ private:
   std::optional<dealii::TimerOutput::Scope> scope;
 };
 
-contact::NeighbourList::Range range_of(const DynamicsSettings &settings,
+/// Gap beyond which no pair counts as near, however fast it closes [mean diameters]; the limit on penetration
+/// sees those.
+constexpr double farthest_look = 0.1;
+
+contact::NeighbourList::Range range_of(const double contact_reach,
+                                       const double skin,
                                        const std::vector<std::shared_ptr<const Attraction>> &laws,
                                        const double diameter)
 {
   contact::NeighbourList::Range range;
-  range.gap = settings.contact_range * diameter;
-  range.skin = settings.skin * diameter;
+  range.gap = contact_reach * diameter;
+  range.skin = skin * diameter;
   for (const auto &law : laws)
     if (law)
       range.stretch = std::max(range.stretch, law->range());
@@ -60,14 +65,18 @@ Dynamics::Dynamics(Primaries disks,
     , settings(dynamics_settings)
     , rotations(primaries.rotate())
 {
-  for (const double r : primaries.radius)
-    diameter += 2. * r / primaries.size();
+  diameter = primaries.mean_diameter();
   inverse_mass.resize(primaries.size());
   for (std::size_t i = 0; i < primaries.size(); ++i)
     inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
   const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
   list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
-                                range_of(settings, laws, diameter));
+                                range_of(contact_reach(), settings.skin, laws, diameter));
+}
+
+double Dynamics::contact_reach() const
+{
+  return settings.look_ahead > 0. ? std::max(settings.contact_range, farthest_look) : settings.contact_range;
 }
 
 void Dynamics::prepare_bodies(const double dt,

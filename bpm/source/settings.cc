@@ -49,8 +49,10 @@ void declare_contact(dealii::ParameterHandler &prm)
   prm.declare_entry("Restitution", "0", Double(0., 1.), "Normal, of all contacts. Units: none.");
   prm.declare_entry("Gap correction", "1", Double(0., 1.),
                     "Share of an overlap that a step pushes out. Units: none.");
-  prm.declare_entry("Range", "0.02", Double(0., 1.),
-                    "Gap up to which a pair is looked at by the contact solver. Units: mean diameters.");
+  prm.declare_entry(
+      "Range", "0.02", Double(0., 1.),
+      "Gap up to which a pair is looked at by the contact solver, beside those that close faster. Units: "
+      "mean diameters.");
   prm.declare_entry(
       "Skin", "0.3", Double(0.001, 10.),
       "Way that two primaries may go before neighbours are searched anew. Units: mean diameters.");

@@ -94,6 +94,15 @@ void check(const DiskBodies &bodies, const DiskContacts &contacts)
     throw InputError("disk contacts: the colours are not an ordered division of the tiles");
 }
 
+/// Velocity that is lost in the rounding of the fastest body's [m/s].
+double rounding_of(const DiskBodies &bodies)
+{
+  double fastest = 0.;
+  for (const auto &velocity : bodies.velocity)
+    fastest = std::max({fastest, std::abs(velocity[0]), std::abs(velocity[1])});
+  return 8. * std::numeric_limits<double>::epsilon() * fastest;
+}
+
 /// Largest momentum. Nesterov's sequence goes on to 1, but sweeps are no gradient steps, and beyond this the
 /// residual swings more than it falls.
 constexpr double frictionless_momentum = 0.98;
@@ -168,6 +177,7 @@ public:
       , settings(settings)
       , team(contacts.size() < contacts_for_threads ? 1 : n_threads())
       , sweeps(bodies, contacts, team)
+      , rounding(rounding_of(bodies))
       , momentum(n > 1 ? frictional_momentum : frictionless_momentum)
       , accelerating(settings.algorithm == DiskAlgorithm::accelerated)
   {
@@ -177,7 +187,7 @@ public:
   {
     sweeps.set_free_velocities();
     speed = sweeps.measure().approach;
-    if (speed == 0.) // nothing approaches: no impulses solve the problem exactly
+    if (speed <= rounding) // nothing approaches: no impulses solve the problem exactly
     {
       sweeps.clear_impulses();
       report.converged = true;
@@ -276,7 +286,8 @@ private:
       throw ComputationError("disk contacts: an impulse is no longer finite after " +
                              std::to_string(report.sweeps) + " sweeps");
     report.converged =
-        report.residual <= settings.tolerance && report.wall_change <= settings.wall_tolerance &&
+        (report.residual <= settings.tolerance || measured.natural_map <= rounding) &&
+        report.wall_change <= settings.wall_tolerance &&
         (settings.penetration_tolerance == 0. || report.approach <= settings.penetration_tolerance);
   }
 
@@ -285,6 +296,7 @@ private:
   const DiskSolverSettings &settings;
   ThreadTeam team;
   DiskSweeps<n> sweeps;
+  const double rounding;
   Momentum momentum;
   WallBalance walls;
   std::vector<double> wall_impulses;

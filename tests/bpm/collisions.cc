@@ -26,6 +26,25 @@ void bounce(const std::string &restitution)
             << '\n';
 }
 
+void fast()
+{
+  // A step closes 0.09 diameters, far more than the range of a contact; the last gap before the impact is
+  // 0.03.
+  const auto model = bpm_scene(grain_scene(disks({{"-2, 0", "1; 0"}, {"2, 0", "-0.5; 0"}}, "1")),
+                               {"Primaries/Smallest diameter=1", "Primaries/Largest diameter=1",
+                                "Primaries/Number per body=1", "Materials/m/Power law/Force at contact=0",
+                                "Time/Time step=0.06"});
+  double penetration = 0.;
+  unsigned int repeated = 0;
+  while (model->time() < 4.)
+  {
+    const StepReport step = model->advance(4. - model->time());
+    penetration = std::max(penetration, step.max_penetration);
+    repeated += step.attempts - 1;
+  }
+  std::cout << "fast: penetration " << below(1e-12, penetration) << ", steps repeated " << repeated << '\n';
+}
+
 void aggregates(const std::string &what, const std::string &second, const Changes &changes)
 {
   const auto model =
@@ -109,6 +128,7 @@ int main()
   bounce("0");
   bounce("0.5");
   bounce("1");
+  fast();
   aggregates("head on", "10.6, 0", {});
   aggregates("off centre", "8.6, 10", {});
   aggregates("with friction and rolling resistance", "8.6, 10",

@@ -28,9 +28,11 @@ struct DynamicsSettings
   double restitution = 0;              ///< normal, of every contact
   double gap_correction = 1;           ///< share of an overlap that is pushed out in a step
   double contact_range = 0.02;         ///< pairs nearer than this are contacts of the step
-  double skin = 0.3;                   ///< of the neighbour list
-  double solver_penetration = 1e-4;    ///< that a step may add by an unfinished contact solution
-  contact::DiskSolverSettings solver;  ///< its penetration_tolerance is set from solver_penetration
+  /// Pairs that come this near within this time, at the speed they have, are contacts too [s].
+  double look_ahead = 0;
+  double skin = 0.3;                  ///< of the neighbour list
+  double solver_penetration = 1e-4;   ///< that a step may add by an unfinished contact solution
+  contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
 
   /// Whether rotations of the primaries matter.
   bool rotations(const std::vector<MovingWall> &walls) const;
@@ -118,10 +120,13 @@ public:
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
 
 private:
+  /// Gap up to which a pair is looked at [mean diameters].
+  double contact_reach() const;
   struct Scratch;
   void attract_and_find(std::size_t tile, Scratch &scratch);
   void collect(const std::vector<MovingWall> &walls);
   void collect_walls(const std::vector<MovingWall> &walls);
+  bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
   void resize_rows(std::size_t n);
   void set_row(std::size_t row,
                std::uint32_t a,

@@ -21,6 +21,15 @@ struct Primaries
 
   std::size_t size() const { return position.size(); }
   bool rotate() const { return !angular_velocity.empty(); }
+
+  /// [m]
+  double mean_diameter() const
+  {
+    double sum = 0.;
+    for (const double r : radius)
+      sum += 2. * r / size();
+    return sum;
+  }
 };
 } // namespace softgrain::bpm
 
