@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/output/hdf5_chunks.h>
 #include <softgrain/output/hdf5_file.h>
 
 #include <hdf5.h>
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 
 namespace softgrain
@@ -81,19 +83,19 @@ void write_dataset(const std::string &path,
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (compression_level > 0 && sizes[0] >= 256)
-  {
-    std::vector<hsize_t> chunk = sizes;
-    chunk[0] = std::min<hsize_t>(chunk[0], 1u << 16);
-    H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
-    H5Pset_shuffle(creation); // bytes of equal weight side by side: this is what makes doubles shrink
-    H5Pset_deflate(creation, std::min(compression_level, 9u));
-  }
+  const std::unique_ptr<Hdf5Chunks> chunks =
+      compression_level > 0 && sizes[0] >= 256
+          ? std::make_unique<Hdf5Chunks>(std::vector<std::uint64_t>(sizes.begin(), sizes.end()),
+                                         H5Tget_size(type), compression_level)
+          : nullptr;
+  if (chunks)
+    chunks->ask_for(creation);
   const Handle set(H5Dcreate2(file, name.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
   if (set < 0)
     fail_to_write(path, name);
   const bool empty = std::find(sizes.begin(), sizes.end(), 0u) != sizes.end();
-  if (!empty && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+  if (!empty && !(chunks ? chunks->write(set, values)
+                         : H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0))
     fail_to_write(path, name);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/parallel.h>
 #include <softgrain/output/vtu_file.h>
 
 #include <zlib.h>
@@ -129,7 +130,24 @@ std::string VtuFile::compressed(const std::string &bytes) const
 std::string VtuFile::text() const
 {
   const std::size_t n_points = coordinates.size() / 3;
+  const std::vector<Array> geometry = {make_array("Points", 3, coordinates),
+                                       make_array("connectivity", 1, connectivity),
+                                       make_array("offsets", 1, offsets), make_array("types", 1, types)};
+  // Compression is most of the work: all arrays at the same time, in the order of the file.
+  std::vector<const Array *> all;
+  for (const std::vector<Array> *arrays : {&global_data, &point_data, &cell_data, &geometry})
+    for (const Array &array : *arrays)
+      all.push_back(&array);
+  std::vector<std::string> packed(all.size());
+  parallel_for(all.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   packed[i] = compressed(all[i]->bytes);
+               });
+
   std::string xml, appended;
+  std::size_t next = 0;
   const auto put_array = [&](const Array &array, const bool global)
   {
     xml += "<DataArray type=\"" + array.type + "\" Name=\"" + array.name + "\" NumberOfComponents=\"" +
@@ -137,7 +155,7 @@ std::string VtuFile::text() const
     if (global)
       xml += " NumberOfTuples=\"" + std::to_string(array.n_tuples) + "\"";
     xml += " format=\"appended\" offset=\"" + std::to_string(appended.size()) + "\"/>\n";
-    appended += compressed(array.bytes);
+    appended += packed[next++];
   };
   const auto put_data =
       [&](const std::string &tag, const std::vector<Array> &arrays, const std::size_t n_tuples)
@@ -162,11 +180,10 @@ std::string VtuFile::text() const
          std::to_string(types.size()) + "\">\n";
   put_data("PointData", point_data, n_points);
   put_data("CellData", cell_data, types.size());
-  put_data("Points", {make_array("Points", 3, coordinates)}, n_points);
+  put_data("Points", {geometry[0]}, n_points);
   xml += "<Cells>\n";
-  put_array(make_array("connectivity", 1, connectivity), false);
-  put_array(make_array("offsets", 1, offsets), false);
-  put_array(make_array("types", 1, types), false);
+  for (unsigned int i = 1; i < geometry.size(); ++i)
+    put_array(geometry[i], false);
   xml += "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   return xml + appended + "\n</AppendedData>\n</VTKFile>\n";
 }
