@@ -8,6 +8,8 @@ target_include_directories(softgrain_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
 target_compile_options(softgrain_options INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-braces
   $<$<CONFIG:Release>:-O3>)
+# GCC 12 takes the AVX-512 intrinsics of its own headers for uninitialised: megabytes of warnings that are not ours.
+target_compile_options(softgrain_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 target_compile_options(softgrain_options INTERFACE ${SOFTGRAIN_DEBUG_INFORMATION})
 target_link_options(softgrain_options INTERFACE ${SOFTGRAIN_LINKER})
 if(SOFTGRAIN_NATIVE)
