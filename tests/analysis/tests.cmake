@@ -3,4 +3,4 @@
 add_test(NAME analysis/figures
   COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/analysis/figures.py
     ${PROJECT_SOURCE_DIR}/python ${CMAKE_BINARY_DIR}/tests/analysis/figures.run)
-set_tests_properties(analysis/figures PROPERTIES LABELS "quick;analysis" TIMEOUT 600)
+set_tests_properties(analysis/figures PROPERTIES LABELS "quick;analysis" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})

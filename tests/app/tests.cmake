@@ -7,7 +7,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     add_test(NAME ${name}
       COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:softgrain_executable> ${ARGN}
         -P ${CMAKE_CURRENT_SOURCE_DIR}/app/${script})
-    set_tests_properties(${name} PROPERTIES LABELS "quick;app" TIMEOUT 300)
+    set_tests_properties(${name} PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
   endfunction()
 
   file(GLOB broken CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/broken/*.prm
