@@ -64,31 +64,39 @@ struct Box
 /// What find() works out once per body.
 struct Surface
 {
-  Box box;
-  Vector velocity;    ///< of its centre of mass [m/s]
-  double spread = 0.; ///< of the velocities of its markers about it [m/s]
+  Boundary<2> boundary;          ///< in the middle of the step, at the velocities of its start
+  std::vector<Vector> of_marker; ///< those velocities [m/s]
+  Box box;                       ///< of the boundary
+  Vector velocity;               ///< of its centre of mass [m/s]
+  double spread = 0.;            ///< of the velocities of its contact markers about it [m/s]
 };
 
-Surface look_at(const Body<2> &body)
+Vector marker_velocity(const Body<2> &body, const unsigned int m)
+{
+  if (body.driven)
+    return body.drive;
+  const NodeWeights &weights = body.field.marker_weights(m);
+  Vector v;
+  for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int d = 0; d < 2; ++d)
+      v[d] += weights.weight[k] * body.velocity[2 * weights.node[k] + d];
+  return v;
+}
+
+Surface look_at(const Body<2> &body, const double dt)
 {
   Surface surface;
-  for (const Point &x : body.boundary.position)
-    surface.box.add(x);
-  if (body.driven)
+  surface.boundary = body.boundary;
+  surface.velocity = body.driven ? body.drive : body.momentum() / body.mass.sum();
+  for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
   {
-    surface.velocity = body.drive;
-    return surface;
-  }
-  surface.velocity = body.momentum() / body.mass.sum();
-  // Not of the nodes: those on the rim may be fast and move nothing.
-  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
-  {
-    const NodeWeights &weights = body.field.marker_weights(m);
-    Vector v = -surface.velocity;
-    for (unsigned int k = 0; k < weights.node.size(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        v[d] += weights.weight[k] * body.velocity[2 * weights.node[k] + d];
-    surface.spread = std::max(surface.spread, v.norm());
+    const Vector v = marker_velocity(body, m);
+    surface.of_marker.push_back(v);
+    surface.boundary.position[m] += 0.5 * dt * v;
+    surface.box.add(surface.boundary.position[m]);
+    // Not of the nodes: those on the rim may be fast and move nothing.
+    if (m % body.boundary.contact_stride == 0)
+      surface.spread = std::max(surface.spread, (v - surface.velocity).norm());
   }
   return surface;
 }
@@ -247,35 +255,38 @@ void find_pair_rows(const ContactScene<2> &scene,
     return;
   // Segments one cell further than the margin: the nearest point of a marker within it lies on one of them.
   std::vector<unsigned int> segments;
-  for (unsigned int s = 0; s < partner.boundary.position.size(); ++s)
-    if (own.box.near(partner.boundary.position[s], margin + 2. * scene.cell_size) ||
-        own.box.near(partner.boundary.position[partner.boundary.next(s)], margin + 2. * scene.cell_size) ||
+  for (unsigned int s = 0; s < other.boundary.position.size(); ++s)
+    if (own.box.near(other.boundary.position[s], margin + 2. * scene.cell_size) ||
+        own.box.near(other.boundary.position[other.boundary.next(s)], margin + 2. * scene.cell_size) ||
         partner.driven)
       segments.push_back(s);
   const double friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
-  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+  for (unsigned int m = 0; m < own.boundary.position.size(); m += own.boundary.contact_stride)
   {
-    const Point &x = body.boundary.position[m];
+    const Point &x = own.boundary.position[m];
     if (!other.box.near(x, margin))
       continue;
-    const Projection at = project(x, marker_normal(body.boundary, m), partner.boundary, segments);
+    const Projection at = project(x, marker_normal(own.boundary, m), other.boundary, segments);
     // Deeper than two cells is the far side of a thin partner, not a contact.
     if (at.distance > margin + 2. * scene.cell_size || at.gap > margin)
       continue;
     // Far to the side of what it faces: the true nearest place looks the other way, and there is no contact.
     if (std::abs(at.gap) < 0.7 * at.distance && at.distance > 0.1 * scene.cell_size)
       continue;
+    const unsigned int next = other.boundary.next(at.first);
     Row row;
     row.body = body.index;
     row.partner = partner.index;
     row.wall = partner.wall;
     row.body_weights = body.field.marker_weights(m);
-    row.partner_weights = blend(partner.field.marker_weights(at.first),
-                                partner.field.marker_weights(partner.boundary.next(at.first)), at.share);
+    row.partner_weights =
+        blend(partner.field.marker_weights(at.first), partner.field.marker_weights(next), at.share);
     row.place = x;
     row.normal = at.normal;
-    row.gap = at.gap;
-    row.length = tributary_length(body.boundary, m);
+    const Vector relative =
+        own.of_marker[m] - (1. - at.share) * other.of_marker[at.first] - at.share * other.of_marker[next];
+    row.gap = at.gap - 0.5 * scene.dt * (relative * at.normal); // at the start, as the row sees it
+    row.length = tributary_length(own.boundary, m);
     row.friction = friction;
     row.key = row_key(body.index, m, partner.index, false);
     rows.push_back(row);
@@ -328,7 +339,7 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                   surfaces[b] = look_at(scene.bodies[b]);
+                   surfaces[b] = look_at(scene.bodies[b], scene.dt);
                });
   const std::vector<std::vector<unsigned int>> partners = find_partners(scene, reach, surfaces);
   std::vector<std::vector<Row>> of_body(n);
