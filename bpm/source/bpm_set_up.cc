@@ -14,10 +14,63 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 namespace softgrain::bpm
 {
+namespace
+{
+/// Sees to it that @p library has the aggregates of all bodies. @return their keys.
+std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
+                                            const Settings &settings,
+                                            const std::vector<double> &density,
+                                            const std::vector<std::shared_ptr<const Attraction>> &laws,
+                                            const std::vector<std::string> &law_texts,
+                                            AggregateLibrary &library)
+{
+  const std::size_t n = scene.bodies.size();
+  // Every body its own random numbers, or those of its variant; the same whoever comes first.
+  std::vector<std::uint64_t> seeds(n);
+  std::vector<std::string> keys(n);
+  std::vector<std::size_t> missing; // one body for every key that the library does not have
+  std::set<std::string> known;
+  for (std::size_t b = 0; b < n; ++b)
+  {
+    const BodyDescription<2> &body = scene.bodies[b];
+    const unsigned int variants = settings.primaries.variants;
+    seeds[b] = settings.primaries.seed * 1000003u + (variants > 0 ? b % variants : b);
+    keys[b] = aggregate_key(body, density[b], law_texts[body.material], settings, seeds[b]);
+    if (library.find(keys[b]) == nullptr && known.insert(keys[b]).second)
+      missing.push_back(b);
+  }
+  std::vector<Aggregate> made(missing.size());
+  std::vector<std::exception_ptr> errors(missing.size());
+  parallel_for(missing.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t k = begin; k < end; ++k)
+                   try
+                   {
+                     const std::size_t b = missing[k];
+                     made[k] = make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material],
+                                              settings, seeds[b]);
+                   }
+                   catch (...)
+                   {
+                     errors[k] = std::current_exception();
+                   }
+               });
+  for (std::size_t k = 0; k < missing.size(); ++k)
+  {
+    if (errors[k])
+      std::rethrow_exception(errors[k]);
+    library.add(keys[missing[k]], made[k]);
+  }
+  return keys;
+}
+} // namespace
+
 BpmModel::BpmModel(const Scene<2> &scene_description,
                    const Settings &model_settings,
                    const std::vector<std::shared_ptr<const Attraction>> &laws,
@@ -82,48 +135,23 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
 {
   const dealii::TimerOutput::Scope section(*timer, "preparation of aggregates");
   AggregateLibrary library(settings.primaries.library);
-  const std::size_t n = scene.bodies.size();
-  std::vector<Aggregate> aggregates(n);
-  std::vector<std::string> keys(n);
-  std::vector<std::exception_ptr> errors(n);
-  parallel_for(n, 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   try
-                   {
-                     const BodyDescription<2> &body = scene.bodies[b];
-                     // Every body its own random numbers, the same whoever comes first.
-                     const std::uint64_t seed = settings.primaries.seed * 1000003u + b;
-                     keys[b] = aggregate_key(body, density[b], law_texts[body.material], settings, seed);
-                     if (const Aggregate *kept = library.find(keys[b]))
-                       aggregates[b] = *kept;
-                     else
-                       aggregates[b] = make_aggregate(body, density[b], laws[body.material], settings, seed);
-                   }
-                   catch (...)
-                   {
-                     errors[b] = std::current_exception();
-                   }
-               });
+  const std::vector<std::string> keys =
+      prepare_aggregates(scene, settings, density, laws, law_texts, library);
   Primaries disks;
-  for (std::size_t b = 0; b < n; ++b)
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
-    if (errors[b])
-      std::rethrow_exception(errors[b]);
-    if (library.find(keys[b]) == nullptr)
-      library.add(keys[b], aggregates[b]);
+    const Aggregate &aggregate = *library.find(keys[b]);
     const BodyDescription<2> &body = scene.bodies[b];
     const std::vector<Expression> velocity = vector_expression(body.velocity, {"x", "y"});
     first_of_body.push_back(disks.size());
-    for (std::size_t i = 0; i < aggregates[b].size(); ++i)
+    for (std::size_t i = 0; i < aggregate.size(); ++i)
     {
-      const std::array<double, 2> &from_center = aggregates[b].position[i];
+      const std::array<double, 2> &from_center = aggregate.position[i];
       const double x = body.center[0] + from_center[0], y = body.center[1] + from_center[1];
       disks.position.push_back({x, y});
       disks.velocity.push_back({velocity[0]({x, y}) - body.angular_velocity * from_center[1],
                                 velocity[1]({x, y}) + body.angular_velocity * from_center[0]});
-      disks.radius.push_back(aggregates[b].radius[i]);
+      disks.radius.push_back(aggregate.radius[i]);
       disks.mass.push_back(dealii::numbers::PI * disks.radius.back() * disks.radius.back() * density[b]);
       disks.body.push_back(b);
     }

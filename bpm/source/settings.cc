@@ -22,6 +22,10 @@ void declare_primaries(dealii::ParameterHandler &prm)
                     "0: as many as fill the shape of the body. Otherwise so many, and the body is smaller or "
                     "larger than its shape, of the same form.");
   prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
+  prm.declare_entry(
+      "Variants", "0", Integer(0),
+      "Different fillings for bodies of one shape and size, in turns: large assemblies of equal grains are "
+      "prepared sooner. 0: every body has its own.");
   prm.declare_entry("Library", "", dealii::Patterns::Anything(),
                     "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
   prm.leave_subsection();
@@ -90,6 +94,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   primaries.sizes.parse_parameters(prm, "Primaries");
   primaries.number = prm.get_integer("Number per body");
   primaries.seed = prm.get_integer("Seed");
+  primaries.variants = prm.get_integer("Variants");
   primaries.library = prm.get("Library");
   prm.leave_subsection();
 
