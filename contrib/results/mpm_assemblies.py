@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTH = 35.8e-3  # of the box of 300 disks [m]
 QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
-FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "4"}  # the step goes with the cell
+FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "3"}  # the step goes with the cell
 
 
 def box(number):
