@@ -20,7 +20,7 @@ elseif(SOFTGRAIN_SANITIZE)
   set(SOFTGRAIN_DEBUG_INFORMATION -g1 -O1)
 else()
   # Assertions with inlining: without it Eigen's small functions make a step forty times as long.
-  set(SOFTGRAIN_DEBUG_INFORMATION -gsplit-dwarf -O2)
+  set(SOFTGRAIN_DEBUG_INFORMATION -gsplit-dwarf -O1)
 endif()
 
 # deal.II names gold; lld needs a third of its time for a test. The last -fuse-ld counts.
