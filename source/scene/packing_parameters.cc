@@ -73,7 +73,7 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.declare_entry(
       "Until jammed", "false", Bool(),
       "Whether the box is closed until the disks carry it, as under a pressure (to rigid disks its height "
-      "does not matter). Then all is scaled to the box wanted: about 0.84 without friction.");
+      "does not matter). Then all is scaled to the box wanted: about 0.84 without friction and walls.");
   prm.declare_entry(
       "Friction", "0", Double(0.),
       "Coefficient between the disks, and with the sides of the box, while they are packed: more of it "
