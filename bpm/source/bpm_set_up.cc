@@ -134,7 +134,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
                                 const std::vector<std::string> &law_texts)
 {
   const dealii::TimerOutput::Scope section(*timer, "preparation of aggregates");
-  AggregateLibrary library(settings.primaries.library);
+  AggregateLibrary library(settings.primaries.aggregate_file);
   const std::vector<std::string> keys =
       prepare_aggregates(scene, settings, density, laws, law_texts, library);
   Primaries disks;

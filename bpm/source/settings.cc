@@ -95,7 +95,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   primaries.number = prm.get_integer("Number per body");
   primaries.seed = prm.get_integer("Seed");
   primaries.variants = prm.get_integer("Variants");
-  primaries.library = prm.get("Library");
+  primaries.aggregate_file = prm.get("Library");
   prm.leave_subsection();
 
   prm.enter_subsection("Time");

@@ -32,6 +32,15 @@ double mean_of(const std::vector<double> &values)
   return std::accumulate(values.begin(), values.end(), 0.) / values.size();
 }
 
+/// Area of disks that have lost @p taken of their radii [m^2].
+double area_of(const std::vector<double> &radii, const double taken = 0.)
+{
+  double area = 0.;
+  for (const double r : radii)
+    area += dealii::numbers::PI * (r - taken) * (r - taken);
+  return area;
+}
+
 /// Makes the box smaller until @p end [m, half of its first edge], or until the disks jam. @return whether
 /// they did.
 bool shrink(ShrinkingBox &box, const double end, const double mean, const PackingProtocol &protocol)
@@ -75,11 +84,8 @@ Packing pack_disks(const std::vector<double> &radius,
                    Uniform &random,
                    const PackingProtocol &protocol)
 {
-  double solid = 0.;
-  for (const double r : radius)
-    solid += dealii::numbers::PI * r * r;
   const dealii::Tensor<1, 2> edges = upper - lower;
-  const double fraction = solid / (edges[0] * edges[1]);
+  const double fraction = area_of(radius) / (edges[0] * edges[1]);
   std::ostringstream numbers;
   numbers << radius.size() << " disks fill " << fraction << " of the box";
   if (fraction > 0.9 && !protocol.jam)
@@ -121,11 +127,8 @@ Packing make_packing(const PackingRequest &request)
   {
     // What pack_disks() takes from the radii is made up for.
     const double taken = request.fraction > loose_fraction ? allowed_overlap * mean_of(radii) : 0.;
-    double solid = 0.;
-    for (const double r : radii)
-      solid += dealii::numbers::PI * (r - taken) * (r - taken);
     const dealii::Tensor<1, 2> edges = request.upper - request.lower;
-    const double scale = std::sqrt(request.fraction * edges[0] * edges[1] / solid);
+    const double scale = std::sqrt(request.fraction * edges[0] * edges[1] / area_of(radii, taken));
     for (double &r : radii)
       r *= scale;
   }

@@ -21,8 +21,8 @@ struct PrimarySettings
   SizeDistribution sizes;
   unsigned int number = 0; ///< per body; 0: as many as fill its shape
   std::uint64_t seed = 0;
-  unsigned int variants = 0; ///< fillings that bodies of one shape share; 0: every body has its own
-  std::string library;       ///< file of prepared aggregates, or empty
+  unsigned int variants = 0;  ///< fillings that bodies of one shape share; 0: every body has its own
+  std::string aggregate_file; ///< keeps prepared aggregates for the next run; may be empty
 };
 
 /// Everything the bonded-particle model reads from a parameter file beside the scene.
