@@ -132,7 +132,8 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
   return true;
 }
 
-void BandedSolver::forward(Eigen::Ref<Eigen::MatrixXd> x) const
+template <class Derived>
+void BandedSolver::forward(Eigen::MatrixBase<Derived> &x) const
 {
   const std::size_t size = static_cast<std::size_t>(block + band) * block;
   for (int k = 0; k < n_panels; ++k)
@@ -146,7 +147,8 @@ void BandedSolver::forward(Eigen::Ref<Eigen::MatrixXd> x) const
   }
 }
 
-void BandedSolver::backward(Eigen::Ref<Eigen::MatrixXd> x) const
+template <class Derived>
+void BandedSolver::backward(Eigen::MatrixBase<Derived> &x) const
 {
   const std::size_t size = static_cast<std::size_t>(block + band) * block;
   for (int k = n_panels - 1; k >= 0; --k)
@@ -162,14 +164,14 @@ void BandedSolver::backward(Eigen::Ref<Eigen::MatrixXd> x) const
 
 void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 {
-  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(n_panels * block, 1);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(n_panels * block);
   for (int i = 0; i < b.size(); ++i)
-    y(order[i], 0) = b[i];
+    y[order[i]] = b[i];
   forward(y);
   backward(y);
   x.resize(b.size());
   for (int i = 0; i < b.size(); ++i)
-    x[i] = y(order[i], 0);
+    x[i] = y[order[i]];
 }
 
 void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
@@ -182,7 +184,8 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
                  for (std::size_t c = begin; c < end; ++c)
                    for (Rows::InnerIterator entry(rows, c); entry; ++entry)
                      Y(order[entry.row()], c) = entry.value();
-                 forward(Y.middleCols(begin, end - begin));
+                 auto own = Y.middleCols(begin, end - begin);
+                 forward(own);
                });
   W.setZero(rows.cols(), rows.cols());
   W.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());

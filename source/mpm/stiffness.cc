@@ -4,8 +4,6 @@
 #include <softgrain/mpm/stiffness.h>
 #include <softgrain/mpm/system_matrix.h>
 
-#include <array>
-
 namespace softgrain::mpm
 {
 namespace
@@ -95,10 +93,6 @@ void for_cells(const Body<dim> &body, const MakeWork &make_work)
                  });
 }
 
-/// Stiffness by pair of directions: rows and columns x x, y x, x y, y y.
-template <int n>
-using PlaneBlocks = std::array<Eigen::Matrix<double, n, n>, 4>;
-
 /// Stiffness of one cell over its own nodes.
 template <int dim>
 void cell_stiffness(const Body<dim> &body,
@@ -155,84 +149,83 @@ void cell_stiffness(const Body<dim> &body,
     add_dilatation_terms(body, cell, mean, total, local);
 }
 
-/// The same in the plane without F-bar and guard, for a number of nodes known to the compiler: by direction,
-/// so that all is products of small matrices.
-template <int n>
-void plane_stiffness(const Body<2> &body, const unsigned int cell, PlaneBlocks<n> &blocks)
+/// Stiffness of one cell of the plane over its independent nodes, without F-bar and guard. What is on the rim
+/// is extended point by point, before the products: a cell there has few points.
+class PlaneCell
 {
-  using Column = Eigen::Matrix<double, n, 1>;
-  for (auto &block : blocks)
-    block.setZero();
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+public:
+  /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
+  const Eigen::MatrixXd &stiffness(const Body<2> &body, const unsigned int cell)
   {
-    const double v = body.step.volume[p];
-    const dealii::Tensor<1, 2> *slope = body.field.slopes(p);
-    Column gx, gy;
-    if (body.small_strain())
-      for (int k = 0; k < n; ++k)
-      {
-        gx[k] = slope[k][0];
-        gy[k] = slope[k][1];
-      }
-    else
+    const unsigned int first = body.field.first_point(cell);
+    const unsigned int n_points = body.field.first_point(cell + 1) - first;
+    find_slopes(body, first, n_points, body.field.cell_extension(cell));
+    const Eigen::Index m = slopes.rows();
+    response.resize(3 * m, 2 * n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
     {
-      const dealii::Tensor<2, 2> inverse = invert(body.step.grid_gradient[p]);
-      for (int k = 0; k < n; ++k)
-      {
-        gx[k] = slope[k][0] * inverse[0][0] + slope[k][1] * inverse[1][0];
-        gy[k] = slope[k][0] * inverse[0][1] + slope[k][1] * inverse[1][1];
-      }
+      const auto gx = slopes.col(2 * q), gy = slopes.col(2 * q + 1);
+      const double v = body.step.volume[first + q];
+      const auto &tau = body.step.stress[first + q];
+      const bool geometric = !body.small_strain();
+      const double txx = geometric ? v * tau[0][0] : 0., txy = geometric ? v * tau[0][1] : 0.,
+                   tyy = geometric ? v * tau[1][1] : 0.;
+      // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
+      const auto C = [&](const unsigned int a, const unsigned int b)
+      { return v * body.step.tangent[first + q].access_raw_entry(3 * a + b); };
+      auto with_gx = response.col(2 * q), with_gy = response.col(2 * q + 1);
+      with_gx.head(m) = (C(0, 0) + txx) * gx + (C(0, 2) + txy) * gy;
+      with_gy.head(m) = (C(2, 0) + txy) * gx + (C(2, 2) + tyy) * gy;
+      with_gx.segment(m, m) = C(0, 2) * gx + C(0, 1) * gy;
+      with_gy.segment(m, m) = C(2, 2) * gx + C(2, 1) * gy;
+      with_gx.tail(m) = (C(2, 2) + txx) * gx + (C(2, 1) + txy) * gy;
+      with_gy.tail(m) = (C(1, 2) + txy) * gx + (C(1, 1) + tyy) * gy;
     }
-    // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
-    const auto C = [&](const unsigned int a, const unsigned int b)
-    { return v * body.step.tangent[p].access_raw_entry(3 * a + b); };
-    const Column xx = C(0, 0) * gx + C(0, 2) * gy, yx = C(1, 0) * gx + C(1, 2) * gy,
-                 sx = C(2, 0) * gx + C(2, 2) * gy, xy = C(0, 1) * gy + C(0, 2) * gx,
-                 yy = C(1, 1) * gy + C(1, 2) * gx, sy = C(2, 1) * gy + C(2, 2) * gx;
-    blocks[0].noalias() += gx * xx.transpose() + gy * sx.transpose();
-    blocks[1].noalias() += gy * yx.transpose() + gx * sx.transpose();
-    blocks[2].noalias() += gx * xy.transpose() + gy * sy.transpose();
-    blocks[3].noalias() += gy * yy.transpose() + gx * sy.transpose();
-    if (body.small_strain())
-      continue;
-    const auto &tau = body.step.stress[p];
-    const Column tx = v * (tau[0][0] * gx + tau[0][1] * gy), ty = v * (tau[1][0] * gx + tau[1][1] * gy);
-    const Eigen::Matrix<double, n, n> geometric = gx * tx.transpose() + gy * ty.transpose();
-    blocks[0] += geometric;
-    blocks[3] += geometric;
+    blocks.noalias() = slopes * response.transpose();
+    return blocks;
   }
-}
 
-/// Adds the cells of the plane, all of n nodes.
-template <int n>
+private:
+  /// Derivatives along x and y of the independent nodes' functions, two columns per point.
+  void find_slopes(const Body<2> &body,
+                   const unsigned int first,
+                   const unsigned int n_points,
+                   const Eigen::MatrixXd &extension)
+  {
+    const unsigned int n = body.field.nodes_per_cell();
+    Eigen::MatrixXd &own = extension.size() == 0 ? slopes : nodal;
+    own.resize(n, 2 * n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      const dealii::Tensor<1, 2> *slope = body.field.slopes(first + q);
+      const dealii::Tensor<2, 2> inverse = body.small_strain() ? dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}})
+                                                               : invert(body.step.grid_gradient[first + q]);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          own(k, 2 * q + d) = slope[k][0] * inverse[0][d] + slope[k][1] * inverse[1][d];
+    }
+    if (extension.size() > 0)
+      slopes.noalias() = extension.transpose() * nodal;
+  }
+
+  Eigen::MatrixXd nodal, slopes, response, blocks;
+};
+
+/// Adds the cells by PlaneCell.
 void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix &matrix)
 {
   const auto make_work = [&]
   {
-    return [&, blocks = PlaneBlocks<n>(), half = Eigen::Matrix<double, n, Eigen::Dynamic>(),
-            local = Eigen::MatrixXd(), part = Eigen::MatrixXd()](const unsigned int c) mutable
+    return [&, plane = PlaneCell()](const unsigned int c) mutable
     {
-      plane_stiffness<n>(body, c, blocks);
-      const Eigen::MatrixXd &extension = body.field.cell_extension(c);
-      const bool whole = extension.size() == 0;
-      const int m = whole ? n : extension.cols();
-      local.resize(2 * m, 2 * m);
-      for (int d = 0; d < 2; ++d)
-        for (int e = 0; e < 2; ++e)
-        {
-          auto to = local(Eigen::seqN(d, m, 2), Eigen::seqN(e, m, 2));
-          const Eigen::Matrix<double, n, n> &block = blocks[2 * e + d];
-          if (whole)
-          {
-            to = block;
-            continue;
-          }
-          const Eigen::Map<const Eigen::Matrix<double, n, Eigen::Dynamic>> E(extension.data(), n, m);
-          half.noalias() = block.lazyProduct(E);
-          part.noalias() = E.transpose().lazyProduct(half);
-          to = part;
-        }
-      matrix.add_cell<2>(body.field, c, local, factor);
+      const Eigen::MatrixXd &blocks = plane.stiffness(body, c);
+      const Eigen::Index m = blocks.rows();
+      matrix.add_cell<2>(
+          c,
+          [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
+          // What is left of the diagonal of a block y x stands right of it in the block x y.
+          { return e >= d ? (e == d ? blocks(a, 2 * d * m + b) : blocks(b, m + a)) : blocks(a, m + b); },
+          factor);
     };
   };
   for_cells(body, make_work);
@@ -245,6 +238,14 @@ void add_general_stiffness(const Body<dim> &body,
                            const bool guard_rotation,
                            SystemMatrix &matrix)
 {
+  const auto add = [&](const unsigned int cell, const Eigen::MatrixXd &of_cell)
+  {
+    matrix.add_cell<dim>(
+        cell,
+        [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
+        { return of_cell(dim * a + e, dim * b + d); },
+        factor);
+  };
   const auto make_work = [&]
   {
     return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
@@ -253,7 +254,7 @@ void add_general_stiffness(const Body<dim> &body,
       const Eigen::MatrixXd &extension = body.field.cell_extension(c);
       if (extension.size() == 0)
       {
-        matrix.add_cell<dim>(body.field, c, local, factor);
+        add(c, local);
         return;
       }
       // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
@@ -264,7 +265,7 @@ void add_general_stiffness(const Body<dim> &body,
           for (unsigned int d = 0; d < dim; ++d)
             wide(dim * a + d, dim * b + d) = extension(a, b);
       reduced.noalias() = wide.transpose() * (local * wide);
-      matrix.add_cell<dim>(body.field, c, reduced, factor);
+      add(c, reduced);
     };
   };
   for_cells(body, make_work);
@@ -279,12 +280,7 @@ void add_stiffness(const Body<dim> &body,
 {
   if constexpr (dim == 2)
     if (!body.f_bar && !guard_rotation)
-    {
-      if (body.field.nodes_per_cell() == 4)
-        return add_plane_stiffness<4>(body, factor, matrix);
-      if (body.field.nodes_per_cell() == 9)
-        return add_plane_stiffness<9>(body, factor, matrix);
-    }
+      return add_plane_stiffness(body, factor, matrix);
   add_general_stiffness(body, factor, guard_rotation, matrix);
 }
 

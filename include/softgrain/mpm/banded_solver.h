@@ -30,8 +30,11 @@ public:
 private:
   void analyze(const SystemMatrix::Sparse &matrix);
   void fill(const SystemMatrix::Sparse &matrix);
-  void forward(Eigen::Ref<Eigen::MatrixXd> x) const;
-  void backward(Eigen::Ref<Eigen::MatrixXd> x) const;
+  /// Substitutions in place; a vector, or the columns of a matrix.
+  template <class Derived>
+  void forward(Eigen::MatrixBase<Derived> &x) const;
+  template <class Derived>
+  void backward(Eigen::MatrixBase<Derived> &x) const;
 
   static constexpr int block = 32; ///< columns of a panel; the fastest of 16 to 64 with AVX2
   int band = 0;                    ///< rows of a panel below its diagonal block, a multiple of block

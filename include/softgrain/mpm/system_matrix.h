@@ -25,9 +25,24 @@ public:
 
   void set_zero();
 
-  /// Adds @p factor times the lower triangle of a cell's matrix over the independent nodes of that cell.
-  template <int dim>
-  void add_cell(const BodyField<dim> &field, unsigned int cell, const Eigen::MatrixXd &local, double factor);
+  /**
+   * @brief Adds @p factor times the lower triangle of a cell's matrix over the independent nodes of that
+   * cell.
+   * @param value of (node a, direction e) in the row and (node b, direction d) in the column, nodes counted
+   * within the cell: value(a, e, b, d)
+   */
+  template <int dim, class Value>
+  void add_cell(const unsigned int cell, const Value &value, const double factor)
+  {
+    const unsigned int n = places[cell].n_nodes;
+    const int *start = places[cell].start.data();
+    double *values = matrix.valuePtr();
+    for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int a = b; a < n; ++a)
+        for (unsigned int d = 0; d < dim; ++d, ++start)
+          for (unsigned int e = (a == b ? d : 0), k = 0; e < dim; ++e, ++k)
+            values[*start + k] += factor * value(a, e, b, d);
+  }
 
   /// Adds @p factor * @p mass to the diagonal, one mass per node.
   template <int dim>
@@ -40,8 +55,15 @@ public:
   void clear_pattern_flag() { new_pattern = false; }
 
 private:
+  /// Where the values of a cell go.
+  struct Places
+  {
+    unsigned int n_nodes = 0;
+    std::vector<int> start; ///< of its blocks from the diagonal down, column by column, one per direction
+  };
+
   Sparse matrix;
-  std::vector<std::vector<int>> cell_rank; ///< rank of block (row, column) in its column, lower pairs by cell
+  std::vector<Places> places; ///< by cell
   bool new_pattern = true;
 };
 } // namespace softgrain::mpm
