@@ -17,7 +17,7 @@ void relax()
 #endif
 }
 
-/// Turns of a waiting loop before the thread offers its core to others, some 0.1 ms.
+/// Turns of a waiting loop before the thread leaves its core to others, some 0.1 ms.
 constexpr unsigned int n_spins = 4000;
 } // namespace
 
@@ -29,7 +29,11 @@ ThreadTeam::ThreadTeam(const unsigned int n_threads)
 
 ThreadTeam::~ThreadTeam()
 {
-  stop.store(true);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    stop.store(true);
+  }
+  wake.notify_all();
   for (std::thread &thread : threads)
     thread.join();
 }
@@ -46,7 +50,14 @@ void ThreadTeam::distribute(const std::uint32_t n_items, const Call loop_call, c
   object = loop_object;
   loop_start = loop_end.load(std::memory_order_relaxed);
   const std::uint64_t end = loop_start + n_items;
-  loop_end.store(end, std::memory_order_release); // hands over what stands above
+  // Hands over what stands above. In one order with n_asleep: either a thread that goes to sleep sees this
+  // loop, or it is seen here.
+  loop_end.store(end);
+  if (n_asleep.load() > 0)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    wake.notify_all();
+  }
   while (take_one())
   {
   }
@@ -79,6 +90,17 @@ void ThreadTeam::help()
     else if (turn < n_spins)
       relax();
     else
-      std::this_thread::yield();
+    {
+      sleep();
+      turn = 0;
+    }
+}
+
+void ThreadTeam::sleep()
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  n_asleep.fetch_add(1);
+  wake.wait(lock, [this] { return stop.load() || next.load() < loop_end.load(); });
+  n_asleep.fetch_sub(1);
 }
 } // namespace softgrain::contact
