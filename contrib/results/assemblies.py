@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs and tables of doc/results/thesis-4.md: compaction of soft disks by MPM with other seeds, at half the spacing and
-half the step, and with other numbers of bodies. A run that is there already is not repeated."""
+"""Runs and tables of doc/results/thesis-4.md: compaction of soft disks by MPM and by BPM with other seeds, by MPM at half
+the spacing and half the step, and with other numbers of bodies. A run that is there already is not repeated."""
 import argparse
 import csv
 import json
@@ -13,6 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTH = 35.8e-3  # of the box of 300 disks [m]
 QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
+BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/results/bonded-particles.md, "The step"
 FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "3"}  # the step goes with the cell
 
 
@@ -24,19 +25,23 @@ def box(number):
             "Walls/top/Point": f"0, {width:.6g}", "Walls/right/Point": f"{width:.6g}, 0", "Stop/End time": "6e-3"}
 
 
+SEEDS = range(1, 6)
+# Series: name of the run, its scene (thesis/uniaxial_compaction_*.prm) and what is changed.
 SERIES = {
-    "seeds": [(f"mpm-{seed}", "", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
-    "friction": [(f"mpm-friction-{seed}", "_friction", {"Packing/Seed": str(seed)}) for seed in range(1, 6)],
-    "fine": [("mpm-fine", "", FINE)],
-    "bodies": [(f"mpm-{number}-bodies", "", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
+    "seeds": [(f"mpm-{seed}", "mpm", {"Packing/Seed": str(seed)}) for seed in SEEDS],
+    "friction": [(f"mpm-friction-{seed}", "mpm_friction", {"Packing/Seed": str(seed)}) for seed in SEEDS],
+    "fine": [("mpm-fine", "mpm", FINE)],
+    "bodies": [(f"mpm-{number}-bodies", "mpm", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],
+    "bpm": [(f"bpm-{seed}", "bpm", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
+    "bpm-friction": [(f"bpm-friction-{seed}", "bpm_friction", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
 }
 
 
-def run(program, name, friction, changes, folder, threads):
+def run(program, name, scene, changes, folder, threads):
     target = folder / name
     if not (target / "summary.json").exists():
-        command = [program, "run", str(ROOT / f"parameters/thesis/uniaxial_compaction_mpm{friction}.prm"), "--output",
+        command = [program, "run", str(ROOT / f"parameters/thesis/uniaxial_compaction_{scene}.prm"), "--output",
                    str(target), "--threads", str(threads)]
         for key, value in {**QUIET, **changes}.items():
             command += ["--set", f"{key}={value}"]
@@ -78,15 +83,15 @@ def main():
     print("| run | points | steps | Newton / step | sweeps / step | seconds | us / point / step |\n"
           "|---|---|---|---|---|---|---|")
     for series in arguments.only:
-        for name, friction, changes in SERIES[series]:
-            target = run(arguments.program, name, friction, changes, arguments.folder, arguments.threads)
+        for name, scene, changes in SERIES[series]:
+            target = run(arguments.program, name, scene, changes, arguments.folder, arguments.threads)
             if target is None:
                 continue
             with open(target / "summary.json") as file:
                 summary = json.load(file)
             with open(target / "history.csv") as file:
                 rows = list(csv.DictReader(file))[1:]
-            seconds, steps, points = summary["wall_seconds"], summary["steps"], summary["material_points"]
+            seconds, steps, points = summary["wall_seconds"], summary["steps"], summary.get("material_points", summary.get("primaries"))
             mean = lambda key: sum(float(r[key]) for r in rows) / len(rows)
             print(f"| {name} | {points} | {steps} | {mean('newton_iterations'):.2f} | {mean('contact_sweeps'):.0f} | "
                   f"{seconds:.1f} | {1e6 * seconds / points / steps:.2f} |", flush=True)
