@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/cell_slopes.h>
+#include <softgrain/mpm/lattice_box.h>
 #include <softgrain/mpm/stress.h>
 
 #include <atomic>
@@ -39,6 +40,48 @@ void add_gradient(const BodyField<dim> &field,
         gradient[d][e] += u * slope[k][e];
     }
 }
+
+/// Displacement (rows up to dim) and its increment (the rows below) at the nodes of one cell, and their
+/// gradients at its points: both at once, four numbers side by side in the plane.
+template <int dim>
+class CellGradients
+{
+public:
+  CellGradients(const BodyField<dim> &field, const unsigned int cell, const StepState<dim> &s) : field(field)
+  {
+    const unsigned int n = field.nodes_per_cell(), *nodes = field.nodes_of_cell(cell);
+    nodal.resize(2 * dim, n);
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      nodal.col(k).template head<dim>() = s.nodal.template segment<dim>(dim * nodes[k]);
+      if (s.increment.empty())
+        nodal.col(k).template tail<dim>().setZero();
+      else
+        nodal.col(k).template tail<dim>() = s.nodal_increment.template segment<dim>(dim * nodes[k]);
+    }
+  }
+
+  /// grad u and grad du at point @p p.
+  std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> operator()(const unsigned int p) const
+  {
+    static_assert(sizeof(dealii::Tensor<1, dim>) == dim * sizeof(double));
+    const Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>> slopes(field.slopes(p)->begin_raw(),
+                                                                              dim, nodal.cols());
+    const Eigen::Matrix<double, 2 * dim, dim> both = nodal.lazyProduct(slopes.transpose());
+    std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = 0; e < dim; ++e)
+      {
+        result.first[d][e] = both(d, e);
+        result.second[d][e] = both(dim + d, e);
+      }
+    return result;
+  }
+
+private:
+  const BodyField<dim> &field;
+  Eigen::Matrix<double, 2 * dim, Eigen::Dynamic, 0, 2 * dim, power(ShapeFunction::max_nodes, dim)> nodal;
+};
 
 /// What to compute besides the stress.
 struct Wishes
@@ -84,10 +127,11 @@ void deform_cell(const Body<dim> &body,
   const unsigned int *nodes = body.field.nodes_of_cell(cell);
   const bool small = body.small_strain();
   const unsigned int n_history = body.law->n_history();
+  const CellGradients<dim> gradients(body.field, cell, s);
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
-    s.grid_gradient[p] = identity<dim>();
-    add_gradient(body.field, p, nodes, s.nodal, s.grid_gradient[p]);
+    const auto [gradient, increment] = gradients(p);
+    s.grid_gradient[p] = identity<dim>() + gradient;
     const auto point = body.points[p];
     s.gradient[p] = s.grid_gradient[p] * point.gradient();
     s.volume[p] = small ? point.volume() : point.rest_volume();
@@ -95,8 +139,6 @@ void deform_cell(const Body<dim> &body,
       std::copy_n(point.history(), n_history, &s.history_old[p * n_history]);
     if (s.increment.empty())
       continue;
-    dealii::Tensor<2, dim> increment;
-    add_gradient(body.field, p, nodes, s.nodal_increment, increment);
     if (small)
     {
       s.increment[p] = increment;

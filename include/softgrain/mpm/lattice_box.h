@@ -7,7 +7,7 @@
 namespace softgrain::mpm
 {
 /// Integer power of a small number.
-inline unsigned int power(const unsigned int base, const int exponent)
+constexpr unsigned int power(const unsigned int base, const int exponent)
 {
   unsigned int result = 1;
   for (int d = 0; d < exponent; ++d)
