@@ -30,7 +30,7 @@ def run(program, scene, changes, output):
     except subprocess.TimeoutExpired:
         return None, f"over {LIMIT} s"
     if done.returncode != 0:
-        return None, done.stderr.strip().splitlines()[-1]
+        return None, (done.stderr.strip().splitlines() or [f"ended with status {done.returncode}"])[-1]
     unknowns = next(line.split()[1] for line in done.stdout.splitlines() if line.strip().startswith("unknowns"))
     with open(output / "summary.json", encoding="utf-8") as file:
         return {**json.load(file), "unknowns": unknowns}, ""
