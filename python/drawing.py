@@ -193,20 +193,39 @@ def draw_chains(axes, contacts, centers, full_width, fill="white"):
 
 
 def thinned(contacts, most=14):
-    """Places, forces and whether there is a partner; a longer row of places becomes means of neighbours."""
+    """Places, forces and whether there is a partner; a long row of places becomes fewer, evenly spread."""
     data = contacts.point_data
     keys = np.stack([data["body_a"], data["body_b"], data["wall"]], axis=1)
     forces, normals = data["force_N_per_m"][:, :2], data["normal"][:, :2]
-    groups = []
+    places, shared, both = [], [], []
     for key in np.unique(keys, axis=0):
         rows = np.flatnonzero((keys == key).all(axis=1))
         normal = normals[rows].mean(axis=0)
         along = contacts.points[rows] @ [normal[1], -normal[0]]
-        rows = rows[np.argsort(along, kind="stable")]
-        size = -(-len(rows) // most)
-        groups += [rows[begin:begin + size] for begin in range(0, len(rows), size)]
-    places, means = (np.array([array[group].mean(axis=0) for group in groups]) for array in (contacts.points, forces))
-    return places, means, np.array([data["body_b"][group[0]] >= 0 for group in groups])
+        rows, along = rows[np.argsort(along, kind="stable")], np.sort(along)
+        spread = spread_evenly(along, contacts.points[rows], forces[rows], most)
+        places.append(spread[0])
+        shared.append(spread[1])
+        both += [data["body_b"][rows[0]] >= 0] * len(spread[0])
+    return np.concatenate(places), np.concatenate(shared), np.array(both)
+
+
+def spread_evenly(along, points, forces, most):
+    """Shares the @forces at @along among even places, each between the two next to it: neighbouring rows, closer than the
+    field resolves, may take turns in carrying, and only their sum means something. @return places, forces per row."""
+    spacing = np.median(np.diff(along)) if len(along) > 6 else 0.0
+    if spacing <= 0:
+        return points, forces
+    number = min(most, int((along[-1] - along[0]) / (2.5 * spacing)) + 1)
+    if number < 3:
+        return points, forces
+    centres = np.linspace(along[0], along[-1], number)
+    step = centres[1] - centres[0]
+    weights = np.clip(1 - np.abs(along - centres[:, None]) / step, 0.0, None)
+    # At both ends half of the way to the neighbours is there.
+    lengths = np.where((np.arange(number) == 0) | (np.arange(number) == number - 1), 0.5, 1.0) * step
+    places = np.stack([np.interp(centres, along, points[:, d]) for d in range(2)], axis=1)
+    return places, weights @ forces * (spacing / lengths)[:, None]
 
 
 def draw_arrows(axes, contacts, length, thickness):

@@ -43,7 +43,7 @@ def parse_arguments():
                         help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory")
     parser.add_argument("--theory", metavar="NAME[,NAME]",
                         help="curves to lay beside a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
-                             "(line contact), none (default: none; both with --preset diametral)")
+                             "(line contact), none (default: both for a disk between two walls, else none)")
     for name, text in (("young", "Young's modulus [Pa]"), ("poisson", "Poisson's ratio"), ("radius", "radius [m]")):
         parser.add_argument(f"--{name}", type=float, metavar="NUMBER",
                             help=f"{text} of the theory (default: from parameters.prm of the first run)")
@@ -127,8 +127,19 @@ def choose_columns(arguments, runs):
     return x, arguments.y or ["bottom_force_N_per_m"]
 
 
-def choose_theories(arguments, x, columns):
-    text = arguments.theory or ("hertz,johnson" if arguments.preset == "diametral" else "none")
+def disk_between_walls(parameters):
+    """Whether this is one disk between a bottom and a top wall, with the stiffness that the theory needs."""
+    names = [name.strip() for name in parameters.get(("Bodies", "Names"), "").split(",") if name.strip()]
+    walls = sorted(name.strip() for name in parameters.get(("Walls", "Names"), "").split(","))
+    return (len(names) == 1 and walls == ["bottom", "top"] and
+            parameters.get(("Bodies", names[0], "Shape"), "disk") == "disk" and
+            int(parameters.get(("Packing", "Number"), "0")) == 0 and parameters.get(("Model",), "mpm") == "mpm")
+
+
+def choose_theories(arguments, run, x, columns):
+    diametral = arguments.preset == "diametral" or (x == "axial_strain" and not arguments.y and
+                                                    disk_between_walls(read_parameters(run.directory)))
+    text = arguments.theory or ("hertz,johnson" if diametral else "none")
     names = [] if text == "none" else [name.strip() for name in text.split(",") if name.strip()]
     for name in names:
         if name not in THEORIES:
@@ -261,7 +272,7 @@ def main():
             print(f"{run.directory}: {len(next(iter(run.history.values())))} rows: {', '.join(run.history)}")
         return 0
     x, columns = choose_columns(arguments, runs)
-    theories = choose_theories(arguments, x, columns)
+    theories = choose_theories(arguments, runs[0], x, columns)
     for run in runs:
         if not np.isfinite(run.column(x)).any():
             raise InputError(f"the column {x} of {run.directory} has no values yet")

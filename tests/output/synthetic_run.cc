@@ -26,10 +26,14 @@ void write_parameters(const std::string &directory)
                                                   "  end\n"
                                                   "end\n"
                                                   "subsection Bodies\n"
+                                                  "  set Names = disk\n"
                                                   "  subsection disk\n"
                                                   "    set Shape  = disk\n"
                                                   "    set Radius = 5e-3\n"
                                                   "  end\n"
+                                                  "end\n"
+                                                  "subsection Walls\n"
+                                                  "  set Names = bottom, top\n"
                                                   "end\n";
 }
 } // namespace

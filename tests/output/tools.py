@@ -113,6 +113,10 @@ class Tools(unittest.TestCase):
         svg = self.picture("plot.py", "disk", "--preset", "diametral", "--output", "pictures/curve.svg").decode()
         self.assertIn("Johnson", svg)
         self.assertIn("thesis (3.31)", svg)
+        # A disk between two walls has its theory beside it unless told otherwise.
+        self.assertTrue(b"Johnson" in self.picture("plot.py", "disk", "--output", "pictures/own.svg"))
+        for choice in (("--theory", "none"), ("--y", "top_force_N_per_m")):
+            self.assertFalse(b"Johnson" in self.picture("plot.py", "disk", *choice, "--output", "pictures/bare.svg"))
 
     def test_alone(self):
         for tool in ("render.py", "plot.py"):
@@ -153,6 +157,18 @@ class Tools(unittest.TestCase):
         px = 1 + (np.arange(image.shape[1]) + 0.5) * 18 / image.shape[1]
         py = 1 + (np.arange(image.shape[0]) + 0.5) * 8 / image.shape[0]
         np.testing.assert_allclose(image, 3 + 2 * px - py[:, None], atol=0.02)
+
+    def test_arrows_keep_the_force(self):
+        along = np.linspace(-1, 1, 41)
+        points = np.stack([along, 0.1 * along**2], axis=1)
+        # Rows that take turns in carrying: what is drawn is even, and all of it.
+        forces = np.stack([np.zeros(41), 1 + (-1.0)**np.arange(41)], axis=1)
+        places, drawn = drawing.spread_evenly(along, points, forces, 9)
+        self.assertEqual(len(places), 9)
+        np.testing.assert_allclose(drawn[1:-1, 1], 1, atol=0.05)
+        lengths = np.gradient(places[:, 0]) * np.where(np.isin(np.arange(9), (0, 8)), 0.5, 1)
+        np.testing.assert_allclose((drawn[:, 1] * lengths).sum() / 0.05, forces[:, 1].sum())
+        np.testing.assert_array_equal(drawing.spread_evenly(along[:4], points[:4], forces[:4], 9)[1], forces[:4])
 
     def test_theory(self):
         constants = {"young": 10e6, "poisson": 0.45, "radius": 5e-3}
