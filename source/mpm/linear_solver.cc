@@ -7,14 +7,16 @@
 
 namespace softgrain::mpm
 {
-std::unique_ptr<LinearSolver>
-create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, const unsigned int dim)
+std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings,
+                                                   const SystemMatrix &matrix,
+                                                   const unsigned int dim,
+                                                   const bool condensed)
 {
   std::string type = settings.type;
   if (type == "automatic")
   {
     // The band costs n b^2 operations at some ten times the rate of a sparse factorisation.
-    if (matrix.lower().rows() > static_cast<int>(settings.automatic_dofs))
+    if (!condensed && matrix.lower().rows() > static_cast<int>(settings.automatic_dofs))
       type = "cg_amg";
     else
       type = BandedSolver::bandwidth(matrix) <= settings.automatic_band ? "banded_cholesky" : "cholesky";

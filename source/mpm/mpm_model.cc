@@ -72,13 +72,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (settings.scheme.implicit)
   {
     world.matrices.resize(world.bodies.size());
+    const bool condensed =
+        settings.coupling == ContactCoupling::condensed && world.bodies.size() + world.scene.walls.size() > 1;
     for (const Body<2> &body : world.bodies)
     {
       world.solvers.emplace_back();
       if (body.driven)
         continue;
       world.matrices[body.index].reinit(body.field);
-      world.solvers.back() = create_linear_solver(settings.linear_solver, world.matrices[body.index], 2);
+      world.solvers.back() =
+          create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed);
     }
   }
   if (settings.contact_kind == ContactKind::nodes)

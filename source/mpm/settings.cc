@@ -113,13 +113,14 @@ void declare_time(dealii::ParameterHandler &prm)
                    "Type", "automatic",
                    Selection("automatic|banded_cholesky|cholesky|trilinos_direct|cg_ilu|cg_amg"),
                    "banded_cholesky: dense kernels on the band of a compact body; cholesky: sparse (Eigen); "
-                   "trilinos_direct, cg_ilu, cg_amg: Trilinos; automatic: one of the Cholesky solvers up to "
-                   "'Automatic limit' unknowns of a body, cg_amg above.");
+                   "trilinos_direct, cg_ilu, cg_amg: Trilinos; automatic: one of the Cholesky solvers, but "
+                   "cg_amg for a body of more than 'Automatic limit' unknowns without contact.");
                prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1),
                                  "Relative residual of the iterative solvers.");
                prm.declare_entry("Maximum iterations", "2000", Integer(1), "Of the iterative solvers.");
-               prm.declare_entry("Automatic limit", "60000", Integer(1),
-                                 "Unknowns of a body above which automatic iterates.");
+               prm.declare_entry("Automatic limit", "40000", Integer(1),
+                                 "Unknowns of a body above which automatic iterates, when the scene has no "
+                                 "contact to condense.");
              });
 }
 

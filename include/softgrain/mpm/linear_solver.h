@@ -35,19 +35,23 @@ struct LinearSolverSettings
 {
   std::string type = "automatic"; ///< automatic, banded_cholesky, cholesky, trilinos_direct, cg_ilu, cg_amg
   double tolerance = 1e-10;       ///< relative residual of the iterative solvers
-  unsigned int max_iterations = 2000; ///< of the iterative solvers
-  unsigned int automatic_dofs =
-      60000;                         ///< up to this size `automatic` is a Cholesky solver, above it `cg_amg`
-  unsigned int automatic_band = 600; ///< half band width up to which `automatic` is `banded_cholesky`
+  unsigned int max_iterations = 2000;  ///< of the iterative solvers
+  unsigned int automatic_dofs = 40000; ///< above this size `automatic` is `cg_amg` for a body that meets
+                                       ///< nothing, else a Cholesky solver
+  unsigned int automatic_band = 1200;  ///< half band width up to which `automatic` is `banded_cholesky`
 };
 
 /**
  * @brief The solver for a body with the pattern of @p matrix.
  * @param dim number of rigid translations, for the near null space of AMG
+ * @param condensed whether contact rows may have to be condensed: a solve for each, which iterating is too
+ * dear for (doc/results/linear-solvers.md)
  * @throw InputError when the type is unknown
  */
-std::unique_ptr<LinearSolver>
-create_linear_solver(const LinearSolverSettings &settings, const SystemMatrix &matrix, unsigned int dim);
+std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings,
+                                                   const SystemMatrix &matrix,
+                                                   unsigned int dim,
+                                                   bool condensed);
 } // namespace softgrain::mpm
 
 #endif
