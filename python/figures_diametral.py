@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plot import width_over_time
-from reading import InputError, find_number, need, read_grid, read_history, read_parameters, read_series
+from reading import InputError, find_number, need, plain, read_grid, read_history, read_parameters, read_series
 
 LOADING_MEAN = 0.005  # strain over which the moving mean of loading goes
 UNLOADING_MEAN = 0.0005  # unloading is over within a strain of 0.01
@@ -39,6 +39,13 @@ def mean_between(strain, stress, low, high):
     if high - low < SHORTEST_PLATEAU or strain[0] > low:
         return None
     return float(running_mean(strain, stress, high - low, np.array([0.5 * (low + high)]))[0])
+
+
+def characteristic_force(parameters):
+    """F0 of p_I in the law that the material names."""
+    laws = [plain(value) for key, value in parameters.items() if key[0] == "Materials" and key[-1] == "Law"]
+    name = "Characteristic force" if "powerpotential" in laws else "Force at contact"
+    return find_number(parameters, name, "Materials")
 
 
 def growing(strain, stress):
@@ -140,7 +147,7 @@ def read_run(directory):
         raise InputError(f"{directory}/history.csv has rows without positions or forces of the walls")
     run = Run(directory, parameters.get(("Model",), "mpm").lower())
     if run.model != "mpm":
-        run.force = find_number(parameters, "Force at contact", "Materials")
+        run.force = characteristic_force(parameters)
         ends = [find_number(parameters, f"{which} diameter", "Primaries") for which in ("Smallest", "Largest")]
         run.diameters = None if None in ends else tuple(ends)
         run.mean_diameter = mean_diameter_of(directory)

@@ -218,7 +218,7 @@ SizeReport BpmModel::size_report() const
       {"mean diameter", text(dynamics->mean_diameter(), " m")},
       {"neighbour pairs", std::to_string(dynamics->neighbours().n_pairs())},
       {"contacts", std::to_string(dynamics->contacts().size())},
-      {"characteristic stress F0/<a0>", text(contact_force / dynamics->mean_diameter(), " Pa")},
+      {"characteristic stress F0/<a0>", text(characteristic_force / dynamics->mean_diameter(), " Pa")},
       {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
                                       : text(dt, " s")}};
   report.emplace_back("steps to the end time",

@@ -89,6 +89,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     density.push_back(scene.materials[body.material].density);
     law_of_body.push_back(laws[body.material]);
     contact_force = std::max(contact_force, laws[body.material]->contact_force());
+    characteristic_force = std::max(characteristic_force, laws[body.material]->characteristic_force());
   }
   Primaries disks = fill_bodies(laws, law_texts);
   if (settings.dynamics.rotations(moving_walls))

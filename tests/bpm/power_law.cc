@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The attraction (3.1): its values, its energy as the integral of the force, any exponent, and overlaps.
+// The attraction (3.1), as a force and as a potential: its values, its energy as the integral of the force,
+// any exponent, and overlaps.
 #include <softgrain/bpm/power_law.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -11,12 +12,13 @@ using namespace softgrain;
 
 namespace
 {
-void look(const std::string &exponent, const std::string &cutoff)
+void look(const std::string &name, const std::string &exponent, const std::string &cutoff)
 {
-  const auto law = Registry<bpm::Attraction>::instance().create("power_law");
+  const bool potential = name == "power_potential";
+  const auto law = Registry<bpm::Attraction>::instance().create(name);
   dealii::ParameterHandler prm;
   law->declare_parameters(prm);
-  prm.set("Force at contact", "100");
+  prm.set(potential ? "Characteristic force" : "Force at contact", "100");
   prm.set("Exponent", exponent);
   prm.set("Cutoff", cutoff);
   law->parse_parameters(prm);
@@ -27,24 +29,29 @@ void look(const std::string &exponent, const std::string &cutoff)
   {
     double d[3] = {stretch * a0 - h, stretch * a0, stretch * a0 + h}, sum[3] = {a0, a0, a0}, F[3], U[3];
     law->evaluate(3, d, sum, F, U);
-    const double delta = d[1] - a0, expected = 100. * std::pow(1. + std::max(0., delta) / a0, -gamma);
+    const double delta = d[1] - a0, open = 1. + std::max(0., delta) / a0,
+                 expected =
+                     potential ? 100. * gamma * std::pow(open, -gamma - 1.) : 100. * std::pow(open, -gamma);
     worst_force = std::max(worst_force, std::abs(F[1] / expected - 1.));
     worst_energy = std::max(worst_energy, std::abs((U[2] - U[0]) / (2. * h) / F[1] - 1.));
   }
   double at_end, force_at_end;
   const double end = law->range() * a0;
   law->evaluate(1, &end, &a0, &force_at_end, &at_end);
-  std::cout << "exponent " << exponent << ", cutoff " << cutoff << ": force "
-            << (worst_force < 1e-13 ? "as (3.1)" : "WRONG") << ", slope of the energy "
-            << (worst_energy < 1e-5 ? "is the force" : "WRONG") << ", energy at the end "
-            << (std::abs(at_end) < 1e-15 ? 0. : at_end) << '\n';
+  std::cout << name << ", p_I a0 = " << law->characteristic_force() << " N/m, exponent " << exponent
+            << ", cutoff " << cutoff << ": force " << (worst_force < 1e-13 ? "as (3.1)" : "WRONG")
+            << ", slope of the energy " << (worst_energy < 1e-5 ? "is the force" : "WRONG")
+            << ", energy at the end " << (std::abs(at_end) < 1e-15 ? 0. : at_end) << '\n';
 }
 } // namespace
 
 int main()
 {
-  look("7", "1");
-  look("2", "1");
-  look("12", "0.3");
-  look("6.5", "2");
+  for (const std::string name : {"power_law", "power_potential"})
+  {
+    look(name, "7", "1");
+    look(name, "2", "1");
+    look(name, "12", "0.3");
+    look(name, "6.5", "2");
+  }
 }

@@ -35,8 +35,11 @@ public:
   /// Primaries attract each other up to this distance of centres over the sum of their radii (at least 1).
   virtual double range() const = 0;
 
-  /// Force at contact [N/m in 2D]: the scale of forces, of the stress F0 / a0 and of the time step.
+  /// Force at contact [N/m in 2D]: the scale of forces and of the time step.
   virtual double contact_force() const = 0;
+
+  /// F0 of the characteristic stress p_I = F0 / a0 (3.32) [N/m in 2D].
+  virtual double characteristic_force() const { return contact_force(); }
 
   /**
    * @brief Attraction of @p n pairs.

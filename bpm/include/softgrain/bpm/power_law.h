@@ -16,6 +16,13 @@ namespace softgrain::bpm
 class PowerLaw final : public Attraction
 {
 public:
+  PowerLaw() = default;
+  /// @param largest_force F0 [N/m in 2D], @param exponent γ above 1, @param cutoff in sums of the radii
+  PowerLaw(const double largest_force, const double exponent, const double cutoff)
+      : largest_force(largest_force), exponent(exponent), cutoff(cutoff)
+  {
+  }
+
   std::string title() const override { return "Power law"; }
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(dealii::ParameterHandler &prm) override;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/bpm/power_potential.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace softgrain::bpm
+{
+namespace
+{
+[[maybe_unused]] const bool registered =
+    Registry<Attraction>::instance().add("power_potential",
+                                         "energy -F0 a0 (1 + gap/a0)^-exponent up to a cutoff: (3.1) of "
+                                         "Nguyen (2016) as a potential, to which the "
+                                         "thesis's stresses belong.",
+                                         [] { return std::make_unique<PowerPotential>(); });
+} // namespace
+
+void PowerPotential::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  using dealii::Patterns::Double;
+  prm.declare_entry(
+      "Characteristic force", "100", Double(0.),
+      "F0, of the energy F0 a0 at contact; the force there is Exponent times this. Units: N/m.");
+  prm.declare_entry("Exponent", "7", Double(0.01, 99.), "gamma of the potential. Units: none.");
+  prm.declare_entry("Cutoff", "1", Double(0., 10.),
+                    "Gap beyond which there is no attraction, in sums of the two radii. Units: none.");
+}
+
+void PowerPotential::parse_parameters(dealii::ParameterHandler &prm)
+{
+  scale = prm.get_double("Characteristic force");
+  const double exponent = prm.get_double("Exponent");
+  law = PowerLaw(exponent * scale, exponent + 1., prm.get_double("Cutoff"));
+}
+} // namespace softgrain::bpm
