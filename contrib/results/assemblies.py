@@ -7,6 +7,7 @@ import csv
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 
@@ -30,7 +31,7 @@ SEEDS = range(1, 6)
 SERIES = {
     "seeds": [(f"mpm-{seed}", "mpm", {"Packing/Seed": str(seed)}) for seed in SEEDS],
     "friction": [(f"mpm-friction-{seed}", "mpm_friction", {"Packing/Seed": str(seed)}) for seed in SEEDS],
-    "fine": [("mpm-fine", "mpm", FINE)],
+    "fine": [(f"mpm-fine-{seed}", "mpm", {**FINE, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bodies": [(f"mpm-{number}-bodies", "mpm", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],
     "bpm": [(f"bpm-{seed}", "bpm", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
@@ -71,6 +72,20 @@ def stress(target, fractions):
     return result
 
 
+def compare(curves, fractions):
+    """The mean stress of the seeds that were run at both spacings, one beside the other."""
+    seeds = [seed for seed in SEEDS if f"mpm-{seed}" in curves and f"mpm-fine-{seed}" in curves]
+    if not seeds:
+        return
+    coarse, fine = ([statistics.fmean(curves[f"{name}-{seed}"][i] for seed in seeds) for i in range(len(fractions))]
+                    for name in ("mpm", "mpm-fine"))
+    rms = math.sqrt(sum((a - b)**2 for a, b in zip(coarse, fine)) / len(fine))
+    print(f"\nstress against packing fraction, 0.80 to 0.95, mean of {len(seeds)} seeds, at half the spacing and step: r.m.s. "
+          f"difference {100 * rms / statistics.fmean(fine):.1f} % of the mean stress")
+    for fraction, a, b in zip(fractions, coarse, fine):
+        print(f"  {fraction:.2f}  {a:.4f}  {b:.4f} MPa")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="build/release/bin/softgrain")
@@ -91,18 +106,13 @@ def main():
                 summary = json.load(file)
             with open(target / "history.csv") as file:
                 rows = list(csv.DictReader(file))[1:]
-            seconds, steps, points = summary["wall_seconds"], summary["steps"], summary.get("material_points", summary.get("primaries"))
+            seconds, steps = summary["wall_seconds"], summary["steps"]
+            points = summary.get("material_points", summary.get("primaries"))
             mean = lambda key: sum(float(r[key]) for r in rows) / len(rows)
             print(f"| {name} | {points} | {steps} | {mean('newton_iterations'):.2f} | {mean('contact_sweeps'):.0f} | "
                   f"{seconds:.1f} | {1e6 * seconds / points / steps:.2f} |", flush=True)
             curves[name] = stress(target, fractions)
-    if "mpm-1" in curves and "mpm-fine" in curves:
-        coarse, fine = curves["mpm-1"], curves["mpm-fine"]
-        rms = math.sqrt(sum((a - b)**2 for a, b in zip(coarse, fine)) / len(fine))
-        print(f"\nstress against packing fraction, 0.80 to 0.95, at half the spacing and step: r.m.s. difference "
-              f"{100 * rms / (sum(fine) / len(fine)):.1f} % of the mean stress")
-        for fraction, a, b in zip(fractions, coarse, fine):
-            print(f"  {fraction:.2f}  {a:.4f}  {b:.4f} MPa")
+    compare(curves, fractions)
 
 
 if __name__ == "__main__":
