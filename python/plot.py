@@ -127,18 +127,20 @@ def choose_columns(arguments, runs):
     return x, arguments.y or ["bottom_force_N_per_m"]
 
 
-def disk_between_walls(parameters):
-    """Whether this is one disk between a bottom and a top wall, with the stiffness that the theory needs."""
+def disk_between_walls(arguments, run):
+    """Whether this is one disk between a bottom and a top wall, of a law that has what the theory needs."""
+    parameters = read_parameters(run.directory)
     names = [name.strip() for name in parameters.get(("Bodies", "Names"), "").split(",") if name.strip()]
     walls = sorted(name.strip() for name in parameters.get(("Walls", "Names"), "").split(","))
     return (len(names) == 1 and walls == ["bottom", "top"] and
             parameters.get(("Bodies", names[0], "Shape"), "disk") == "disk" and
-            int(parameters.get(("Packing", "Number"), "0")) == 0 and parameters.get(("Model",), "mpm") == "mpm")
+            int(parameters.get(("Packing", "Number"), "0")) == 0 and parameters.get(("Model",), "mpm") == "mpm" and
+            None not in theory_numbers(arguments, run).values())
 
 
 def choose_theories(arguments, run, x, columns):
     diametral = arguments.preset == "diametral" or (x == "axial_strain" and not arguments.y and
-                                                    disk_between_walls(read_parameters(run.directory)))
+                                                    disk_between_walls(arguments, run))
     text = arguments.theory or ("hertz,johnson" if diametral else "none")
     names = [] if text == "none" else [name.strip() for name in text.split(",") if name.strip()]
     for name in names:
@@ -150,8 +152,8 @@ def choose_theories(arguments, run, x, columns):
     return names
 
 
-def theory_constants(arguments, run):
-    """E, ν, R of the theory."""
+def theory_numbers(arguments, run):
+    """E, ν, R of the theory, None for what neither the user nor the run gives."""
     parameters = read_parameters(run.directory)
     found = {
         "young": find_number(parameters, "Young's modulus", "Materials"),
@@ -161,6 +163,13 @@ def theory_constants(arguments, run):
     for name in found:
         if getattr(arguments, name) is not None:
             found[name] = getattr(arguments, name)
+    return found
+
+
+def theory_constants(arguments, run):
+    """E, ν, R of the theory."""
+    found = theory_numbers(arguments, run)
+    for name in found:
         if found[name] is None:
             raise InputError(f"{run.directory}/parameters.prm does not give what the theory needs: use --{name}")
     if not (found["young"] > 0 and -1 < found["poisson"] < 1 and found["radius"] > 0):

@@ -83,6 +83,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   settings.dynamics.friction = scene.friction;
   set_up_walls();
   std::vector<std::shared_ptr<const Attraction>> law_of_body;
+  double contact_force = 0.;
   for (const BodyDescription<2> &body : scene.bodies)
   {
     fixed.push_back(body.driven);

@@ -36,7 +36,12 @@ void PowerLaw::declare_parameters(dealii::ParameterHandler &prm) const
   prm.declare_entry("Force at contact", "100", Double(0.),
                     "F0 of (3.1), the largest attraction. Units: N/m.");
   prm.declare_entry("Exponent", "7", Double(1.01, 100.), "gamma of (3.1). Units: none.");
-  prm.declare_entry("Cutoff", "1", Double(0., 10.),
+  declare_cutoff(prm);
+}
+
+void PowerLaw::declare_cutoff(dealii::ParameterHandler &prm)
+{
+  prm.declare_entry("Cutoff", "1", dealii::Patterns::Double(0., 10.),
                     "Gap beyond which there is no attraction, in sums of the two radii. Units: none.");
 }
 

@@ -23,8 +23,7 @@ void PowerPotential::declare_parameters(dealii::ParameterHandler &prm) const
       "Characteristic force", "100", Double(0.),
       "F0, of the energy F0 a0 at contact; the force there is Exponent times this. Units: N/m.");
   prm.declare_entry("Exponent", "7", Double(0.01, 99.), "gamma of the potential. Units: none.");
-  prm.declare_entry("Cutoff", "1", Double(0., 10.),
-                    "Gap beyond which there is no attraction, in sums of the two radii. Units: none.");
+  PowerLaw::declare_cutoff(prm);
 }
 
 void PowerPotential::parse_parameters(dealii::ParameterHandler &prm)

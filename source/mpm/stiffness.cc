@@ -197,17 +197,16 @@ private:
     own.resize(n, 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
     {
-      const dealii::Tensor<1, 2> *slope = body.field.slopes(first + q);
-      const dealii::Tensor<2, 2> inverse = body.small_strain() ? dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}})
-                                                               : invert(body.step.grid_gradient[first + q]);
+      current_slopes(body, first + q, of_point);
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int d = 0; d < 2; ++d)
-          own(k, 2 * q + d) = slope[k][0] * inverse[0][d] + slope[k][1] * inverse[1][d];
+          own(k, 2 * q + d) = of_point[k][d];
     }
     if (extension.size() > 0)
       slopes.noalias() = extension.transpose() * nodal;
   }
 
+  std::vector<dealii::Tensor<1, 2>> of_point;
   Eigen::MatrixXd nodal, slopes, response, blocks;
 };
 

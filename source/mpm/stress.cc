@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace softgrain::mpm
@@ -23,45 +24,32 @@ dealii::Tensor<2, dim> identity()
   return one;
 }
 
-/// Adds the gradient of a nodal vector at point @p p to @p gradient.
-template <int dim>
-void add_gradient(const BodyField<dim> &field,
-                  const unsigned int p,
-                  const unsigned int *nodes,
-                  const Eigen::VectorXd &nodal,
-                  dealii::Tensor<2, dim> &gradient)
-{
-  const dealii::Tensor<1, dim> *slope = field.slopes(p);
-  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      const double u = nodal[dim * nodes[k] + d];
-      for (unsigned int e = 0; e < dim; ++e)
-        gradient[d][e] += u * slope[k][e];
-    }
-}
-
-/// Displacement (rows up to dim) and its increment (the rows below) at the nodes of one cell, and their
-/// gradients at its points: both at once, four numbers side by side in the plane.
+/// Gradients of two nodal vectors at the points of one cell: both at once, four numbers side by side in the
+/// plane.
 template <int dim>
 class CellGradients
 {
 public:
-  CellGradients(const BodyField<dim> &field, const unsigned int cell, const StepState<dim> &s) : field(field)
+  /// @param second may be null
+  CellGradients(const BodyField<dim> &field,
+                const unsigned int cell,
+                const Eigen::VectorXd &first,
+                const Eigen::VectorXd *second)
+      : field(field)
   {
     const unsigned int n = field.nodes_per_cell(), *nodes = field.nodes_of_cell(cell);
     nodal.resize(2 * dim, n);
     for (unsigned int k = 0; k < n; ++k)
     {
-      nodal.col(k).template head<dim>() = s.nodal.template segment<dim>(dim * nodes[k]);
-      if (s.increment.empty())
+      nodal.col(k).template head<dim>() = first.template segment<dim>(dim * nodes[k]);
+      if (second == nullptr)
         nodal.col(k).template tail<dim>().setZero();
       else
-        nodal.col(k).template tail<dim>() = s.nodal_increment.template segment<dim>(dim * nodes[k]);
+        nodal.col(k).template tail<dim>() = second->template segment<dim>(dim * nodes[k]);
     }
   }
 
-  /// grad u and grad du at point @p p.
+  /// Gradients of the first and of the second at point @p p.
   std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> operator()(const unsigned int p) const
   {
     static_assert(sizeof(dealii::Tensor<1, dim>) == dim * sizeof(double));
@@ -80,6 +68,7 @@ public:
 
 private:
   const BodyField<dim> &field;
+  /// Rows up to dim: the first vector.
   Eigen::Matrix<double, 2 * dim, Eigen::Dynamic, 0, 2 * dim, power(ShapeFunction::max_nodes, dim)> nodal;
 };
 
@@ -124,10 +113,13 @@ void deform_cell(const Body<dim> &body,
                  const Eigen::VectorXd &nodal_velocity,
                  StepState<dim> &s)
 {
-  const unsigned int *nodes = body.field.nodes_of_cell(cell);
   const bool small = body.small_strain();
   const unsigned int n_history = body.law->n_history();
-  const CellGradients<dim> gradients(body.field, cell, s);
+  const CellGradients<dim> gradients(body.field, cell, s.nodal,
+                                     s.increment.empty() ? nullptr : &s.nodal_increment);
+  std::optional<CellGradients<dim>> rates;
+  if (small && half_dt > 0.)
+    rates.emplace(body.field, cell, nodal_velocity, nullptr);
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
     const auto [gradient, increment] = gradients(p);
@@ -142,12 +134,10 @@ void deform_cell(const Body<dim> &body,
     if (small)
     {
       s.increment[p] = increment;
-      if (half_dt > 0.)
+      if (rates)
       {
         // (3.17): trapezoidal rule for the conservation of mass.
-        dealii::Tensor<2, dim> rate;
-        add_gradient(body.field, p, nodes, nodal_velocity, rate);
-        const double old_part = 1. + half_dt * trace(rate);
+        const double old_part = 1. + half_dt * trace((*rates)(p).first);
         s.volume[p] *= old_part / (old_part - trace(increment));
       }
     }

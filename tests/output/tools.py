@@ -117,6 +117,15 @@ class Tools(unittest.TestCase):
         self.assertTrue(b"Johnson" in self.picture("plot.py", "disk", "--output", "pictures/own.svg"))
         for choice in (("--theory", "none"), ("--y", "top_force_N_per_m")):
             self.assertFalse(b"Johnson" in self.picture("plot.py", "disk", *choice, "--output", "pictures/bare.svg"))
+        # A law without Young's modulus has none, and its curve is drawn all the same.
+        shutil.copytree(os.path.join(WORK, "disk"), os.path.join(WORK, "soft"))
+        parameters = os.path.join(WORK, "soft/parameters.prm")
+        with open(parameters, encoding="utf-8") as file:
+            text = file.read()
+        with open(parameters, "w", encoding="utf-8") as file:
+            file.write(text.replace("Young's modulus", "Shear modulus"))
+        self.assertFalse(b"Johnson" in self.picture("plot.py", "soft", "--output", "pictures/soft.svg"))
+        self.refused("plot.py", "soft", "--theory", "johnson", words=("--young",))
 
     def test_alone(self):
         for tool in ("render.py", "plot.py"):

@@ -91,8 +91,7 @@ private:
   std::vector<bool> fixed;
   std::vector<double> density; ///< of every body
   double natural_time = 0;     ///< attraction_time() of the mean primary of the strongest law, 0 without one
-  double contact_force = 0;    ///< of the strongest law
-  double characteristic_force = 0; ///< F0 of p_I, likewise
+  double characteristic_force = 0; ///< F0 of p_I, of the strongest law
   std::vector<std::vector<Expression>> body_force;
   std::vector<std::array<double, 2>> start_position; ///< only when a load asks for X or Y
   std::vector<std::array<double, 2>> acceleration;   ///< of every primary, empty when nothing pulls

@@ -23,6 +23,9 @@ public:
   {
   }
 
+  /// The entry `Cutoff`, for every law of powers.
+  static void declare_cutoff(dealii::ParameterHandler &prm);
+
   std::string title() const override { return "Power law"; }
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(dealii::ParameterHandler &prm) override;
