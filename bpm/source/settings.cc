@@ -72,7 +72,7 @@ void declare_contact(dealii::ParameterHandler &prm)
   prm.declare_entry("Algorithm", "accelerated", Selection("accelerated|gauss_seidel"),
                     "accelerated: sweeps with momentum and restart; gauss_seidel: plain sweeps.");
   prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
-                    "Factor on every change of an impulse, of plain sweeps.");
+                    "Factor on every change of an impulse, of 'Algorithm = gauss_seidel'.");
   prm.leave_subsection();
   prm.enter_subsection("Output");
   prm.declare_entry("Inner forces", "true", Bool(),
@@ -119,6 +119,10 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   dynamics.solver.relaxation = prm.get_double("Relaxation");
   dynamics.solver.algorithm = prm.get("Algorithm") == "accelerated" ? contact::DiskAlgorithm::accelerated
                                                                     : contact::DiskAlgorithm::gauss_seidel;
+  if (dynamics.solver.relaxation != 1. && dynamics.solver.algorithm != contact::DiskAlgorithm::gauss_seidel)
+    throw InputError(
+        "'Contact/Relaxation' = '" + prm.get("Relaxation") +
+        "' is for plain sweeps only: leave it at 1, or set 'Contact/Algorithm' = 'gauss_seidel'");
   prm.leave_subsection();
 
   prm.enter_subsection("Output");

@@ -186,6 +186,7 @@ SolverReport solve(Operator &op,
     sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
     const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);
     report.sweeps += more.sweeps;
+    report.fell_back = report.fell_back || more.fell_back;
     evaluate();
     remember();
     if (report.converged || report.limited_by_rounding)

@@ -3,6 +3,7 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_sweeps.h>
+#include <softgrain/contact/momentum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,38 +104,8 @@ double rounding_of(const DiskBodies &bodies)
   return 8. * std::numeric_limits<double>::epsilon() * fastest;
 }
 
-/// Largest momentum. Nesterov's sequence goes on to 1, but sweeps are no gradient steps, and beyond this the
-/// residual swings more than it falls.
-constexpr double frictionless_momentum = 0.98;
-
-/// Coulomb's law has no potential, so more momentum may feed on itself.
-constexpr double frictional_momentum = 0.9;
-
-/// Growth of the residual over the lowest one after which the momentum starts afresh (with friction), and
-/// after which it is given up. Up to 10 were seen where it did well in the end.
-constexpr double restart_growth = 2., fallback_growth = 50.;
-
 /// Sweeps after which velocities are computed afresh.
 constexpr unsigned int refresh_interval = 1000;
-
-/// Nesterov's sequence of momenta, with restart.
-class Momentum
-{
-public:
-  explicit Momentum(const double largest) : largest(largest) {}
-
-  double next()
-  {
-    const double before = t;
-    t = 0.5 * (1. + std::sqrt(1. + 4. * t * t));
-    return std::min(largest, (before - 1.) / t);
-  }
-
-  void restart() { t = 1.; }
-
-private:
-  double largest, t = 1.;
-};
 
 /**
  * Estimates how wrong the impulses on the walls still are: by the farthest that they have been from now in
@@ -178,7 +149,7 @@ public:
       , team(contacts.size() < contacts_for_threads ? 1 : n_threads())
       , sweeps(bodies, contacts, team)
       , rounding(rounding_of(bodies))
-      , momentum(n > 1 ? frictional_momentum : frictionless_momentum)
+      , momentum(n)
       , accelerating(settings.algorithm == DiskAlgorithm::accelerated)
   {
   }
@@ -235,9 +206,9 @@ private:
     }
     if (!accelerating || report.converged)
       return;
-    if (!(report.residual <= fallback_growth * lowest))
+    if (!(report.residual <= Momentum::fallback_growth * lowest))
       fall_back();
-    else if (n > 1 && report.residual > restart_growth * lowest_since_restart)
+    else if (n > 1 && report.residual > Momentum::restart_growth * lowest_since_restart)
     {
       restart();
       lowest_since_restart = report.residual;

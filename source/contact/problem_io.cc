@@ -133,6 +133,7 @@ std::string read_text(const hid_t file, const char *name)
 
 const std::vector<std::pair<Algorithm, std::string>> algorithm_names = {
     {Algorithm::gauss_seidel, "gauss_seidel"},
+    {Algorithm::accelerated, "accelerated"},
     {Algorithm::active_set, "active_set"},
     {Algorithm::automatic, "automatic"}};
 

@@ -233,7 +233,9 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
         }
         problem.free_velocity = std::move(free_velocity);
         last_start = impulse;
-        return contact::solve(W, problem, settings, impulse, velocity);
+        const contact::SolverReport report = contact::solve(W, problem, settings, impulse, velocity);
+        plain_solves += report.fell_back;
+        return report;
       },
       delassus->kind);
 }
@@ -251,7 +253,8 @@ std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap,
   for (unsigned int r = 0; r < rows.size(); ++r)
     positions.free_velocity[r * components] = gap[r];
   std::vector<double> tau(rows.size() * components, 0.), moved;
-  std::visit([&](auto &W) { contact::solve(W, positions, settings, tau, moved); }, delassus->kind);
+  std::visit([&](auto &W) { plain_solves += contact::solve(W, positions, settings, tau, moved).fell_back; },
+             delassus->kind);
   return tau;
 }
 

@@ -203,14 +203,15 @@ double MpmModel::coordination() const
 
 std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
 {
+  const std::pair<std::string, double> plain{"plain_solves", world.contact.plain_solves};
   if (world.scene.bodies.size() != 1)
-    return {};
+    return {plain};
   double lower = std::numeric_limits<double>::max(), upper = -lower;
   for (const auto &x : world.bodies[0].boundary.position)
   {
     lower = std::min(lower, x[0]);
     upper = std::max(upper, x[0]);
   }
-  return {{"width_m", upper - lower}};
+  return {{"width_m", upper - lower}, plain};
 }
 } // namespace softgrain::mpm

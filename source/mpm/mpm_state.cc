@@ -93,7 +93,7 @@ void MpmModel::save(StateWriter &out) const
 {
   const Balance &b = world.balance;
   out.write("mpm/scalars", std::vector<double>{world.time, step_scale, last_dt});
-  out.write("mpm/step", std::vector<std::uint64_t>{steps});
+  out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves});
   out.write("mpm/balance",
             std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
                                 b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
@@ -141,7 +141,9 @@ void MpmModel::load(StateReader &in)
   world.time = scalars.at(0);
   step_scale = scalars.at(1);
   last_dt = scalars.at(2);
-  steps = in.read_integers("mpm/step").at(0);
+  const std::vector<std::uint64_t> counts = in.read_integers("mpm/step");
+  steps = counts.at(0);
+  world.contact.plain_solves = counts.size() > 1 ? counts[1] : 0; // files of before it was counted
   const std::vector<double> b = in.read_doubles("mpm/balance");
   world.balance = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
                    dealii::Tensor<1, 2>({b.at(2), b.at(3)}),

@@ -149,10 +149,13 @@ void declare_contact(dealii::ParameterHandler &prm)
         prm.declare_entry("Tolerance", "1e-7", Double(1e-14, 1e-1),
                           "Residual of the contact solution (natural map), relative to the approach speed.");
         prm.declare_entry("Maximum sweeps", "20000", Integer(1), "Of nonlinear Gauss-Seidel per solve.");
-        prm.declare_entry("Relaxation", "1", Double(0.05, 1.95), "Factor on every change of an impulse.");
-        prm.declare_entry(
-            "Algorithm", "automatic", Selection("automatic|gauss_seidel|active_set"),
-            "automatic: Gauss-Seidel, and Newton on the active set when the sweeps get nowhere.");
+        prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
+                          "Factor on every change of an impulse, of 'Algorithm = gauss_seidel'.");
+        prm.declare_entry("Algorithm", "automatic",
+                          Selection("automatic|accelerated|gauss_seidel|active_set"),
+                          "gauss_seidel: plain sweeps; accelerated: sweeps with momentum and restart; "
+                          "active_set: Newton on "
+                          "the active set; automatic: accelerated, and Newton when the sweeps get nowhere.");
         prm.declare_entry(
             "Keep failed problems in", "", dealii::Patterns::Anything(),
             "Folder for contact problems that do not converge, to be replayed; empty: none are kept.");
@@ -163,6 +166,8 @@ contact::Algorithm algorithm_of(const std::string &name)
 {
   if (name == "gauss_seidel")
     return contact::Algorithm::gauss_seidel;
+  if (name == "accelerated")
+    return contact::Algorithm::accelerated;
   return name == "active_set" ? contact::Algorithm::active_set : contact::Algorithm::automatic;
 }
 } // namespace
@@ -250,6 +255,10 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         contact_solver.max_sweeps = prm.get_integer("Maximum sweeps");
         contact_solver.relaxation = prm.get_double("Relaxation");
         contact_solver.algorithm = algorithm_of(prm.get("Algorithm"));
+        if (contact_solver.relaxation != 1. && contact_solver.algorithm != contact::Algorithm::gauss_seidel)
+          throw InputError("'Contact/Relaxation' = '" + prm.get("Relaxation") +
+                           "' is for plain sweeps only: leave it at 1, or set 'Contact/Algorithm' = "
+                           "'gauss_seidel'");
         failed_problem_directory = prm.get("Keep failed problems in");
         if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
           throw InputError(

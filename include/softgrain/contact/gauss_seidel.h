@@ -11,9 +11,10 @@ namespace softgrain::contact
 /// Which way solve() takes (see active_set.h).
 enum class Algorithm
 {
-  gauss_seidel, ///< sweeps only
+  gauss_seidel, ///< plain sweeps only
+  accelerated,  ///< sweeps with momentum only
   active_set,   ///< a few sweeps, then Newton on the active set
-  automatic     ///< sweeps, and Newton when they get nowhere
+  automatic     ///< sweeps with momentum, and Newton when they get nowhere
 };
 
 /// What the solvers may be told.
@@ -25,14 +26,14 @@ struct SolverSettings
   /// Sweeps over all contacts at most, those before and after Newton included.
   unsigned int max_sweeps = 10000;
 
-  /// Factor on the change of each impulse, in (0, 2); the result is projected back on the cone when it is
-  /// not 1.
+  /// Of plain sweeps: factor on the change of each impulse, in (0, 2); the result is projected back on the
+  /// cone when it is not 1.
   double relaxation = 1.;
 
   /// The residual of the solution is computed every so many sweeps (it costs about one sweep).
   unsigned int check_interval = 5;
 
-  /// Not used by gauss_seidel().
+  /// gauss_seidel() only asks whether it is Algorithm::gauss_seidel.
   Algorithm algorithm = Algorithm::automatic;
 
   /// Sweeps that solve() makes with Algorithm::automatic before it takes Newton.
@@ -58,6 +59,8 @@ struct SolverReport
   /// Not converged, but the residual is below what rounding leaves of W P (rigid modes far above the elastic
   /// part): no better solution can be found in double precision. Set by solve() only.
   bool limited_by_rounding = false;
+  /// Momentum was given up and plain sweeps went on.
+  bool fell_back = false;
   /// Newton was used, and gave the solution that is returned or polished.
   bool accelerated = false;
   unsigned int newton_iterations = 0;
@@ -71,6 +74,10 @@ struct SolverReport
 /**
  * @brief Nonlinear Gauss–Seidel (Moreau and Jean): contacts one after the other, each solved exactly with
  * solve_local(), until the residual of the solution is below the tolerance.
+ *
+ * Unless the algorithm is Algorithm::gauss_seidel, sweeps go there and back and start ahead of the last
+ * impulses (see Momentum); when that makes the residual grow, they return to the best impulses and go on
+ * without.
  *
  * In the order of the contacts, or of Problem::colors and then on all threads: the result does not depend on
  * their number.

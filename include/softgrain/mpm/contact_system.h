@@ -64,6 +64,9 @@ public:
   /// frictionless.
   std::vector<double> repair(const std::vector<double> &gap, const contact::SolverSettings &settings);
 
+  /// Calls of solve() and repair() so far in which momentum was given up for plain sweeps.
+  std::uint64_t plain_solves = 0;
+
   /// Keeps the impulses for the next step.
   void remember();
 
