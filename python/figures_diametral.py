@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plot import width_over_time
-from reading import InputError, find_number, need, plain, read_grid, read_history, read_parameters, read_series
+from reading import InputError, find_number, need, read_grid, read_history, read_parameters, read_series
 
 LOADING_MEAN = 0.005  # strain over which the moving mean of loading goes
 UNLOADING_MEAN = 0.0005  # unloading is over within a strain of 0.01
@@ -42,10 +42,12 @@ def mean_between(strain, stress, low, high):
 
 
 def characteristic_force(parameters):
-    """F0 of p_I in the law that the material names."""
-    laws = [plain(value) for key, value in parameters.items() if key[0] == "Materials" and key[-1] == "Law"]
-    name = "Characteristic force" if "powerpotential" in laws else "Force at contact"
-    return find_number(parameters, name, "Materials")
+    """F0 of p_I in the law that the material names, or None."""
+    for name in ("Characteristic force", "Force at contact"):
+        number = find_number(parameters, name, "Materials")
+        if number is not None:
+            return number
+    return None
 
 
 def growing(strain, stress):

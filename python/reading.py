@@ -117,7 +117,7 @@ def find_number(parameters, name, group):
              if key[0] == group and plain(key[-1]) == plain(name)]
     for key, value in found:
         law = parameters.get((group, key[1], "Law"))
-        if law is None or len(key) < 4 or plain(law) == plain(key[2]) or len(found) == 1:
+        if law is None or len(key) < 4 or plain(law) == plain(key[2]):
             try:
                 return float(value)
             except ValueError:

@@ -1,17 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs and tables of doc/results/thesis-4.md: compaction of soft disks by MPM and by BPM with other seeds, by MPM at half
-the spacing and half the step, and with other numbers of bodies. A run that is there already is not repeated."""
+the spacing and half the step, with other numbers of bodies and other contact solvers. A run that is there already is not repeated."""
 import argparse
-import csv
-import json
 import math
 import pathlib
 import statistics
-import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from running import RunFailed, run
+
 WIDTH = 35.8e-3  # of the box of 300 disks [m]
 QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
 BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/results/bonded-particles.md, "The step"
@@ -27,6 +25,9 @@ def box(number):
 
 
 SEEDS = range(1, 6)
+ALGORITHMS = {"plain": {"Contact/Algorithm": "gauss_seidel"},
+              "relaxed": {"Contact/Algorithm": "gauss_seidel", "Contact/Relaxation": "1.4"},
+              "automatic": {}}  # of the contact solver, doc/results/contact-solvers.md
 # Series: name of the run, its scene (thesis/uniaxial_compaction_*.prm) and what is changed.
 SERIES = {
     "seeds": [(f"mpm-{seed}", "mpm", {"Packing/Seed": str(seed)}) for seed in SEEDS],
@@ -34,30 +35,16 @@ SERIES = {
     "fine": [(f"mpm-fine-{seed}", "mpm", {**FINE, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bodies": [(f"mpm-{number}-bodies", "mpm", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],
+    "contact": [(f"{scene}-contact-{name}", scene, {**box(100), **FINE, **algorithm, "Output/Measures": "",
+                                                    "Stop/Packing fraction": "0.92"})
+                for scene in ("mpm", "mpm_friction") for name, algorithm in ALGORITHMS.items()],
     "bpm": [(f"bpm-{seed}", "bpm", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bpm-friction": [(f"bpm-friction-{seed}", "bpm_friction", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
 }
 
 
-def run(program, name, scene, changes, folder, threads):
-    target = folder / name
-    if not (target / "summary.json").exists():
-        command = [program, "run", str(ROOT / f"parameters/thesis/uniaxial_compaction_{scene}.prm"), "--output",
-                   str(target), "--threads", str(threads)]
-        for key, value in {**QUIET, **changes}.items():
-            command += ["--set", f"{key}={value}"]
-        print("#", " ".join(f"'{c}'" if " " in c else c for c in command), file=sys.stderr, flush=True)
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode != 0:
-            print(f"{name}: {done.stderr.strip()}", file=sys.stderr)
-            return None
-    return target
-
-
-def stress(target, fractions):
+def stress(rows, fractions):
     """Mean normal stress on the walls [MPa], averaged over +-0.01 of the packing fraction."""
-    with open(target / "history.csv") as file:
-        rows = [{k: float(v) if v else math.nan for k, v in row.items()} for row in csv.DictReader(file)]
     result = []
     for wanted in fractions:
         near = [r for r in rows if abs(r["packing_fraction"] - wanted) < 0.01]
@@ -95,23 +82,23 @@ def main():
     arguments = parser.parse_args()
     fractions = [0.80 + 0.01 * i for i in range(16)]
     curves = {}
-    print("| run | points | steps | Newton / step | sweeps / step | seconds | us / point / step |\n"
-          "|---|---|---|---|---|---|---|")
+    print("| run | points | steps | Newton / step | sweeps / step | contact solve [s] | seconds | us / point / step |\n"
+          "|---|---|---|---|---|---|---|---|")
     for series in arguments.only:
         for name, scene, changes in SERIES[series]:
-            target = run(arguments.program, name, scene, changes, arguments.folder, arguments.threads)
-            if target is None:
+            try:
+                summary, rows = run(arguments.program, f"thesis/uniaxial_compaction_{scene}.prm", arguments.folder / name,
+                                    {**QUIET, **changes}, arguments.threads, again=False)
+            except RunFailed as trouble:
+                print(f"{name}: {trouble}", file=sys.stderr)
                 continue
-            with open(target / "summary.json") as file:
-                summary = json.load(file)
-            with open(target / "history.csv") as file:
-                rows = list(csv.DictReader(file))[1:]
             seconds, steps = summary["wall_seconds"], summary["steps"]
             points = summary.get("material_points", summary.get("primaries"))
-            mean = lambda key: sum(float(r[key]) for r in rows) / len(rows)
+            mean = lambda key: statistics.fmean(row[key] for row in rows[1:])
+            phases = summary["phases"]
             print(f"| {name} | {points} | {steps} | {mean('newton_iterations'):.2f} | {mean('contact_sweeps'):.0f} | "
-                  f"{seconds:.1f} | {1e6 * seconds / points / steps:.2f} |", flush=True)
-            curves[name] = stress(target, fractions)
+                  f"{phases['contact solve']:.1f} | {seconds:.1f} | {1e6 * seconds / points / steps:.2f} |", flush=True)
+            curves[name] = stress(rows, fractions)
     compare(curves, fractions)
 
 

@@ -3,15 +3,11 @@
 """Table of doc/results/bpm-choices.md: one small grain between two walls (gallery/one_grain_bpm.prm) with other time
 steps, tolerances, gap corrections, cutoffs and exponents."""
 import argparse
-import csv
-import json
-import math
-import pathlib
-import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from running import RunFailed, run
+
 LAW = "Materials/grain/Power law/"
 CASES = {
     "step": [("Time/Time step", v) for v in ("1e-7", "2e-7", "5e-7", "1e-6", "2e-6", "5e-6", "1e-5")],
@@ -21,20 +17,6 @@ CASES = {
     "cutoff": [(LAW + "Cutoff", v) for v in ("0.2", "0.5", "1", "2")],
     "exponent": [(LAW + "Exponent", v) for v in ("2", "4", "7", "12")],
 }
-
-
-def run(program, changes, folder, threads):
-    command = [program, "run", str(ROOT / "parameters/gallery/one_grain_bpm.prm"), "--output", folder, "--threads",
-               str(threads), "--set", "Output/Fields every=0"]
-    for key, value in changes:
-        command += ["--set", f"{key}={value}"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        return None, done.stderr.strip()
-    with open(pathlib.Path(folder) / "history.csv") as file:
-        rows = [{k: float(v) if v else math.nan for k, v in row.items()} for row in csv.DictReader(file)]
-    with open(pathlib.Path(folder) / "summary.json") as file:
-        return (rows, json.load(file)), ""
 
 
 def measure(rows, summary, diameter, width):
@@ -57,13 +39,15 @@ def main():
           "steps | seconds |\n|---|---|---|---|---|---|---|---|---|")
     for name in arguments.only:
         for key, value in CASES[name]:
-            with tempfile.TemporaryDirectory() as folder:
-                result, message = run(arguments.program, [(key, value)], folder, arguments.threads)
             label = f"{key.split('/')[-1]} = {value}"
-            if result is None:
-                print(f"| {label} | {message} |")
-                continue
-            numbers = measure(*result, 2.0e-4, 4e-3)
+            with tempfile.TemporaryDirectory() as folder:
+                try:
+                    summary, rows = run(arguments.program, "gallery/one_grain_bpm.prm", folder,
+                                        {key: value, "Output/Fields every": "0"}, arguments.threads)
+                except RunFailed as trouble:
+                    print(f"| {label} | {trouble} |")
+                    continue
+            numbers = measure(rows, summary, 2.0e-4, 4e-3)
             print("| {} | {:.3f} | {:+.1%} | {:.1e} | {:.1e} | {:.0e} | {:.0f} | {} | {:.0f} |".format(label, *numbers))
             sys.stdout.flush()
 

@@ -1,14 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs parameters/verification/line_contact.prm at four resolutions and prints the table of doc/results/line-contact.md.
-
-Usage: line_contact.py SOFTGRAIN_EXECUTABLE [OUTPUT_FOLDER]
-"""
-import csv
+"""Runs parameters/verification/line_contact.prm at four resolutions and prints the table of doc/results/line-contact.md."""
+import argparse
 import math
 import pathlib
-import subprocess
-import sys
+
+from running import run
 
 YOUNG, POISSON, RADIUS = 10e6, 0.45, 5e-3
 SPACINGS = (0.1, 0.058, 0.029, 0.0145)  # of the material points over the radius
@@ -31,22 +28,18 @@ def johnson(approach):
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    scene = pathlib.Path(__file__).resolve().parents[2] / "parameters/verification/line_contact.prm"
-    folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "output/line_contact")
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="build/release/bin/softgrain")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/line_contact"),
+                        help="for the output folders of the runs (default: %(default)s)")
+    arguments = parser.parse_args()
     forces = {}
     for spacing in SPACINGS:
-        output = folder / f"xi-{spacing}"
         # The corner of the mesh puts the centre of the disk at a place in its cell that no symmetry favours.
-        settings = [f"Mesh/Cell size={2 * spacing * RADIUS}", "Mesh/Lower=-8e-3, -6e-3", "Mesh/Upper=8e-3, 6e-3",
-                    "Output/Fields every=0.01"]
-        command = [sys.argv[1], "run", str(scene), "--output", str(output)]
-        for setting in settings:
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        with open(output / "history.csv", encoding="utf-8") as file:
-            forces[spacing] = {round(float(row["time_s"]), 6): float(row["top_force_N_per_m"]) for row in csv.DictReader(file)}
+        changes = {"Mesh/Cell size": 2 * spacing * RADIUS, "Mesh/Lower": "-8e-3, -6e-3", "Mesh/Upper": "8e-3, 6e-3",
+                   "Output/Fields every": "0.01"}
+        _, rows = run(arguments.program, "verification/line_contact.prm", arguments.folder / f"xi-{spacing}", changes)
+        forces[spacing] = {round(row["time_s"], 6): row["top_force_N_per_m"] for row in rows}
     print("| d/R | Johnson [N/m] | " + " | ".join(f"ξ = {spacing}" for spacing in SPACINGS) + " | 0.029 against 0.0145 |")
     print("|---" * (len(SPACINGS) + 3) + "|")
     for strain in STRAINS:

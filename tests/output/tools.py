@@ -191,6 +191,11 @@ class Tools(unittest.TestCase):
         parameters = reading.read_parameters(os.path.join(WORK, "disk"))
         self.assertEqual(reading.find_number(parameters, "Young's modulus", "Materials"), 10e6)
         self.assertEqual(reading.find_number(parameters, "Radius", "Bodies"), 5e-3)
+        # A number of a law that the material does not use is none of the material's.
+        unused = {("Materials", "grain", "Law"): "power_law", ("Materials", "grain", "Power potential", "Force"): "100"}
+        self.assertIsNone(reading.find_number(unused, "Force", "Materials"))
+        used = {**unused, ("Materials", "grain", "Law"): "power_potential"}
+        self.assertEqual(reading.find_number(used, "Force", "Materials"), 100)
         self.assertEqual(reading.split_unit("kinetic_energy_J_per_m"), ("kinetic_energy", "J/m"))
 
 
