@@ -38,6 +38,9 @@ SERIES = {
     "contact": [(f"{scene}-contact-{name}", scene, {**box(100), **FINE, **algorithm, "Output/Measures": "",
                                                     "Stop/Packing fraction": "0.92"})
                 for scene in ("mpm", "mpm_friction") for name, algorithm in ALGORITHMS.items()],
+    "thesis-contact": [(f"thesis-contact-{seed}", "mpm_thesis_method",
+                        {"Packing/Seed": str(seed), "Contact/Solver": "condensed", "Time/Time step": "0",
+                         "Time/CFL multiple": "2"}) for seed in range(1, 4)],
     "bpm": [(f"bpm-{seed}", "bpm", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bpm-friction": [(f"bpm-friction-{seed}", "bpm_friction", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
 }

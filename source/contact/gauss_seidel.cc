@@ -148,8 +148,9 @@ double sweep(const Sweep<Operator> &on, ThreadTeam *team)
   return largest;
 }
 
-/// Sweeps without a lower residual after which momentum goes both ways.
-constexpr unsigned int patience = 50;
+/// Sweeps without a lower residual after which momentum goes both ways, and after which, both ways, it is
+/// given up.
+constexpr unsigned int patience_one_way = 50, patience_both_ways = 200;
 
 /**
  * One call of gauss_seidel().
@@ -173,7 +174,6 @@ public:
       , impulses(impulses)
       , velocities(velocities)
       , blocks(std::size_t(problem.n_contacts()) * n * n)
-      , best(impulses)
       , momentum(n)
       , accelerating(settings.algorithm != Algorithm::gauss_seidel)
   {
@@ -188,6 +188,7 @@ public:
         ++report.prescribed_contacts;
         std::fill_n(&impulses[i * n], n, 0.);
       }
+    best = impulses;
     // Threads that spin pay only where a colour is some microseconds of work.
     if (speed > 0. && !problem.colors.empty() && problem.n_contacts() >= 512 && n_threads() > 1)
       team = std::make_unique<ThreadTeam>(n_threads());
@@ -213,7 +214,10 @@ public:
     if (!checked)
       evaluate();
     if (accelerating && !report.converged && !(report.residual <= lowest))
+    {
+      accelerating = false;
       return_to_best();
+    }
     report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
     return report;
   }
@@ -291,18 +295,18 @@ private:
       best = impulses;
     }
     lowest_since_restart = std::min(lowest_since_restart, report.residual);
-    if (!(report.residual <= Momentum::fallback_growth * lowest))
+    const unsigned int fruitless = report.sweeps - sweeps_at_lowest;
+    if (!(report.residual <= Momentum::fallback_growth * lowest) ||
+        fruitless >= (both_ways ? patience_both_ways : patience_one_way))
     {
-      accelerating = false;
-      report.fell_back = true;
-      return_to_best();
-    }
-    else if (!both_ways && report.sweeps - sweeps_at_lowest >= patience)
-    {
+      // One step down the ladder: one way, both ways, plain.
+      accelerating = !both_ways;
+      report.fell_back = both_ways;
       both_ways = true;
       momentum.restart();
       return_to_best();
       lowest_since_restart = lowest;
+      sweeps_at_lowest = report.sweeps;
     }
     else if (n > 1 && report.residual > Momentum::restart_growth * lowest_since_restart)
     {
