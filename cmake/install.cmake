@@ -7,5 +7,22 @@ if(TARGET softgrain_executable)
   install(TARGETS softgrain_executable RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY include/softgrain DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY python/ DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain/python)
+install(DIRECTORY python/ DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain/python
+  FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE)
+# The package once more where Python looks for it: Debian has one folder for its own packages and one per version for
+# /usr/local. The prefix is known only when something is installed.
+if(SOFTGRAIN_PYTHON)
+  execute_process(COMMAND ${SOFTGRAIN_PYTHON} -c "import sys; print('python%d.%d' % sys.version_info[:2], end='')"
+    OUTPUT_VARIABLE softgrain_python_version)
+  install(CODE "
+    set(folder lib/${softgrain_python_version}/dist-packages)
+    if(\"\${CMAKE_INSTALL_PREFIX}\" STREQUAL /usr)
+      set(folder lib/python3/dist-packages)
+    endif()
+    file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/\${folder}\" TYPE DIRECTORY
+      FILES \"${PROJECT_SOURCE_DIR}/python/softgrain\" PATTERN __pycache__ EXCLUDE)")
+endif()
 install(DIRECTORY parameters DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain)
+install(FILES doc/softgrain.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES contrib/softgrain.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME softgrain)

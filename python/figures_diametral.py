@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A grain between two walls as section 3.4 of Nguyen (2016) sees it: stress against strain, and its constants."""
 
-import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from plot import width_over_time
-from reading import InputError, find_number, need, read_grid, read_history, read_parameters, read_series
+import softgrain
+from softgrain import InputError, fits
 
 LOADING_MEAN = 0.005  # strain over which the moving mean of loading goes
 UNLOADING_MEAN = 0.0005  # unloading is over within a strain of 0.01
@@ -44,7 +43,7 @@ def mean_between(strain, stress, low, high):
 def characteristic_force(parameters):
     """F0 of p_I in the law that the material names, or None."""
     for name in ("Characteristic force", "Force at contact"):
-        number = find_number(parameters, name, "Materials")
+        number = parameters.find_number(name, "Materials")
         if number is not None:
             return number
     return None
@@ -70,6 +69,7 @@ class Run:
     smooth: tuple = None
     smooth_unloading: tuple = None
     constants: dict = None
+    quality: dict = field(default_factory=dict)  # R² of the fits that the constants are from
 
     @property
     def key(self):
@@ -92,46 +92,22 @@ class Run:
         return ", ".join(parts)
 
 
-def width_of_snapshots(directory, times):
-    """The horizontal diameter at @times from snapshots.h5, None without it."""
-    path = os.path.join(directory, "snapshots.h5")
-    if not os.path.exists(path):
-        return None
-    try:
-        import h5py
-    except ImportError as error:
-        raise need("python3-h5py", error) from error
-    try:
-        with h5py.File(path) as file:
-            known = file["time_s"][()]
-            widths = [np.ptp(file[f"steps/{i:06d}/outlines/points_m"][:, 0]) for i in range(len(known))]
-    except (OSError, KeyError, ValueError) as error:
-        raise InputError(f"{path} is damaged: {error}") from error
-    return np.interp(times, known, widths) if len(known) else None
-
-
-def width_of(directory, history):
-    if "width_m" in history:
-        return history["width_m"]
-    for find in (width_of_snapshots, width_over_time):
-        if (widths := find(directory, history["time_s"])) is not None:
-            return widths
-    raise InputError(f"{directory} does not say how wide the grain is: neither a column width_m in history.csv nor "
-                     "outlines in snapshots.h5 or fields.pvd")
-
-
-def mean_diameter_of(directory):
+def mean_diameter_of(output):
     """Mean diameter of the primaries of the first picture, None without pictures."""
+    if output.source is None:
+        return None
+    states = output if output.source == "fields" else output.fields
     try:
-        first = next(frame for frame in read_series(directory) if "points" in frame.files)
+        first = next(state for state in states if state.has("points"))
     except (InputError, StopIteration):
         return None
-    radius = read_grid(first.files["points"]).point_data.get("radius_m")
+    radius = first.points.get("radius_m")
     return float(2 * np.mean(radius)) if radius is not None and len(radius) else None
 
 
 def read_run(directory):
-    history, parameters = read_history(directory), read_parameters(directory)
+    output = softgrain.open(directory)
+    history, parameters = output.history_table, output.parameters
     for name in ("time_s", "bottom_position_m", "top_position_m", "bottom_force_N_per_m", "top_force_N_per_m"):
         if name not in history:
             raise InputError(f"{directory} is no grain between the walls bottom and top: its history.csv has no column "
@@ -144,15 +120,15 @@ def read_run(directory):
     first = max(int(np.argmax(pressed)) - 1, 0)
     height = history["top_position_m"] - history["bottom_position_m"]
     strain = np.log(height[first] / height)[first:]
-    stress = (0.5 * (bottom + top) / width_of(directory, history))[first:]
+    stress = (0.5 * (bottom + top) / output.widths(history["time_s"]))[first:]
     if not (np.isfinite(strain).all() and np.isfinite(stress).all()):
         raise InputError(f"{directory}/history.csv has rows without positions or forces of the walls")
-    run = Run(directory, parameters.get(("Model",), "mpm").lower())
+    run = Run(directory, output.model)
     if run.model != "mpm":
         run.force = characteristic_force(parameters)
-        ends = [find_number(parameters, f"{which} diameter", "Primaries") for which in ("Smallest", "Largest")]
+        ends = [parameters.find_number(f"{which} diameter", "Primaries") for which in ("Smallest", "Largest")]
         run.diameters = None if None in ends else tuple(ends)
-        run.mean_diameter = mean_diameter_of(directory)
+        run.mean_diameter = mean_diameter_of(output)
     turn = int(np.argmax(strain))
     run.loading = growing(strain[:turn + 1], stress[:turn + 1])
     if strain[turn] - strain[-1] > 2 * UNLOADING_MEAN:
@@ -232,8 +208,12 @@ def constants_of(run):
         if begin is not None and end is not None:
             fitted = (run.unloading[0] <= begin) & (run.unloading[0] >= end)
             if fitted.sum() >= 3:
-                result["unloading_slope_Pa"] = float(np.polyfit(run.unloading[0][fitted],
-                                                                run.unloading[1][fitted], 1)[0])
+                line = np.polyfit(run.unloading[0][fitted], run.unloading[1][fitted], 1)
+                result["unloading_slope_Pa"] = float(line[0])
+                # Rows of primaries are noisy; whether they follow a line is seen at their moving mean.
+                near = (strain <= begin) & (strain >= end)
+                left = stress[near] - np.polyval(line, strain[near])
+                run.quality["unloading_slope_Pa"] = fits.quality(stress[near], np.sqrt(np.mean(left**2)))
         if (free := first_below(strain, stress, NOTHING * reversal)) is not None:
             result["recovered_strain"] = result["reversal_strain"] - free
     return result

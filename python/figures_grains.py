@@ -7,26 +7,20 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import EllipseCollection, PathCollection
 
-from drawing import INK, outline_path
 from figures_runs import NotDrawn
-from reading import InputError, need
+from softgrain.drawing import INK, outline_path
 
 STATES = (0.75, 0.85, 0.95)  # packing fractions
 FILLS = ("#cfe3f2", "#f6d9c4", "#cfe8dc", "#efd7e4", "#f5e6bd", "#dfdfdf")
 
 
-def read_frame(file, index):
+def read_frame(state):
     """(outlines of every body, places and sizes of points or None, box) of a snapshot."""
-    step = file[f"steps/{index:06d}"]
-    vertices = step["outlines/points_m"][()]
-    rings, bodies = step["outlines/ring_offsets"][()], step["outlines/body_offsets"][()]
-    outlines = [[vertices[rings[r]:rings[r + 1]] for r in range(bodies[b], bodies[b + 1])]
-                for b in range(len(bodies) - 1)]
     points = None
-    if "points/position_m" in step and len(step["points/position_m"]):
-        points = step["points/position_m"][()], step["points/size_m2"][()], step["points/body"][()]
-    walls = {name.decode(): place for name, place in zip(step["walls/name"][()], step["walls/position_m"][()])}
-    return outlines, points, walls
+    if state.has("points") and len(state.points):
+        points = state.points["position_m"], state.points["area_m2"], state.points["body"]
+    walls = dict(zip(state.walls["name"], state.walls["position_m"]))
+    return list(state.outlines), points, walls
 
 
 def frames_near(run, times):
@@ -70,22 +64,14 @@ def draw_grains(axes, outlines, points, walls, disks, zoom):
 
 def states(groups):
     """Three states of the smoothest run of every model, and a part of the last one enlarged."""
-    try:
-        import h5py
-    except ImportError as error:
-        raise need("python3-h5py", error) from error
     rows = []
     for model in dict.fromkeys(group[0].model for group in groups):
         run = next(group[0] for group in groups if group[0].model == model)
-        path = os.path.join(run.directory, "snapshots.h5")
-        if not os.path.exists(path):
+        if not os.path.exists(run.output.path("snapshots.h5")):
             continue
-        try:
-            with h5py.File(path) as file:
-                frames = frames_near(run, file["time_s"][()])
-                rows.append((run, [(read_frame(file, index), packing) for index, packing in frames]))
-        except (OSError, KeyError) as error:
-            raise InputError(f"{path} is damaged: {error}") from error
+        snapshots = run.output.snapshots
+        frames = frames_near(run, snapshots.times)
+        rows.append((run, [(read_frame(snapshots[index]), packing) for index, packing in frames]))
     rows = [row for row in rows if row[1]]
     if not rows:
         raise NotDrawn("no run has snapshots.h5 and measures.csv")

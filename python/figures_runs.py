@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-import figures_fits as fits
-from reading import InputError, read_history, read_parameters
+import softgrain
+from softgrain import InputError, fits
 
 PACKINGS = (0.80, 0.85, 0.90, 0.95)  # of the force distributions
 NEAR = 0.01  # states within this packing count as one
@@ -42,7 +42,7 @@ class NotDrawn(Exception):
 @dataclass
 class Run:
     """Curves of one run while the walls close: in steps (history) and at snapshots (measures)."""
-    directory: str
+    output: softgrain.Run
     model: str
     friction: float
     strain: np.ndarray = None
@@ -53,6 +53,11 @@ class Run:
     reference_stress: float = None
     reference_strain: float = None
     constants: dict = field(default_factory=dict)
+    quality: dict = field(default_factory=dict)  # R² of the fits that the constants are from
+
+    @property
+    def directory(self):
+        return self.output.directory
 
     @property
     def label(self):
@@ -73,15 +78,9 @@ class Run:
         return strain - self.reference_strain, stress / self.reference_stress, packing
 
 
-def number(parameters, *key):
-    try:
-        return float(parameters.get(key, "0"))
-    except ValueError:
-        return 0.
-
-
 def read_run(directory, reference):
-    history, parameters = read_history(directory), read_parameters(directory)
+    output = softgrain.open(directory)
+    history = output.history_table
     for name in ("axial_strain", "packing_fraction", "bottom_force_N_per_m", "left_position_m", "right_position_m"):
         if name not in history:
             raise InputError(f"{directory} is no compaction: its history.csv has no column {name}")
@@ -92,11 +91,12 @@ def read_run(directory, reference):
     # The way down only: what follows the largest strain is another load.
     known &= np.arange(len(strain)) <= np.nanargmax(strain)
     width = history["right_position_m"] - history["left_position_m"]
-    run = Run(directory, parameters.get(("Model",), "mpm").lower(), number(parameters, "Contact", "Friction"),
+    friction = output.parameters.get("Contact/Friction", 0.)
+    run = Run(output, output.model, friction if isinstance(friction, (int, float)) else 0.,
               strain[known], packing[known], (history["bottom_force_N_per_m"] / width)[known], reference=reference)
     end = history["time_s"][known][-1]
-    if os.path.exists(os.path.join(directory, "measures.csv")):
-        measures = read_history(directory, "measures.csv")
+    if os.path.exists(output.path("measures.csv")):
+        measures = output.measures_table
         kept = measures["time_s"] <= end
         run.measures = {name: values[kept] for name, values in measures.items()}
         run.measures["axial_strain"] = np.interp(run.measures["time_s"], history["time_s"][known], strain[known])
@@ -145,6 +145,11 @@ def constants_of(run):
                             ("alpha", fits.exponential_packing(stress, packing, run.reference))):
             if found:
                 result[name], result[name + "_rms"] = found
+        if len(stress):
+            fitted = {"beta": stress, "packing_slope": packing} if run.model == "mpm" else {"alpha": packing}
+            for name, values in fitted.items():
+                if result[name] is not None:
+                    run.quality[name] = fits.quality(values, result[name + "_rms"])
     if found := run.measured("packing_fraction", "coordination_of_bodies", "axial_strain"):
         packing, coordination, strain = found
         result["jamming_strain"] = fits.first_crossing(strain, coordination, 3.)
@@ -152,6 +157,7 @@ def constants_of(run):
         if power := fits.power_of_coordination(packing, coordination, run.reference):
             (result["coordination_exponent"], result["coordination_at_reference"],
              result["coordination_when_full"], result["coordination_rms"]) = power
+            run.quality["coordination_exponent"] = fits.quality(coordination[packing >= run.reference], power[3])
     result["force_gamma"] = gamma_near(run, PACKINGS[0])
     if found := run.measured("packing_fraction", "shape_anisotropy"):
         if regimes := fits.three_regimes(*found):

@@ -7,19 +7,20 @@ import json
 import os
 import sys
 
-from reading import InputError, Parser, need, run_tool
-
 try:
     import matplotlib
     matplotlib.use("Agg")  # no display is needed
     import matplotlib.pyplot as plt
     import numpy as np
-    from drawing import STYLE
     from figures_diametral import CONSTANTS, compare_slopes, read_run
     from figures_runs import NotDrawn
-    from figures_thesis4 import axes_of, finish, write, write_text
+    from figures_thesis4 import axes_of, finish, warn_of_poor_fits, write, write_text
+    from softgrain import InputError
+    from softgrain.command import Parser, run_tool
+    from softgrain.drawing import STYLE
 except ImportError as missing:
-    print(f"figures thesis-3: {need('python3-matplotlib', missing)}", file=sys.stderr)
+    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
+    print(f"figures thesis-3: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
     sys.exit(2)
 
 COLOURS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a")
@@ -188,7 +189,8 @@ def numbers_of(runs):
     return {"thesis": THESIS,
             "runs": [{"directory": run.directory, "model": run.model, "force_at_contact_N_per_m": run.force,
                       "diameters_m": run.diameters, "mean_diameter_m": run.mean_diameter,
-                      "largest_strain": float(run.loading[0][-1]), "constants": run.constants} for run in runs]}
+                      "largest_strain": float(run.loading[0][-1]), "constants": run.constants,
+                      "r_squared": run.quality} for run in runs]}
 
 
 def main():
@@ -211,6 +213,7 @@ def main():
     numbers = json.dumps(numbers_of(runs), indent=1) + "\n"
     write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
     print(table, end="")
+    warn_of_poor_fits("figures thesis-3", runs, CONSTANTS)
     return 0
 
 

@@ -7,19 +7,20 @@ import json
 import os
 import sys
 
-from reading import InputError, Parser, need, run_tool
-
 try:
     import matplotlib
     matplotlib.use("Agg")  # no display is needed
     import matplotlib.pyplot as plt
     import numpy as np
-    import figures_fits as fits
     import figures_grains as grains
-    from drawing import STYLE
     from figures_runs import CONSTANTS, PACKINGS, NotDrawn, densities, gamma_near, groups_of, mean_and_spread, read_run
+    from softgrain import InputError
+    from softgrain.command import Parser, run_tool, warn
+    from softgrain import fits
+    from softgrain.drawing import STYLE
 except ImportError as missing:
-    print(f"figures thesis-4: {need('python3-matplotlib', missing)}", file=sys.stderr)
+    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
+    print(f"figures thesis-4: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
     sys.exit(2)
 
 COLOURS = {"mpm": ("#0072B2", "#56B4E9"), "bpm": ("#D55E00", "#E69F00")}
@@ -276,8 +277,18 @@ def numbers_of(groups, reference):
             "model": group[0].model, "friction": group[0].friction,
             "mean": {name: value and value[0] for name, value in found.items()},
             "spread": {name: value[1] if value and value[2] > 1 else None for name, value in found.items()},
-            "runs": [{"directory": run.directory, "constants": run.constants} for run in group]})
+            "runs": [{"directory": run.directory, "constants": run.constants, "r_squared": run.quality}
+                     for run in group]})
     return result
+
+
+def warn_of_poor_fits(command, runs, texts):
+    """One line for every law that does not describe the data it was fitted to."""
+    for run in runs:
+        for name, quality in run.quality.items():
+            if quality < fits.POOR:
+                warn(command, f"{texts[name].strip()} of {run.directory} fits poorly, R² = {quality:.2f}: the law does not "
+                              "describe these data")
 
 
 def write(path, save):
@@ -314,6 +325,7 @@ def main():
     numbers = json.dumps(numbers_of(groups, arguments.reference), indent=1) + "\n"
     write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
     print(table, end="")
+    warn_of_poor_fits("figures thesis-4", runs, {name: text for name, (text, *_) in CONSTANTS.items()})
     return 0
 
 

@@ -1,44 +1,46 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws columns of history.csv as curves, several runs side by side, with theory where there is one."""
+"""Draws columns of history.csv and measures.csv as curves, several runs side by side, with theory where there is one."""
 
 import argparse
 import os
 import sys
-
-from reading import (InputError, Parser, describe, find_number, need, read_grid, read_history, read_parameters,
-                     read_series, run_tool, scaled_unit, split_unit, with_unit)
 
 try:
     import matplotlib
     matplotlib.use("Agg")  # no display is needed
     import matplotlib.pyplot as plt
     import numpy as np
-    from drawing import STYLE
-    from theory import THEORIES
+    from softgrain import InputError, Run, fits
+    from softgrain.command import Parser, run_tool, save_figure, warn
+    from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, panels_of, run_labels, usual_columns
+    from softgrain.drawing import STYLE
+    from softgrain.theory import THEORIES
 except ImportError as missing:
-    print(f"plot: {need('python3-matplotlib', missing)}", file=sys.stderr)
+    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
+    print(f"plot: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
     sys.exit(2)
 
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a"]  # told apart by everyone
-DASHES = ["-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5))]
 THEORY_DASHES = {"hertz": (0, (6, 2)), "johnson": (0, (1.5, 1.5))}
-DIAMETRAL = "mean_stress_F_over_L_Pa"
 
 
 def parse_arguments():
     parser = Parser(
         prog="plot", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="examples:\n"
-               "  plot.py out                                        force on the bottom wall against strain\n"
+        epilog="Units may be left out of the names. A column of measures.csv is drawn at the times of its rows, with\n"
+               "points.\n\n"
+               "examples:\n"
+               "  plot.py out                                        force on a wall against strain, or energies\n"
                "  plot.py out --list                                 columns there are\n"
                "  plot.py fine coarse --y packing_fraction coordination\n"
+               "  plot.py out --x packing_fraction --y coordination_without_rattlers contact_anisotropy\n"
+               "  plot.py out --x packing_fraction --y coordination_of_bodies --fit power --fit-range 0.84 0.98\n"
                "  plot.py disk --preset diametral --output fig3.10.svg\n")
     parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
     parser.add_argument("--x", metavar="COLUMN", help="default: axial_strain when it changes, else time_s")
     parser.add_argument("--y", metavar="COLUMN", nargs="+",
-                        help="columns with one unit share a panel, others get their own (default: "
-                             "bottom_force_N_per_m)")
+                        help="columns with one unit share a panel, others get their own (default: the force on the "
+                             "wall bottom; else the forces on the walls there are; without walls the energies)")
     parser.add_argument("--preset", choices=("diametral",),
                         help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory")
     parser.add_argument("--theory", metavar="NAME[,NAME]",
@@ -47,6 +49,11 @@ def parse_arguments():
     for name, text in (("young", "Young's modulus [Pa]"), ("poisson", "Poisson's ratio"), ("radius", "radius [m]")):
         parser.add_argument(f"--{name}", type=float, metavar="NUMBER",
                             help=f"{text} of the theory (default: from parameters.prm of the first run)")
+    parser.add_argument("--fit", choices=("line", "power", "exponential"),
+                        help="lays a + b x, a + b (x - x0)^c or a + b exp(c (x - x0)) beside every curve, x0 being where "
+                             "the fit begins, and prints its constants and R²; warns when R² is below 0.9")
+    parser.add_argument("--fit-range", nargs=2, type=float, metavar=("MIN", "MAX"),
+                        help="part of x that is fitted, in the column's SI unit (default: all)")
     parser.add_argument("--labels", nargs="+", metavar="TEXT", help="names of the runs (default: of their folders)")
     parser.add_argument("--xlim", nargs=2, type=float, metavar=("MIN", "MAX"), help="in the column's SI unit")
     parser.add_argument("--ylim", nargs=2, type=float, metavar=("MIN", "MAX"), help="in the column's SI unit")
@@ -62,79 +69,37 @@ def parse_arguments():
         raise InputError(f"--labels gives {len(arguments.labels)} names for {len(arguments.directories)} runs")
     if not 10 <= arguments.dpi <= 2400:
         raise InputError("--dpi must be 10 to 2400")
+    if arguments.fit_range and not arguments.fit:
+        raise InputError("--fit-range needs --fit")
+    if arguments.fit_range and not arguments.fit_range[1] > arguments.fit_range[0]:
+        raise InputError("--fit-range: the second number must be above the first")
     return arguments
 
 
-def width_over_time(directory, times):
-    """The horizontal diameter at @times from the outlines of the pictures, None without them."""
-    try:
-        frames = [frame for frame in read_series(directory) if "outlines" in frame.files]
-    except InputError:
-        return None
-    known, widths = [], []
-    for frame in frames:
-        points = read_grid(frame.files["outlines"]).points
-        if len(points):
-            known.append(frame.time)
-            widths.append(np.ptp(points[:, 0]))
-    return np.interp(times, known, widths) if known else None
+def tables_of(run):
+    """history.csv and measures.csv, as far as they are there; one of them must be."""
+    found = [run.table(name) for name in ("history.csv", "measures.csv") if os.path.exists(run.path(name))]
+    return found or [run.history_table]  # says that it is missing
 
 
-class Run:
-    """One output folder: its history, with columns that are worked out on demand."""
-
-    def __init__(self, directory, label):
-        self.directory = directory
-        self.label = label
-        self.history = read_history(directory)
-
-    def column(self, name):
-        if name == DIAMETRAL and name not in self.history:
-            self.history[name] = self.column("bottom_force_N_per_m") / self.width()
-        if name not in self.history:
-            raise InputError(f"there is no column '{name}' in {self.directory}/history.csv; there are " +
-                             ", ".join(self.history))
-        return self.history[name]
-
-    def width(self):
-        if "width_m" in self.history:
-            return self.history["width_m"]
-        widths = width_over_time(self.directory, self.column("time_s"))
-        if widths is None:
-            raise InputError(f"{self.directory} does not say how wide the disk is: neither a column width_m in "
-                             "history.csv nor outlines in fields.pvd")
-        return widths
-
-
-def run_labels(directories):
-    """Names of the folders, as much of the path as makes them differ."""
-    paths = [os.path.abspath(directory).split(os.sep) for directory in directories]
-    for depth in range(1, max(map(len, paths)) + 1):
-        labels = ["/".join(path[-depth:]) for path in paths]
-        if len(set(labels)) == len(labels):
-            return labels
-    return [f"{path[-1]} ({number})" for number, path in enumerate(paths, start=1)]
-
-
-def choose_columns(arguments, runs):
+def choose_columns(arguments, curves):
+    x, columns = arguments.x, arguments.y
     if arguments.preset == "diametral":
-        return arguments.x or "axial_strain", arguments.y or [DIAMETRAL]
-    x = arguments.x
-    if x is None:
-        strains = [run.history.get("axial_strain") for run in runs]
-        moves = all(s is not None and np.isfinite(s).any() and np.nanmax(np.abs(s)) > 0 for s in strains)
-        x = "axial_strain" if moves else "time_s"
-    return x, arguments.y or ["bottom_force_N_per_m"]
+        x, columns = x or "axial_strain", columns or [DIAMETRAL]
+    x, columns = x or default_x(curves), columns or usual_columns(curves)
+    for one in curves[1:]:
+        for name in (x, *columns):
+            one.full_name(name)  # says when one run does not have it
+    return curves[0].full_name(x), [curves[0].full_name(name) for name in columns]
 
 
 def disk_between_walls(arguments, run):
     """Whether this is one disk between a bottom and a top wall, of a law that has what the theory needs."""
-    parameters = read_parameters(run.directory)
-    names = [name.strip() for name in parameters.get(("Bodies", "Names"), "").split(",") if name.strip()]
-    walls = sorted(name.strip() for name in parameters.get(("Walls", "Names"), "").split(","))
-    return (len(names) == 1 and walls == ["bottom", "top"] and
-            parameters.get(("Bodies", names[0], "Shape"), "disk") == "disk" and
-            int(parameters.get(("Packing", "Number"), "0")) == 0 and parameters.get(("Model",), "mpm") == "mpm" and
+    parameters = run.parameters
+    names = parameters.names("Bodies")
+    return (len(names) == 1 and sorted(parameters.names("Walls")) == ["bottom", "top"] and
+            parameters.get(f"Bodies/{names[0]}/Shape", "disk") == "disk" and
+            parameters.get("Packing/Number", 0) == 0 and run.model == "mpm" and
             None not in theory_numbers(arguments, run).values())
 
 
@@ -154,11 +119,10 @@ def choose_theories(arguments, run, x, columns):
 
 def theory_numbers(arguments, run):
     """E, ν, R of the theory, None for what neither the user nor the run gives."""
-    parameters = read_parameters(run.directory)
     found = {
-        "young": find_number(parameters, "Young's modulus", "Materials"),
-        "poisson": find_number(parameters, "Poisson's ratio", "Materials"),
-        "radius": find_number(parameters, "Radius", "Bodies"),
+        "young": run.parameters.find_number("Young's modulus", "Materials"),
+        "poisson": run.parameters.find_number("Poisson's ratio", "Materials"),
+        "radius": run.parameters.find_number("Radius", "Bodies"),
     }
     for name in found:
         if getattr(arguments, name) is not None:
@@ -177,15 +141,16 @@ def theory_constants(arguments, run):
     return found
 
 
-def draw_theories(axes, arguments, run, names, column, x_values, scale):
-    constants = theory_constants(arguments, run)
-    finite = x_values[np.isfinite(x_values)]
+def draw_theories(axes, arguments, curves, names, column, scale):
+    constants = theory_constants(arguments, curves.run)
+    strains = curves.values("axial_strain")
+    finite = strains[np.isfinite(strains)]
     if len(finite) == 0:
         return
     strain = np.linspace(0, finite.max(), 400)
     divisor = 1.0
     if column == DIAMETRAL:  # the width that the run has at this strain
-        strains, widths = run.column("axial_strain"), run.width()
+        widths = curves.width()
         known = np.isfinite(strains) & np.isfinite(widths)
         order = np.argsort(strains[known], kind="stable")
         divisor = np.interp(strain, strains[known][order], widths[known][order])
@@ -195,39 +160,34 @@ def draw_theories(axes, arguments, run, names, column, x_values, scale):
                   linestyle=THEORY_DASHES[name], label=label, zorder=2)
 
 
-def label_of(name):
-    if name == DIAMETRAL:
-        return r"Stress $\sigma = F/L$"
-    return describe(name)
+def draw_fits(axes, arguments, curves, x, columns, x_scale, scale):
+    """The fitted curves of a panel; returns what is to be printed of each, and warnings."""
+    told, poor = [], []
+    for one in curves:
+        for column in columns:
+            x_values, y_values, _ = one.pair(x, column)
+            if arguments.fit_range:
+                inside = (x_values >= arguments.fit_range[0]) & (x_values <= arguments.fit_range[1])
+                x_values, y_values = x_values[inside], y_values[inside]
+            name = f"{column} of {one.run.directory}"
+            found = fits.curve(x_values, y_values, arguments.fit)
+            if found is None:
+                raise InputError(f"--fit: {name} has fewer than {fits.FEWEST} points to fit")
+            numbers = ", ".join(f"{key} = {value:.6g}" for key, value in found.constants.items())
+            told.append(f"{name} = {found.formula}, x = {x}: {numbers}, R² = {found.quality:.4f}")
+            if found.quality < fits.POOR:
+                poor.append(f"the {arguments.fit} of {name} fits poorly, R² = {found.quality:.2f}: it does not describe "
+                            "these data")
+            elif found.at_limit:
+                poor.append(f"the {arguments.fit} of {name} has no certain c: {found.constants['c']:.3g} is the end of what "
+                            "is tried")
+            places = np.linspace(np.nanmin(x_values), np.nanmax(x_values), 300)
+            axes.plot(places / x_scale, found(places) / scale, color="#2b2b2b", linewidth=1.2, linestyle=(0, (1.2, 1.4)),
+                      label=f"${found.formula}$, $R^2$ = {found.quality:.3f}", zorder=4)
+    return told, poor
 
 
-def draw_panel(axes, arguments, runs, x, columns, theories):
-    """The columns of one unit; returns the scale of the x axis' unit."""
-    unit = split_unit(columns[0])[1]
-    largest = max(np.nanmax(np.abs(run.column(c)), initial=0) for run in runs for c in columns)
-    scale, unit = scaled_unit(unit, largest)
-    x_base, x_unit = split_unit(x)
-    x_largest = max(np.nanmax(np.abs(run.column(x)), initial=0) for run in runs)
-    x_scale, x_unit = scaled_unit(x_unit, x_largest)
-    for number, run in enumerate(runs):
-        for position, column in enumerate(columns):
-            if len(runs) == 1:
-                colour, dashes, label = COLOURS[position % len(COLOURS)], "-", label_of(column)
-                if len(columns) == 1:
-                    label = run.label
-            else:
-                colour, dashes = COLOURS[number % len(COLOURS)], DASHES[position % len(DASHES)]
-                label = run.label if len(columns) == 1 else f"{run.label}: {label_of(column)}"
-            axes.plot(run.column(x) / x_scale, run.column(column) / scale, color=colour, linestyle=dashes,
-                      linewidth=1.8, label=label, zorder=3)
-    if theories:
-        draw_theories(axes, arguments, runs[0], theories, columns[0], runs[0].column(x), scale)
-    if len(columns) == 1:
-        text = label_of(columns[0])
-    else:
-        kinds = {split_unit(c)[0].rsplit("_", 1)[-1] for c in columns}
-        text = kinds.pop().capitalize() if len(kinds) == 1 else ""
-    axes.set_ylabel(with_unit(text, unit).strip())
+def finish_panel(axes, arguments, x_scale, scale, negative):
     if arguments.logx:
         axes.set_xscale("log")
     if arguments.logy:
@@ -238,64 +198,52 @@ def draw_panel(axes, arguments, runs, x, columns, theories):
         axes.margins(x=0.02)
     if arguments.ylim:
         axes.set_ylim(arguments.ylim[0] / scale, arguments.ylim[1] / scale)
-    elif not arguments.logy and all(np.nanmin(run.column(c), initial=0) >= -1e-9 * largest
-                                    for run in runs for c in columns):
+    elif not arguments.logy and not negative:
         axes.set_ylim(bottom=0)
-    axes.minorticks_on()
-    axes.tick_params(which="both", top=True, right=True)
-    axes.grid(color="#d9d9d9", linewidth=0.6, zorder=0)
-    axes.set_axisbelow(True)
     if len(axes.lines) > 1:
         axes.legend(frameon=False, fontsize=10, handlelength=2.6)
-    return with_unit(describe(x), x_unit)
-
-
-def panels_of(columns):
-    """Columns by their unit, in the order they were asked for; pure numbers each for themselves."""
-    panels = {}
-    for column in columns:
-        unit = split_unit(column)[1]
-        panels.setdefault(unit if unit else column, []).append(column)
-    return list(panels.values())
-
-
-def save(figure, arguments, path):
-    folder = os.path.dirname(path)
-    if folder:
-        os.makedirs(folder, exist_ok=True)
-    temporary = os.path.join(folder, ".part-" + os.path.basename(path))
-    try:
-        figure.savefig(temporary, dpi=arguments.dpi, facecolor="white")
-    except ValueError as error:  # an ending that matplotlib does not know
-        raise InputError(f"cannot write {path}: {str(error).splitlines()[0]}") from error
-    os.replace(temporary, path)
-    print(path)
 
 
 def main():
     arguments = parse_arguments()
     labels = arguments.labels or run_labels(arguments.directories)
-    runs = [Run(directory, label) for directory, label in zip(arguments.directories, labels)]
+    curves = [Curves(Run(directory), label) for directory, label in zip(arguments.directories, labels)]
+    tables = [tables_of(one.run) for one in curves]
     if arguments.list:
-        for run in runs:
-            print(f"{run.directory}: {len(next(iter(run.history.values())))} rows: {', '.join(run.history)}")
+        for one, found in zip(curves, tables):
+            for table in found:
+                print(f"{os.path.join(one.run.directory, os.path.basename(table.path))}: {len(table)} rows: "
+                      f"{', '.join(table)}")
         return 0
-    x, columns = choose_columns(arguments, runs)
-    theories = choose_theories(arguments, runs[0], x, columns)
-    for run in runs:
-        if not np.isfinite(run.column(x)).any():
-            raise InputError(f"the column {x} of {run.directory} has no values yet")
-    plt.rcParams.update(STYLE)
-    panels = panels_of(columns)
-    figure, all_axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, constrained_layout=True,
-                                    figsize=(6.4, 4.4 if len(panels) == 1 else 0.6 + 2.7 * len(panels)))
-    for axes, panel in zip(all_axes[:, 0], panels):
-        x_label = draw_panel(axes, arguments, runs, x, panel, theories)
-    all_axes[-1, 0].set_xlabel(x_label)
-    if arguments.title:
-        all_axes[0, 0].set_title(arguments.title, pad=10)
-    name = "diametral" if arguments.preset else f"{'-'.join(columns)[:120]}-against-{x}"
-    save(figure, arguments, arguments.output or os.path.join(arguments.directories[0], "pictures", name + ".png"))
+    x, columns = choose_columns(arguments, curves)
+    theories = choose_theories(arguments, curves[0].run, x, columns)
+    for one in curves:
+        if not np.isfinite(one.values(x)).any():
+            raise InputError(f"the column {x} of {one.run.directory} has no values yet")
+    printed, warnings = [], []
+    with plt.rc_context(STYLE):
+        panels = panels_of(columns)
+        figure, all_axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, constrained_layout=True,
+                                        figsize=(6.4, 4.4 if len(panels) == 1 else 0.6 + 2.7 * len(panels)))
+        for axes, panel in zip(all_axes[:, 0], panels):
+            x_scale, scale, x_label, negative = draw_panel(axes, curves, x, panel)
+            if arguments.fit:
+                told, poor = draw_fits(axes, arguments, curves, x, panel, x_scale, scale)
+                printed, warnings = printed + told, warnings + poor
+            if theories:
+                draw_theories(axes, arguments, curves[0], theories, panel[0], scale)
+            finish_panel(axes, arguments, x_scale, scale, negative)
+        all_axes[-1, 0].set_xlabel(x_label)
+        if arguments.title:
+            all_axes[0, 0].set_title(arguments.title, pad=10)
+        name = "diametral" if arguments.preset else f"{'-'.join(columns)[:120]}-against-{x}"
+        path = arguments.output or os.path.join(arguments.directories[0], "pictures", name + ".png")
+        save_figure(figure, path, arguments.dpi)
+        plt.close(figure)
+    print(path)
+    print(*printed, sep="\n", end="\n" if printed else "")
+    for text in warnings:
+        warn("plot", text)
     return 0
 
 

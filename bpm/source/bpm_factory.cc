@@ -16,6 +16,19 @@ class BpmFactory final : public ModelFactory
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override { Settings::declare_parameters(prm); }
 
+  std::vector<std::string> changeable_on_restart() const override
+  {
+    return {"Time/",
+            "Primaries/Library",
+            "Contact/Tolerance",
+            "Contact/Wall tolerance",
+            "Contact/Penetration tolerance",
+            "Contact/Largest penetration",
+            "Contact/Maximum sweeps",
+            "Contact/Algorithm",
+            "Contact/Relaxation"};
+  }
+
   LawCatalogue laws() const override
   {
     const std::vector<std::string> names = Registry<Attraction>::instance().names();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_model.h>
 
@@ -107,7 +108,7 @@ double BpmModel::wanted_step() const
 StepReport BpmModel::advance(const double dt_limit)
 {
   StepReport report;
-  const double wanted = wanted_step();
+  const double wanted = wanted_step(), scale_before = step_scale;
   double dt = std::min(wanted * step_scale, dt_limit);
   const double limit =
       std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
@@ -118,7 +119,18 @@ StepReport BpmModel::advance(const double dt_limit)
   {
     drive_walls(dt);
     accelerate();
-    const DynamicsReport done = dynamics->step(dt, moving_walls, acceleration);
+    DynamicsReport done;
+    try
+    {
+      done = dynamics->step(dt, moving_walls, acceleration);
+    }
+    catch (const Interrupted &)
+    {
+      // Only the contact solve stops early, before anything has moved.
+      moving_walls = walls_before;
+      step_scale = scale_before;
+      throw;
+    }
     report.contact_sweeps += done.solver.sweeps;
     if (done.max_penetration <= limit && done.solver.converged)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of BpmModel that is looked at: neutral snapshot, walls, coordination, area.
 #include <softgrain/analysis/aggregate_outline.h>
+#include <softgrain/analysis/wall_position.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/bpm_model.h>
 #include <softgrain/scene/polygon.h>
@@ -76,8 +77,7 @@ std::vector<WallState<2>> BpmModel::walls() const
     state.name = scene.walls[w].name;
     state.normal = scene.walls[w].normal;
     state.point = scene.walls[w].point + wall.travel * state.normal;
-    const unsigned int axis = std::abs(state.normal[1]) > std::abs(state.normal[0]) ? 1 : 0;
-    state.position = state.point[axis];
+    state.position = wall_position(state.point, state.normal);
     state.velocity = wall.velocity;
     if (last_dt > 0.)
     {
@@ -173,7 +173,6 @@ Snapshot<2> BpmModel::snapshot() const
   NamedField radius{"radius_m", disks.radius};
   points.body = disks.body;
   points.stress.resize(disks.size());
-  points.out_of_plane_stress.assign(disks.size(), 0.);
   for (std::size_t i = 0; i < disks.size(); ++i)
   {
     points.position.push_back(point_of(disks.position[i]));

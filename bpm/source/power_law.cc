@@ -33,16 +33,17 @@ double whole_power(double x, unsigned int n)
 void PowerLaw::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using dealii::Patterns::Double;
-  prm.declare_entry("Force at contact", "100", Double(0.),
-                    "F0 of (3.1), the largest attraction. Units: N/m.");
-  prm.declare_entry("Exponent", "7", Double(1.01, 100.), "gamma of (3.1). Units: none.");
+  prm.declare_entry(
+      "Force at contact", "100", Double(0.),
+      "F0 of (3.1), the attraction of two primaries that touch, which is the largest. Units: N/m.");
+  prm.declare_entry("Exponent", "7", Double(1.01, 100.), "Exponent gamma of (3.1). Units: none.");
   declare_cutoff(prm);
 }
 
 void PowerLaw::declare_cutoff(dealii::ParameterHandler &prm)
 {
   prm.declare_entry("Cutoff", "1", dealii::Patterns::Double(0., 10.),
-                    "Gap beyond which there is no attraction, in sums of the two radii. Units: none.");
+                    "Gap beyond which there is no attraction. Units: sum of the two radii.");
 }
 
 void PowerLaw::parse_parameters(dealii::ParameterHandler &prm)

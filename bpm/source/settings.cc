@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/settings.h>
+#include <softgrain/scene/parameter_values.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -19,13 +20,13 @@ void declare_primaries(dealii::ParameterHandler &prm)
   prm.enter_subsection("Primaries");
   SizeDistribution::declare_parameters(prm, "1e-4", "2e-4");
   prm.declare_entry("Number per body", "0", Integer(0),
-                    "0: as many as fill the shape of the body. Otherwise so many, and the body is smaller or "
-                    "larger than its shape, of the same form.");
-  prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
+                    "Primaries per body. 0: as many as fill its shape. With a number, the body keeps the "
+                    "form of its shape but becomes smaller or larger. Units: none.");
+  prm.declare_entry("Seed", "1", Integer(0), "Seed of the random sizes and places. Units: none.");
   prm.declare_entry(
       "Variants", "0", Integer(0),
-      "Different fillings for bodies of one shape and size, in turns: large assemblies of equal grains are "
-      "prepared sooner. 0: every body has its own.");
+      "Number of different fillings for bodies of the same shape and size, which are used in turn, so that "
+      "large assemblies of equal grains are prepared sooner. 0: every body has its own. Units: none.");
   prm.declare_entry("Library", "", dealii::Patterns::Anything(),
                     "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
   prm.leave_subsection();
@@ -35,44 +36,52 @@ void declare_time(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Time");
   prm.declare_entry("Time step", "0", Double(0.),
-                    "0: 'Step fraction' times sqrt(m a0 / F0), in which attraction moves a primary by its "
-                    "diameter. Units: s.");
-  prm.declare_entry("Step fraction", "0.1", Double(1e-6, 10.), "Of the time sqrt(m a0 / F0). Units: none.");
+                    "Length of a step; 0: 'Step fraction' times sqrt(m a0 / F0), the time in which "
+                    "attraction moves a primary by its diameter. Units: s.");
+  prm.declare_entry("Step fraction", "0.1", Double(1e-6, 10.),
+                    "Length of a step over the time sqrt(m a0 / F0), when 'Time step' is 0. Units: none.");
   prm.declare_entry("Smallest step", "1e-3", Double(1e-12, 1.),
-                    "Share of the wanted step below which the run gives up.");
+                    "A step that fails is repeated with half its length. The run gives up when a step is "
+                    "shorter than this share of the length asked for. Units: none.");
   prm.leave_subsection();
 }
 
 void declare_contact(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Contact");
-  prm.declare_entry("Rolling resistance", "0", Double(0.),
-                    "mu_r of (2.12) between primaries of different bodies and at walls. Units: none.");
+  prm.declare_entry(
+      "Rolling resistance", "0", Double(0.),
+      "Coefficient mu_r of (2.12) between primaries of different bodies and at walls. Units: none.");
   prm.declare_entry("Inner rolling resistance", "0", Double(0.),
-                    "mu_r of (2.12) between primaries of one body. Units: none.");
-  prm.declare_entry("Restitution", "0", Double(0., 1.), "Normal, of all contacts. Units: none.");
+                    "Coefficient mu_r of (2.12) between primaries of one body. Units: none.");
+  prm.declare_entry("Restitution", "0", Double(0., 1.),
+                    "Coefficient of normal restitution of all contacts. Units: none.");
   prm.declare_entry("Gap correction", "1", Double(0., 1.),
                     "Share of an overlap that a step pushes out. Units: none.");
+  prm.declare_entry("Range", "0.02", Double(0., 1.),
+                    "Pairs with a gap below this are passed to the contact solver, and so are all pairs that "
+                    "may close within the step. Units: mean diameters.");
+  prm.declare_entry("Skin", "0.3", Double(0.001, 10.),
+                    "Neighbours are searched again when two primaries may have moved by this distance. "
+                    "Units: mean diameters.");
   prm.declare_entry(
-      "Range", "0.02", Double(0., 1.),
-      "Gap up to which a pair is looked at by the contact solver, beside those that close faster. Units: "
-      "mean diameters.");
+      "Largest penetration", "0.02", Double(1e-6, 1.),
+      "A step that leaves a larger overlap is repeated with half its length. Units: mean diameters.");
   prm.declare_entry(
-      "Skin", "0.3", Double(0.001, 10.),
-      "Way that two primaries may go before neighbours are searched anew. Units: mean diameters.");
-  prm.declare_entry("Largest penetration", "0.02", Double(1e-6, 1.),
-                    "A step that leaves more is repeated with half its length. Units: mean diameters.");
-  prm.declare_entry("Tolerance", "1e-3", Double(1e-14, 1.),
-                    "Residual of the contact solution (natural map), relative to the approach speed.");
-  prm.declare_entry("Wall tolerance", "0.03", Double(1e-14, 1.),
-                    "Estimated error of the forces on walls, relative to the largest of them.");
-  prm.declare_entry("Penetration tolerance", "1e-4", Double(1e-14, 1.),
-                    "Overlap that an unfinished contact solution may add in a step. Units: mean diameters.");
-  prm.declare_entry("Maximum sweeps", "20000", Integer(1), "Of nonlinear Gauss-Seidel per step.");
+      "Tolerance", "1e-3", Double(1e-14, 1.),
+      "Largest residual of a contact solution (natural map), relative to the approach speed. Units: none.");
+  prm.declare_entry(
+      "Wall tolerance", "0.03", Double(1e-14, 1.),
+      "Largest estimated error of the forces on walls, relative to the largest of them. Units: none.");
+  prm.declare_entry(
+      "Penetration tolerance", "1e-4", Double(1e-14, 1.),
+      "Largest overlap that the error of a contact solution may add in one step. Units: mean diameters.");
+  prm.declare_entry("Maximum sweeps", "20000", Integer(1),
+                    "Largest number of Gauss-Seidel sweeps per step. Units: none.");
   prm.declare_entry("Algorithm", "accelerated", Selection("accelerated|gauss_seidel"),
                     "accelerated: sweeps with momentum and restart; gauss_seidel: plain sweeps.");
   prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
-                    "Factor on every change of an impulse, of 'Algorithm = gauss_seidel'.");
+                    "With 'Algorithm = gauss_seidel': factor on every change of an impulse. Units: none.");
   prm.leave_subsection();
   prm.enter_subsection("Output");
   prm.declare_entry("Inner forces", "true", Bool(),
@@ -116,13 +125,9 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   dynamics.solver.tolerance = prm.get_double("Tolerance");
   dynamics.solver.wall_tolerance = prm.get_double("Wall tolerance");
   dynamics.solver.max_sweeps = prm.get_integer("Maximum sweeps");
-  dynamics.solver.relaxation = prm.get_double("Relaxation");
+  dynamics.solver.relaxation = relaxation_of_plain_sweeps(prm);
   dynamics.solver.algorithm = prm.get("Algorithm") == "accelerated" ? contact::DiskAlgorithm::accelerated
                                                                     : contact::DiskAlgorithm::gauss_seidel;
-  if (dynamics.solver.relaxation != 1. && dynamics.solver.algorithm != contact::DiskAlgorithm::gauss_seidel)
-    throw InputError(
-        "'Contact/Relaxation' = '" + prm.get("Relaxation") +
-        "' is for plain sweeps only: leave it at 1, or set 'Contact/Algorithm' = 'gauss_seidel'");
   prm.leave_subsection();
 
   prm.enter_subsection("Output");

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Links of the manual lead somewhere, parameter files it names exist, citations are in doc/references.bib."""
+"""
+Links of the manual lead somewhere, parameter files it names exist, citations are in doc/references.bib, and every shipped
+scene is in the gallery.
+"""
 import re
 from urllib.parse import unquote
 
@@ -61,14 +64,28 @@ def check(root):
         lines = common.lines(root, path) if path.name.endswith((".md", ".h", ".cc")) else []
         if path.suffix == ".md":
             yield from check_links(root, path, lines)
+        made = set(re.findall(r"> *([\w./-]+\.prm)\b", "\n".join(lines)))  # by a command of the page: cat > name.prm
         for number, line in enumerate(lines, 1):
             for key in CITATION.findall(line):
                 if key not in keys:
                     yield f"{path}:{number}: not in doc/references.bib: {key}"
             for name in PARAMETER_FILE.findall(line) if path.suffix == ".md" else []:
                 known = any(f"/{scene}".endswith("/" + name.lstrip("./")) for scene in scenes)
-                if not known and not STAND_INS.search(name):
+                if not known and name not in made and not STAND_INS.search(name):
                     yield f"{path}:{number}: no such parameter file: {name}"
+
+
+    yield from check_gallery(root, scenes)
+
+
+def check_gallery(root, scenes):
+    """Every scene of parameters/ has a row with a picture."""
+    page = root / "doc/gallery.md"
+    rows = [line for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("| ![")] \
+        if page.exists() else []
+    for scene in scenes:
+        if scene.parts[0] == "parameters" and not any(f"`{scene.name}`" in row for row in rows):
+            yield f"doc/gallery.md: {scene} has no row with a picture"
 
 
 common.main(check, __doc__)

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Doxygen builds the reference manual without a warning; first it must warn of a comment that is wrong."""
+"""
+Doxygen builds the manual without a warning, and its pages have no broken links. First both checks must find a mistake of a
+sample.
+"""
 import argparse
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import manual_links
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -34,6 +39,11 @@ with tempfile.TemporaryDirectory() as place:
         print("doxygen does not find the wrong comment of the sample:", said)
         sys.exit(1)
 
+with tempfile.TemporaryDirectory() as place:
+    if not manual_links.self_test(place):
+        print("the links of the sample are not mended")
+        sys.exit(1)
+
 names = next(line for line in (ROOT / "doc/Doxyfile").read_text(encoding="utf-8").splitlines()
              if line.startswith("INPUT ")).partition("=")[2].split()
 names = [name for name in names if (ROOT / name).exists()]
@@ -45,5 +55,8 @@ with tempfile.TemporaryDirectory() as place:
             (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
     status, said = doxygen(folder, arguments.output.resolve(), INPUT=names)
     said = said.replace(f"{folder}/", "")
+if status == 0:
+    manual_links.mend(ROOT, arguments.output.resolve() / "html")
+    said += "".join(f"{line}\n" for line in manual_links.broken(arguments.output.resolve() / "html"))
 print(said or f"no warnings; {arguments.output.resolve()}/html/index.html")
 sys.exit(1 if status != 0 or said.strip() else 0)

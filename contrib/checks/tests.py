@@ -5,6 +5,9 @@ import re
 
 import common
 
+# Of all columns of an expectation at once; a number below it could be anything.
+LARGEST_ABSOLUTE_TOLERANCE = 1e-6
+
 
 def check(root):
     listed = (root / "cmake/targets.cmake").read_text(encoding="utf-8")
@@ -30,6 +33,11 @@ def check(root):
                 yield f"{path}: there is no {name}.cc that prints it"
             if path.suffix == ".output" and (root / path).stat().st_size == 0:
                 yield f"{path}: expects nothing, so the test cannot fail"
+            if path.suffix == ".output":
+                tolerance = re.match(r"# tolerance: (\S+)", (root / path).read_text(encoding="utf-8"))
+                if tolerance and not float(tolerance[1]) <= LARGEST_ABSOLUTE_TOLERANCE:
+                    yield f"{path}: the absolute tolerance {tolerance[1]} is above {LARGEST_ABSOLUTE_TOLERANCE:g} and " \
+                          "would let small numbers be anything; give the column its own"
             if path.suffix == ".cc" and not any(
                     other.suffix == ".output" and other.name.split(".")[0] == name for other in here):
                 yield f"{path}: no {name}.output beside it"

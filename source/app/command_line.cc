@@ -3,11 +3,15 @@
 #include <softgrain/app/command_line.h>
 #include <softgrain/app/input.h>
 #include <softgrain/app/measure_table.h>
+#include <softgrain/app/output_folder.h>
 #include <softgrain/app/python_script.h>
+#include <softgrain/app/run_lock.h>
 #include <softgrain/app/simulation.h>
+#include <softgrain/app/usage.h>
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/output/checkpoint.h>
 #include <softgrain/scene/model_factory.h>
 #include <softgrain/scene/parameter_listing.h>
 
@@ -23,6 +27,11 @@ namespace
 {
 constexpr int failed = 1;
 constexpr int bad_input = 2;
+constexpr int interrupted = 3;
+
+const char *const exit_codes =
+    "Exit codes: 0 done, 1 the computation failed (the last good state is saved), 2 bad input (nothing is "
+    "touched), 3 interrupted by a signal (the state is saved; --restart goes on).";
 
 /// One line, whatever the message holds.
 int report_error(std::string message, const int exit_code)
@@ -47,48 +56,59 @@ std::string short_message(const std::exception &error)
 
 std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
 {
-  CLI::App app("softgrain computes assemblies of soft particles: material point method and bonded particles.",
-               "softgrain");
-  app.set_version_flag("--version", std::string("softgrain ") + SOFTGRAIN_VERSION);
+  CLI::App app(
+      "softgrain computes how packings of soft particles deform, by the material point method (mpm) or by "
+      "bonded particles (bpm).",
+      "softgrain");
+  app.set_version_flag("--version", std::string("softgrain ") + SOFTGRAIN_VERSION,
+                       "print the version and exit");
+  app.set_help_flag("-h,--help", "print this help and exit");
   app.require_subcommand(1);
+  app.footer(exit_codes);
 
   std::string output, threads;
   const auto add_input = [&](CLI::App *sub)
   {
-    sub->add_option("FILE", parameter_file, "parameter file, .prm or .json")->required();
-    sub->add_option("--set", assignments, "\"Section/Sub/Key=value\": counts more than the file")
+    sub->add_option("FILE", parameter_file, "parameter file: .prm or .json")->required();
+    sub->add_option("--set", assignments,
+                    "change one parameter: \"Section/Subsection/Name=value\"; may be repeated")
         ->allow_extra_args(false);
-    sub->add_option("--output", output, "folder of the results");
-    sub->add_option("--threads", threads, "threads to compute with, 0: one per core");
+    sub->add_option("--output", output, "folder for the results; default: output/NAME for NAME.prm");
+    sub->add_option("--threads", threads, "number of threads; 0: one per core");
   };
-  CLI::App *run_command = app.add_subcommand("run", "computes what a parameter file describes");
+  CLI::App *run_command = app.add_subcommand("run", "compute the scene of a parameter file");
   add_input(run_command);
   CLI::Option *restart_option =
       run_command
-          ->add_option("--restart", checkpoint, "goes on from a checkpoint; without a name: the newest one")
+          ->add_option("--restart", checkpoint,
+                       "go on from a checkpoint; without a file name: from the newest one")
           ->expected(0, 1);
+  run_command->footer(exit_codes);
+  run_command->add_flag("--overwrite", overwrite, "begins anew where a run has not ended, and loses that run")
+      ->excludes(restart_option);
   CLI::App *check_command =
-      app.add_subcommand("check", "reads and builds, prints sizes and an estimate of cost, runs nothing");
+      app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");
   add_input(check_command);
-  CLI::App *parameters_command = app.add_subcommand("parameters", "prints every parameter");
-  parameters_command->add_option("--model", model, "whose parameters: mpm or bpm");
-  parameters_command->add_option("--format", format, "prm, json or md")
+  CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
+  parameters_command->add_option("--model", model,
+                                 "model whose parameters are printed: mpm (default) or bpm");
+  parameters_command->add_option("--format", format, "prm (default), json or md")
       ->check(CLI::IsMember({"prm", "json", "md"}));
-  CLI::App *measure_command =
-      app.add_subcommand("measure", "takes measures from the snapshots that a run has left");
-  measure_command->add_option("DIR", directory, "output folder with snapshots.h5");
-  measure_command->add_option("--output", table, "the table; default: DIR/measures.csv");
-  measure_command->add_option("--measures", measures, "which ones, default: all")->delimiter(',');
-  measure_command->add_flag("--list", list_measures, "tells which measures there are");
+  CLI::App *measure_command = app.add_subcommand("measure", "compute measures from the snapshots of a run");
+  measure_command->add_option("DIR", directory, "output folder that holds snapshots.h5");
+  measure_command->add_option("--output", table, "table to write; default: DIR/measures.csv");
+  measure_command->add_option("--measures", measures, "names, separated by commas; default: all")
+      ->delimiter(',');
+  measure_command->add_flag("--list", list_measures, "print the names of the measures");
   // The scripts have options of their own, --help too.
   for (const auto &[name, help] :
-       {std::pair("render", "draws pictures of a run: softgrain render DIR"),
-        std::pair("plot", "draws curves of the history of runs: softgrain plot DIR...")})
+       {std::pair("render", "draw pictures of a run: softgrain render DIR"),
+        std::pair("plot", "draw curves from the history of runs: softgrain plot DIR...")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
   }
-  CLI::App *figures_command = app.add_subcommand("figures", "draws the figures of a publication from runs");
+  CLI::App *figures_command = app.add_subcommand("figures", "draw the figures of a publication from runs");
   figures_command->require_subcommand(1);
   for (const auto &[name, help] :
        {std::pair("thesis-3", "section 3.4 of Nguyen (2016), one grain: softgrain figures thesis-3 DIR..."),
@@ -97,6 +117,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
     CLI::App *sub = figures_command->add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
   }
+
+  add_examples(app);
 
   try
   {
@@ -108,7 +130,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   }
   catch (const CLI::ParseError &error)
   {
-    return report_error(std::string(error.what()) + " (softgrain --help tells what can be written)",
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    return report_error(explain_mistake(app, words, error.what()) + " (softgrain --help shows examples)",
                         bad_input);
   }
   if (!output.empty())
@@ -152,8 +175,7 @@ int CommandLine::execute()
     switch (command)
     {
     case Command::run:
-      run();
-      break;
+      return run() ? 0 : interrupted;
     case Command::check:
       check();
       break;
@@ -182,15 +204,29 @@ int CommandLine::execute()
   }
 }
 
-void CommandLine::run() const
+bool CommandLine::run() const
 {
   Input input(parameter_file, assignments);
   set_n_threads(input.run().threads);
-  const std::unique_ptr<Model<2>> created = input.create_model();
-  Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), std::cout);
+  const std::string folder = input.run().output_directory;
+  const RunLock lock(folder);
+  // All that may be refused comes before the model, which may take long to build.
+  std::unique_ptr<CheckpointReader> state;
+  const std::string state_file = restart && checkpoint.empty() ? latest_checkpoint(folder) : checkpoint;
   if (restart)
-    simulation.restart(checkpoint);
-  simulation.run();
+  {
+    check_may_go_on(folder, state_file);
+    state = std::make_unique<CheckpointReader>(state_file);
+    for (const std::string &change : input.check_restart(*state, state_file))
+      std::cout << "changed since the checkpoint: " << change << '\n';
+  }
+  else
+    check_may_begin_anew(folder, overwrite);
+  const std::unique_ptr<Model<2>> created = input.create_model();
+  Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), lock, std::cout);
+  if (restart)
+    simulation.restart(*state, state_file);
+  return simulation.run() == "completed";
 }
 
 void CommandLine::check() const
@@ -229,6 +265,14 @@ void CommandLine::print_parameters() const
     prm.set("Names", "NAME");
     prm.leave_subsection();
   }
+  // What is printed can be read as a parameter file once it has a body and an end: the wall NAME, which has
+  // no default normal, lies where it is in nobody's way.
+  prm.enter_subsection("Walls");
+  prm.enter_subsection("NAME");
+  prm.set("Point", "0, -1");
+  prm.set("Normal", "0, 1");
+  prm.leave_subsection();
+  prm.leave_subsection();
   const ParameterSection tree = parameter_tree(prm);
   if (format == "json")
     print_json(std::cout, tree);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/input.h>
 #include <softgrain/app/output_folder.h>
+#include <softgrain/app/restart_check.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/constitutive/load_libraries.h>
@@ -71,6 +72,23 @@ std::unique_ptr<Model<2>> Input::create_model()
   catch (const InputError &error)
   {
     throw InputError(file.located(error.what()));
+  }
+}
+
+std::vector<std::string> Input::check_restart(const StateReader &checkpoint,
+                                              const std::string &file_name) const
+{
+  std::vector<std::string> changeable = changeable_in_every_model();
+  for (const std::string &pattern :
+       Registry<ModelFactory>::instance().create(run_parameters.model)->changeable_on_restart())
+    changeable.push_back(pattern);
+  try
+  {
+    return check_description(checkpoint, effective_parameters(), described_scene, changeable);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError("cannot go on from " + file_name + ": " + error.what());
   }
 }
 

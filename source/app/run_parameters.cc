@@ -22,31 +22,31 @@ void declare_output(dealii::ParameterHandler &prm)
   prm.enter_subsection("Output");
   prm.declare_entry(
       "Fields every", "0", Double(0),
-      "Simulated time between pictures (fields.pvd); 0: see Number of field outputs. Units: s.");
-  prm.declare_entry(
-      "Number of field outputs", "0", Integer(0),
-      "Pictures spread evenly over Stop/End time, besides the one of the start; used when Fields "
-      "every is 0. Units: none.");
+      "Simulated time between pictures (fields.pvd); 0: see 'Number of field outputs'. Units: s.");
+  prm.declare_entry("Number of field outputs", "0", Integer(0),
+                    "Number of pictures spread evenly over Stop/End time, besides that of the start; used "
+                    "when 'Fields every' is 0. Units: none.");
   prm.declare_entry("Field parts", all_parts,
                     MultipleSelection("points|outlines|contacts|walls|deformation gradient|extra fields"),
-                    "What the pictures show. Units: none.");
+                    "What the pictures contain. Units: none.");
   prm.declare_entry("Snapshots every", "0", Double(0),
                     "Simulated time between entries of snapshots.h5, for analysis; 0: none. Units: s.");
   prm.declare_entry("Points in snapshots", "true", Bool(),
-                    "Whether snapshots.h5 keeps the points. Units: none.");
+                    "Whether snapshots.h5 contains the points. Units: none.");
   std::string choice = "all";
   for (const std::string &name : Registry<Measure>::instance().names())
     choice += "|" + name;
-  prm.declare_entry(
-      "Measures", "", MultipleSelection(choice),
-      "What measures.csv holds, taken with every snapshot; doc/measures.md says what each one is. "
-      "Units: none.");
+  prm.declare_entry("Measures", "", MultipleSelection(choice),
+                    "Measures written to measures.csv with every snapshot; doc/measures.md says what each "
+                    "one is. Units: none.");
   prm.declare_entry("Compression level", "1", Integer(0, 9),
-                    "Of pictures and snapshots, zlib's. Units: none.");
-  prm.declare_entry("History every", "1", Integer(1), "Steps between rows of history.csv. Units: steps.");
+                    "Compression of pictures and snapshots by zlib: 0 none, 9 most. Units: none.");
+  prm.declare_entry("History every", "1", Integer(1),
+                    "Number of steps between rows of history.csv. Units: steps.");
   prm.declare_entry("Checkpoint every", "10", Double(0),
                     "Wall time between checkpoints; 0: only at the end. Units: min.");
-  prm.declare_entry("Checkpoints kept", "2", Integer(1), "Older checkpoints are removed. Units: none.");
+  prm.declare_entry("Checkpoints kept", "2", Integer(1),
+                    "Number of checkpoints that are kept; older ones are removed. Units: none.");
   prm.leave_subsection();
 }
 } // namespace
@@ -59,13 +59,14 @@ void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std:
     choice += (choice.empty() ? "" : "|") + name;
   const bool has_mpm = std::find(models.begin(), models.end(), "mpm") != models.end();
   prm.declare_entry("Model", has_mpm || models.empty() ? (models.empty() ? "" : "mpm") : models.front(),
-                    Selection(choice), "How the bodies are computed. Units: none.");
+                    Selection(choice),
+                    "How the bodies are computed: mpm, material points; bpm, bonded particles. Units: none.");
   prm.declare_entry(
       "Output directory", "", Anything(),
-      "Folder of the results; empty: output/NAME, where NAME.prm is the parameter file. Units: none.");
+      "Folder for the results; empty: output/NAME, where NAME.prm is the parameter file. Units: none.");
   prm.declare_entry("Additional shared libraries", "", List(Anything()),
-                    "Libraries that bring laws of your own. Units: none.");
-  prm.declare_entry("Threads", "0", Integer(0), "Threads to compute with; 0: one per core. Units: none.");
+                    "Libraries with constitutive laws of your own. Units: none.");
+  prm.declare_entry("Threads", "0", Integer(0), "Number of threads; 0: one per core. Units: none.");
   declare_output(prm);
 }
 

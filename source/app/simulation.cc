@@ -2,9 +2,11 @@
 #include <softgrain/analysis/box_measures.h>
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/output_folder.h>
+#include <softgrain/app/restart_check.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/checkpoint.h>
@@ -34,11 +36,13 @@ Simulation::Simulation(const Scene<2> &scene,
                        Model<2> &model,
                        const RunParameters &parameters,
                        const std::string &effective_parameters,
+                       const RunLock &lock,
                        std::ostream &log)
     : scene(scene)
     , model(model)
     , parameters(parameters)
     , effective_parameters(effective_parameters)
+    , lock(lock)
     , log(log)
     , walls_at_start(model.walls())
     , statistics(model)
@@ -53,14 +57,11 @@ Simulation::Simulation(const Scene<2> &scene,
 {
 }
 
-void Simulation::restart(const std::string &checkpoint)
+void Simulation::restart(StateReader &checkpoint, const std::string &file_name)
 {
-  const std::string path = checkpoint.empty() ? latest_checkpoint(parameters.output_directory) : checkpoint;
-  CheckpointReader reader(path);
-  model.load(reader);
-  statistics.load(reader);
-  planner.set_natural_step(reader.read_doubles("driver/natural_step").at(0));
-  std::filesystem::create_directories(parameters.output_directory);
+  model.load(checkpoint);
+  statistics.load(checkpoint);
+  planner.set_natural_step(checkpoint.read_doubles("driver/natural_step").at(0));
   history.resume(model.step());
   fields.resume(model.time());
   field_schedule.skip_to(model.time(), planner.slack());
@@ -69,49 +70,83 @@ void Simulation::restart(const std::string &checkpoint)
   if (!measures.empty())
     measure_table.resume(model.step(), measure_columns(measures));
   restarted = true;
-  log << "going on from " << path << ", step " << model.step() << '\n';
+  log << "going on from " << file_name << ", step " << model.step() << '\n';
 }
 
 std::string Simulation::run()
 {
   const InterruptGuard interrupt;
-  start_files();
-  print_head();
-  std::string status;
   try
   {
-    status = loop(interrupt);
+    start_files();
+    print_head();
+    const std::string status = loop();
+    progress.finish();
+    write_checkpoint();
+    write_summary(status);
+    print_end(status);
+    return status;
   }
   catch (const ComputationError &error)
   {
     progress.finish();
-    throw ComputationError(error.what() + save_after_failure());
+    const std::string message = cause_of(error);
+    throw ComputationError(message + save_after_failure(message));
   }
   catch (...)
   {
     // Nobody knows what state the model is in, so the checkpoints on the disk stay the last good ones.
     progress.finish();
-    write_summary("failed");
+    note_failure();
     throw;
   }
-  progress.finish();
-  write_checkpoint();
-  write_summary(status);
-  print_end(status);
-  return status;
 }
 
-std::string Simulation::save_after_failure()
+std::string Simulation::cause_of(const ComputationError &error) const
 {
+  // A folder may be lost between any two of its files. Whichever file missed it first, this is what happened.
+  try
+  {
+    lock.check_folder();
+    return error.what();
+  }
+  catch (const ComputationError &lost)
+  {
+    return lost.what();
+  }
+}
+
+std::string Simulation::save_after_failure(const std::string &message)
+{
+  std::string text;
   try
   {
     write_checkpoint();
-    write_summary("failed");
-    return "; the last good state is saved in " + checkpoint_path(parameters.output_directory, model.step());
+    text = "; the last good state is saved in " + checkpoint_path(parameters.output_directory, model.step());
   }
   catch (const std::exception &second)
   {
-    return std::string("; and the state could not be saved: ") + second.what();
+    // A disk that is full refuses twice with the same words.
+    if (second.what() != message)
+      text = std::string("; and the state could not be saved: ") + second.what();
+    const std::optional<std::string> older = newest_checkpoint(parameters.output_directory);
+    text += older ? "; the newest checkpoint is " + *older : "; there is no checkpoint";
+  }
+  note_failure();
+  return text;
+}
+
+void Simulation::note_failure()
+{
+  const Summary summary = statistics.summary("failed", model);
+  try
+  {
+    lock.check_folder();
+    softgrain::write_summary(parameters.output_directory, summary);
+  }
+  catch (const ComputationError &)
+  {
+    overwrite_summary(parameters.output_directory, summary);
   }
 }
 
@@ -119,7 +154,7 @@ void Simulation::start_files()
 {
   const std::filesystem::path folder = parameters.output_directory;
   if (!restarted)
-    make_fresh_output_folder(folder.string());
+    remove_old_results(folder.string());
   write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
   write_summary("running");
   if (!restarted)
@@ -129,14 +164,21 @@ void Simulation::start_files()
   }
 }
 
-std::string Simulation::loop(const InterruptGuard &interrupt)
+std::string Simulation::loop()
 {
   const double fraction_at_start = fraction_done();
   auto last_checkpoint = std::chrono::steady_clock::now();
   StepReport report;
-  while (!finished() && !interrupt.requested())
+  while (!finished() && !interruption_requested())
   {
-    report = model.advance(planner.limit(model.time(), next_target()));
+    try
+    {
+      report = model.advance(planner.limit(model.time(), next_target()));
+    }
+    catch (const Interrupted &)
+    {
+      break; // the model is as it was before the step
+    }
     planner.taken(report.dt);
     statistics.add_step(report);
     write_due_output(report);
@@ -199,6 +241,7 @@ void Simulation::write_due_output(const StepReport &report)
 
 void Simulation::write_history(const StepReport &report)
 {
+  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const std::vector<WallState<2>> walls = model.walls();
@@ -232,6 +275,7 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
 {
   if (!write_fields && !write_snapshots)
     return;
+  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
   const Snapshot<2> snapshot = model.snapshot();
   if (write_fields)
@@ -246,12 +290,16 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
 
 void Simulation::write_checkpoint()
 {
+  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
   CheckpointWriter writer(checkpoint_path(parameters.output_directory, model.step()));
   model.save(writer);
   statistics.save(writer);
   writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
+  save_description(writer, effective_parameters, scene);
   writer.commit();
+  // Those of a way that was given up for an older checkpoint would be taken for newer ones.
+  remove_checkpoints_after(parameters.output_directory, model.step());
   remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
   statistics.add_output_seconds(seconds_since(begin));
 }
@@ -276,6 +324,9 @@ void Simulation::print_end(const std::string &status) const
   log << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
       << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
       << summary.microseconds_per_point_step() << " us per point and step)\n";
+  if (status == "interrupted")
+    log << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
+        << "; the same command with --restart goes on from there\n";
   double total = 0;
   for (const auto &phase : summary.phases)
     total += phase.second;

@@ -11,11 +11,32 @@
 
 namespace softgrain
 {
+namespace
+{
+/// Whether '=' stands alone: muParser would give the variable a new value.
+bool assigns(const std::string &text)
+{
+  for (std::size_t i = text.find('='); i != std::string::npos; i = text.find('=', i + 1))
+  {
+    if (i > 0 && std::string("<>!").find(text[i - 1]) != std::string::npos)
+      continue;
+    if (i + 1 < text.size() && text[i + 1] == '=')
+      ++i;
+    else
+      return true;
+  }
+  return false;
+}
+} // namespace
+
 struct Expression::Parser
 {
   Parser(const std::string &text, const std::vector<std::string> &variables)
       : text(text), variables(variables), values(variables.size(), 0.)
   {
+    if (assigns(text))
+      throw InputError("'" + text + "' is not a formula of " + join(variables, "constants") +
+                       ": '=' alone compares nothing, write '=='");
     try
     {
       parser.DefineConst("pi", 3.14159265358979323846);
@@ -23,7 +44,11 @@ struct Expression::Parser
       for (std::size_t i = 0; i < variables.size(); ++i)
         parser.DefineVar(variables[i], &values[i]);
       parser.SetExpr(text);
-      parser.Eval();
+      int n_values = 0;
+      parser.Eval(n_values);
+      if (n_values != 1)
+        throw InputError("'" + text + "' is a list of " + std::to_string(n_values) +
+                         " formulas; one is allowed, without ','");
     }
     catch (const mu::Parser::exception_type &error)
     {

@@ -94,6 +94,15 @@ double friction_continuation(const Matrix &W,
 }
 } // namespace
 
+const std::map<std::string, Algorithm> &algorithms()
+{
+  static const std::map<std::string, Algorithm> by_name = {{"gauss_seidel", Algorithm::gauss_seidel},
+                                                           {"accelerated", Algorithm::accelerated},
+                                                           {"active_set", Algorithm::active_set},
+                                                           {"automatic", Algorithm::automatic}};
+  return by_name;
+}
+
 double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
                          const Problem &problem,
                          const std::vector<double> &compliance,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_sweeps.h>
@@ -170,6 +171,7 @@ public:
       report.wall_change = walls.estimate(wall_impulses);
       while (report.sweeps < settings.max_sweeps && !report.converged)
       {
+        stop_if_interrupted();
         sweep();
         if (report.sweeps % settings.check_interval == 0 || report.sweeps == settings.max_sweeps)
           check();
@@ -191,7 +193,10 @@ private:
       sweeps.sweep(settings.relaxation);
     // Without friction the sweeps descend a convex function, and the sum says when the momentum does not.
     else if (sweeps.sweep_with_momentum(momentum.next()) > 0. && n == 1)
-      restart();
+    {
+      momentum.restart();
+      ++report.restarts;
+    }
   }
 
   void check()
@@ -206,29 +211,16 @@ private:
     }
     if (!accelerating || report.converged)
       return;
-    if (!(report.residual <= Momentum::fallback_growth * lowest))
+    const Momentum::Verdict verdict = momentum.judge(report.residual);
+    if (verdict == Momentum::Verdict::give_up)
       fall_back();
-    else if (n > 1 && report.residual > Momentum::restart_growth * lowest_since_restart)
+    else if (verdict == Momentum::Verdict::restarted)
+      ++report.restarts;
+    else if (report.residual < 0.5 * saved)
     {
-      restart();
-      lowest_since_restart = report.residual;
+      saved = report.residual;
+      sweeps.save_impulses();
     }
-    else
-    {
-      if (report.residual < 0.5 * saved)
-      {
-        saved = report.residual;
-        sweeps.save_impulses();
-      }
-      lowest = std::min(lowest, report.residual);
-      lowest_since_restart = std::min(lowest_since_restart, report.residual);
-    }
-  }
-
-  void restart()
-  {
-    momentum.restart();
-    ++report.restarts;
   }
 
   void fall_back()
@@ -275,7 +267,7 @@ private:
   bool accelerating;
   double speed = 0.;
   unsigned int sweeps_since_refresh = 0;
-  double lowest = std::numeric_limits<double>::max(), lowest_since_restart = lowest, saved = lowest;
+  double saved = std::numeric_limits<double>::max();
 };
 } // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
 #include <softgrain/contact/active_system.h>
 #include <softgrain/contact/frictional_newton.h>
 #include <softgrain/contact/residual.h>
@@ -161,6 +162,7 @@ double frictional_newton(const Matrix &W,
   unsigned int uphill = 0;
   while (best > settings.tolerance && report.newton_iterations < settings.max_newton_iterations)
   {
+    stop_if_interrupted();
     ++report.newton_iterations;
     if (!newton_step<n>(W, problem, compliance, epsilon, P, w, step))
     {

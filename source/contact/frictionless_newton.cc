@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
 #include <softgrain/contact/active_system.h>
 #include <softgrain/contact/frictionless_newton.h>
 #include <softgrain/contact/residual.h>
@@ -77,6 +78,7 @@ bool FrictionlessNewton::pivot(const double epsilon, Eigen::VectorXd &P, SolverR
   unsigned int fewest = n + 1, patience = 3;
   for (; report.newton_iterations < settings.max_newton_iterations; ++report.newton_iterations)
   {
+    stop_if_interrupted();
     active.clear();
     for (unsigned int i = 0; i < n; ++i)
       if (closed[i])

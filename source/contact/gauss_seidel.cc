@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/contact/block_delassus.h>
 #include <softgrain/contact/diagonal_delassus.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -148,16 +148,17 @@ double sweep(const Sweep<Operator> &on, ThreadTeam *team)
   return largest;
 }
 
-/// Sweeps without a lower residual after which momentum goes both ways, and after which, both ways, it is
-/// given up.
+/// After so many sweeps without a lower residual, momentum goes on with forward and backward sweeps, or, when
+/// it does so already, is given up.
 constexpr unsigned int patience_one_way = 50, patience_both_ways = 200;
 
 /**
  * One call of gauss_seidel().
  *
- * A sweep and the same backwards are together a gradient step in the metric (D + L) D^-1 (D + L^T) of W = L +
- * D + L^T, which is what momentum is made for. Sweeps that all go one way do as well on most problems, at
- * half the price or less (memory is read forwards), but on some they circle without end, so that is watched.
+ * A forward and a backward sweep are together a gradient step in the metric (D + L) D^-1 (D + L^T) with W = L
+ * + D + L^T, and momentum is a method for gradient steps. Forward sweeps alone converge as well on most
+ * problems, for half the cost or less (memory is read forwards). On some problems they circle without end, so
+ * the residual is watched.
  */
 template <unsigned int n, class Operator>
 class Iteration
@@ -203,6 +204,7 @@ public:
     unsigned int next_check = settings.check_interval;
     while (speed > 0. && report.sweeps < settings.max_sweeps && !report.converged)
     {
+      stop_if_interrupted();
       const double change = accelerating ? sweep_from_ahead() : one_sweep(settings.relaxation, false);
       checked = report.sweeps >= next_check || !(change > settings.tolerance * speed);
       if (checked)
@@ -213,7 +215,7 @@ public:
     }
     if (!checked)
       evaluate();
-    if (accelerating && !report.converged && !(report.residual <= lowest))
+    if (accelerating && !report.converged && !(report.residual <= momentum.lowest_residual()))
     {
       accelerating = false;
       return_to_best();
@@ -239,12 +241,18 @@ private:
     double change = one_sweep(1., false);
     if (both_ways && report.sweeps < settings.max_sweeps)
       change = one_sweep(1., true);
-    double uphill = 0.;
-    for (unsigned int k = 0; k < impulses.size(); ++k)
-      uphill += compliance[k / n] * (start[k] - impulses[k]) * (impulses[k] - before[k]);
-    if (n == 1 && uphill > 0.) // without friction the sweeps descend a convex function
+    if (n == 1 && uphill()) // without friction the sweeps descend a convex function
       momentum.restart();
     return change;
+  }
+
+  /// Whether the last step went against the momentum, Σ W_ii (start - P) (P - before) > 0.
+  bool uphill() const
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < impulses.size(); ++k)
+      sum += compliance[k / n] * (start[k] - impulses[k]) * (impulses[k] - before[k]);
+    return sum > 0.;
   }
 
   /// Impulses P to P + factor (P - before), on the cone; a contact that is open stays so.
@@ -288,30 +296,21 @@ private:
     evaluate();
     if (!accelerating || report.converged)
       return;
-    if (report.residual < lowest)
+    if (report.residual < momentum.lowest_residual())
     {
-      lowest = report.residual;
       sweeps_at_lowest = report.sweeps;
       best = impulses;
     }
-    lowest_since_restart = std::min(lowest_since_restart, report.residual);
-    const unsigned int fruitless = report.sweeps - sweeps_at_lowest;
-    if (!(report.residual <= Momentum::fallback_growth * lowest) ||
-        fruitless >= (both_ways ? patience_both_ways : patience_one_way))
+    if (momentum.judge(report.residual) == Momentum::Verdict::give_up ||
+        report.sweeps - sweeps_at_lowest >= (both_ways ? patience_both_ways : patience_one_way))
     {
       // One step down the ladder: one way, both ways, plain.
       accelerating = !both_ways;
       report.fell_back = both_ways;
       both_ways = true;
-      momentum.restart();
+      momentum.return_to_lowest();
       return_to_best();
-      lowest_since_restart = lowest;
       sweeps_at_lowest = report.sweeps;
-    }
-    else if (n > 1 && report.residual > Momentum::restart_growth * lowest_since_restart)
-    {
-      momentum.restart();
-      lowest_since_restart = report.residual;
     }
   }
 
@@ -331,7 +330,7 @@ private:
   Momentum momentum;
   SolverReport report;
   bool accelerating, both_ways = false;
-  double speed = 0., lowest = std::numeric_limits<double>::max(), lowest_since_restart = lowest;
+  double speed = 0.;
   unsigned int sweeps_at_lowest = 0;
 };
 } // namespace

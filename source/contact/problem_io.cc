@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/hdf5_image.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/contact/problem_io.h>
 
@@ -131,17 +132,11 @@ std::string read_text(const hid_t file, const char *name)
   return text.substr(0, text.find('\0'));
 }
 
-const std::vector<std::pair<Algorithm, std::string>> algorithm_names = {
-    {Algorithm::gauss_seidel, "gauss_seidel"},
-    {Algorithm::accelerated, "accelerated"},
-    {Algorithm::active_set, "active_set"},
-    {Algorithm::automatic, "automatic"}};
-
 void write_settings(const hid_t file, const SolverSettings &settings)
 {
-  for (const auto &entry : algorithm_names)
-    if (entry.first == settings.algorithm)
-      write_text(file, "algorithm", entry.second);
+  for (const auto &[name, algorithm] : algorithms())
+    if (algorithm == settings.algorithm)
+      write_text(file, "algorithm", name);
   write_number(file, "tolerance", settings.tolerance);
   write_number(file, "max_sweeps", settings.max_sweeps);
   write_number(file, "relaxation", settings.relaxation);
@@ -154,10 +149,11 @@ void write_settings(const hid_t file, const SolverSettings &settings)
 SolverSettings read_settings(const hid_t file)
 {
   SolverSettings settings;
-  const std::string algorithm = read_text(file, "algorithm");
-  for (const auto &entry : algorithm_names)
-    if (entry.second == algorithm)
-      settings.algorithm = entry.first;
+  const std::string name = read_text(file, "algorithm");
+  const auto found = algorithms().find(name);
+  if (found == algorithms().end())
+    throw InputError("its algorithm '" + name + "' is not known");
+  settings.algorithm = found->second;
   settings.tolerance = read_number<double>(file, "tolerance");
   settings.max_sweeps = read_number<unsigned int>(file, "max_sweeps");
   settings.relaxation = read_number<double>(file, "relaxation");
@@ -256,7 +252,6 @@ void write_all(const hid_t file, const SavedProblem &saved)
   write_array(file, "friction", saved.problem.friction);
   write_array(file, "impulses", saved.impulses);
   std::visit([file](const auto &delassus) { write_operator(file, delassus); }, saved.delassus);
-  require(H5Fflush(file, H5F_SCOPE_GLOBAL));
 }
 } // namespace
 
@@ -266,8 +261,9 @@ void save_problem(const std::string &path, const SavedProblem &saved)
   const std::string temporary = path + ".tmp";
   try
   {
-    const Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    const Handle file(create_hdf5_image(path), H5Fclose);
     write_all(file, saved);
+    write_hdf5_image(file, temporary);
   }
   catch (const ComputationError &)
   {

@@ -3,8 +3,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/contact/problem_io.h>
 
+#include <cstdio>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace softgrain::contact
 {
@@ -28,13 +30,92 @@ std::vector<T> next_values(std::istream &in, const std::size_t n, const char *wh
   return values;
 }
 
-Eigen::MatrixXd read_dense(std::istream &in, const unsigned int n)
+/// Reads a dense matrix; @p n_after values follow it. Siconos writes the sizes a second time before the
+/// entries, files of other programs do not: the number of values that are left tells.
+Eigen::MatrixXd read_dense(std::istream &in, const unsigned int n, const std::size_t n_after)
 {
+  const auto begin = in.tellg();
+  std::size_t n_left = 0;
+  for (double value; in >> value;)
+    ++n_left;
+  in.clear();
+  in.seekg(begin);
+  if (n_left >= std::size_t(n) * n + n_after + 2 &&
+      (next<double>(in, "the repeated rows") != n || next<double>(in, "the repeated columns") != n))
+    throw InputError("there are more numbers than the matrix, q and mu need");
   Eigen::MatrixXd W(n, n);
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
       W(i, j) = next<double>(in, "the dense matrix");
   return W;
+}
+
+std::string next_line(std::istream &in, const char *what)
+{
+  std::string line;
+  if (!std::getline(in >> std::ws, line))
+    throw InputError(std::string("cannot read ") + what);
+  return line;
+}
+
+/// The matrix as CSparse prints it: a line of its version, one of sizes, then triplets "i j : value", or
+/// columns (rows, when the origin says so) of lines "i : value".
+Eigen::MatrixXd read_sparse(std::istream &in, const unsigned int n)
+{
+  constexpr unsigned int triplet = 1, by_column = 2, by_row = 3;
+  const auto origin = next<unsigned int>(in, "the kind of the sparse matrix");
+  if (origin < triplet || origin > by_row)
+    throw InputError("the kind of the sparse matrix, " + std::to_string(origin) +
+                     ", is neither triplets (1) nor columns (2) nor rows (3)");
+  next_line(in, "the version of CSparse");
+  const std::string sizes = next_line(in, "the sizes of the sparse matrix");
+  unsigned long n_rows = 0, n_columns = 0, n_allocated = 0, n_entries = 0;
+  const char *const format = "%lu-by-%lu, nzmax: %lu nnz: %lu";
+  const std::string with_word = std::string("triplet: ") + format;
+  if (std::sscanf(sizes.c_str(), origin == triplet ? with_word.c_str() : format, &n_rows, &n_columns,
+                  &n_allocated, &n_entries) != 4 ||
+      n_rows != n || n_columns != n)
+    throw InputError("the sizes of the sparse matrix are not understood: '" + sizes + "'");
+  Eigen::MatrixXd W = Eigen::MatrixXd::Zero(n, n);
+  unsigned long column = 0;
+  for (unsigned long entry = 0; entry < n_entries;)
+  {
+    const std::string line = next_line(in, "an entry of the sparse matrix");
+    unsigned long i = 0;
+    double value = 0.;
+    if (origin != triplet && std::sscanf(line.c_str(), "col %lu : locations", &column) == 1)
+      continue;
+    if ((origin == triplet ? std::sscanf(line.c_str(), "%lu %lu : %lg", &i, &column, &value) != 3
+                           : std::sscanf(line.c_str(), "%lu : %lg", &i, &value) != 2) ||
+        i >= n || column >= n)
+      throw InputError("'" + line + "' is not an entry of the sparse matrix");
+    (origin == by_row ? W(column, i) : W(i, column)) += value; // of equal places the sum counts
+    ++entry;
+  }
+  // Empty columns may follow the last entry.
+  for (auto here = in.tellg(); in >> std::ws && in.peek() == 'c'; here = in.tellg())
+    next_line(in, "a column");
+  return W;
+}
+
+/**
+ * Sets both triangles to their mean. Entries of sparse files have six digits, and W computed as a product
+ * differs by rounding; what differs by more is another matrix.
+ */
+void make_symmetric(Eigen::MatrixXd &W)
+{
+  if (W.size() == 0)
+    return;
+  constexpr double allowed = 1e-5;
+  const double largest = W.cwiseAbs().maxCoeff(), difference = (W - W.transpose()).cwiseAbs().maxCoeff();
+  if (!(difference <= allowed * largest))
+  {
+    std::ostringstream text;
+    text << "the matrix is not symmetric: two entries differ by " << difference << ", the largest is "
+         << largest << "; " << allowed << " of it is allowed";
+    throw InputError(text.str());
+  }
+  W = (0.5 * (W + W.transpose())).eval();
 }
 
 Eigen::MatrixXd read_sparse_blocks(std::istream &in, const unsigned int n)
@@ -86,10 +167,13 @@ SavedProblem load_siconos_problem(const std::string &path)
     if (saved.problem.n_components < 2 || saved.problem.n_components > 3 || columns != n ||
         n != n_contacts * saved.problem.n_components)
       throw InputError("the sizes do not fit together");
-    if (storage != 0 && storage != 1)
+    if (storage < 0 || storage > 2)
       throw InputError("the matrix storage " + std::to_string(storage) +
-                       " is neither dense (0) nor sparse blocks (1)");
-    Eigen::MatrixXd W = storage == 0 ? read_dense(in, n) : read_sparse_blocks(in, n);
+                       " is neither dense (0) nor sparse blocks (1) nor sparse (2)");
+    Eigen::MatrixXd W = storage == 0   ? read_dense(in, n, n + n_contacts)
+                        : storage == 1 ? read_sparse_blocks(in, n)
+                                       : read_sparse(in, n);
+    make_symmetric(W);
     saved.problem.free_velocity = next_values<double>(in, n, "q");
     saved.problem.friction = next_values<double>(in, n_contacts, "mu");
     saved.impulses.assign(n, 0.);

@@ -8,6 +8,7 @@
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace softgrain::mpm
@@ -95,6 +96,44 @@ void BandedSolver::fill(const Sparse &matrix)
   }
 }
 
+/// Diagonal block L S L^T in place, S a sign for every column. All signs are + in almost every case, and then
+/// it is Cholesky's factor.
+bool BandedSolver::factorize_diagonal(const int panel)
+{
+  Panel whole(&panels[static_cast<std::size_t>(panel) * (block + band) * block], block + band, block);
+  Eigen::Matrix<double, block, block> L = whole.topRows(block);
+  const Eigen::LLT<Eigen::Ref<Eigen::Matrix<double, block, block>>> llt(L);
+  if (llt.info() != Eigen::Success)
+  {
+    // Without pivoting, as the band asks for.
+    L = whole.topRows(block);
+    Eigen::Matrix<double, block, 1> sign;
+    for (int j = 0; j < block; ++j)
+    {
+      double pivot = L(j, j);
+      for (int i = 0; i < j; ++i)
+        pivot -= sign[i] * L(j, i) * L(j, i);
+      if (!(std::abs(pivot) > 1e-12 * std::abs(L(j, j))))
+        return false;
+      sign[j] = pivot > 0. ? 1. : -1.;
+      if (pivot < 0.)
+        negative.push_back(panel * block + j);
+      if (negative.size() > 1)
+        return false;
+      L(j, j) = std::sqrt(std::abs(pivot));
+      for (int r = j + 1; r < block; ++r)
+      {
+        double value = L(r, j);
+        for (int i = 0; i < j; ++i)
+          value -= sign[i] * L(r, i) * L(j, i);
+        L(r, j) = value * sign[j] / L(j, j);
+      }
+    }
+  }
+  whole.topRows(block) = L;
+  return true;
+}
+
 bool BandedSolver::factorize(SystemMatrix &matrix)
 {
   if (matrix.pattern_is_new())
@@ -103,20 +142,26 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
     matrix.clear_pattern_flag();
   }
   fill(matrix.lower());
+  negative.clear();
   const std::size_t size = static_cast<std::size_t>(block + band) * block;
   for (int k = 0; k < n_panels; ++k)
   {
-    Panel panel(&panels[k * size], block + band, block);
-    Eigen::Matrix<double, block, block> diagonal = panel.topRows(block);
-    const Eigen::LLT<Eigen::Ref<Eigen::Matrix<double, block, block>>> llt(diagonal);
-    if (llt.info() != Eigen::Success)
+    const std::size_t n_negative_before = negative.size();
+    if (!factorize_diagonal(k))
       return false;
-    panel.topRows(block) = diagonal;
+    Panel panel(&panels[k * size], block + band, block);
     const int n_below = std::min(band / block, n_panels - 1 - k);
     if (n_below == 0)
       continue;
     auto below = panel.middleRows(block, n_below * block);
-    diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    panel.topRows(block).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    Eigen::MatrixXd turned; // L21 S, of a panel with a negative pivot
+    if (negative.size() > n_negative_before)
+    {
+      below.col(negative.back() - k * block) *= -1.;
+      turned = below;
+      turned.col(negative.back() - k * block) *= -1.;
+    }
     parallel_for(n_below, 4,
                  [&](const std::size_t begin, const std::size_t end)
                  {
@@ -124,8 +169,11 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
                    {
                      const int rows = (n_below - static_cast<int>(j)) * block;
                      Panel next(&panels[(k + 1 + j) * size], block + band, block);
-                     next.topRows(rows).noalias() -=
-                         below.bottomRows(rows) * below.middleRows(j * block, block).transpose();
+                     const auto right = below.middleRows(j * block, block).transpose();
+                     if (turned.size() > 0)
+                       next.topRows(rows).noalias() -= turned.bottomRows(rows) * right;
+                     else
+                       next.topRows(rows).noalias() -= below.bottomRows(rows) * right;
                    }
                  });
   }
@@ -168,6 +216,8 @@ void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   for (int i = 0; i < b.size(); ++i)
     y[order[i]] = b[i];
   forward(y);
+  for (const int i : negative)
+    y[i] = -y[i];
   backward(y);
   x.resize(b.size());
   for (int i = 0; i < b.size(); ++i)
@@ -176,7 +226,7 @@ void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 
 void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
-  // W = Y^T Y with L Y = P H^T: half of the work of full solves, and symmetric by construction.
+  // W = Y^T S Y with L Y = P H^T: half of the work of full solves, and symmetric by construction.
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(n_panels * block, rows.cols());
   parallel_for(rows.cols(), 16,
                [&](const std::size_t begin, const std::size_t end)
@@ -189,6 +239,8 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
                });
   W.setZero(rows.cols(), rows.cols());
   W.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
+  for (const int i : negative)
+    W.selfadjointView<Eigen::Lower>().rankUpdate(Eigen::VectorXd(Y.row(i).transpose()), -2.);
   W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
 }
 } // namespace softgrain::mpm

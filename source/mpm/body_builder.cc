@@ -47,6 +47,19 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
   }
 }
 
+/// A corner turns by more than any marker of a round outline.
+void find_corners(Boundary<2> &boundary)
+{
+  constexpr double cosine = 0.9;
+  boundary.corner.resize(boundary.position.size());
+  for (unsigned int m = 0; m < boundary.position.size(); ++m)
+  {
+    const dealii::Tensor<1, 2> before = boundary.position[m] - boundary.position[boundary.previous(m)],
+                               after = boundary.position[boundary.next(m)] - boundary.position[m];
+    boundary.corner[m] = before * after < cosine * before.norm() * after.norm();
+  }
+}
+
 void make_boundary(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   // Four pieces of polyline between two places that look for contact: their sagitta is then a sixteenth.
@@ -74,6 +87,9 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
     boundary.loop_start.push_back(boundary.grid_position.size());
   }
   boundary.position = boundary.grid_position;
+  find_corners(boundary);
+  boundary.smooth = description.shape == BodyShape::disk && !boundary.corner.empty() &&
+                    std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
 }
 
 /// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive

@@ -37,8 +37,14 @@ void add_column(const NodeWeights &weights,
 } // namespace
 
 template <int dim>
-void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std::vector<Body<dim>> &bodies)
+void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
+                                const std::vector<Body<dim>> &bodies,
+                                const double dt,
+                                const bool again)
 {
+  const Memory now = again ? memory_of_now() : Memory();
+  const Memory &first_guess = again ? now : remembered;
+  const double scale = again || memory_step == 0. ? 1. : dt / memory_step;
   rows = std::move(new_rows);
   const bool friction =
       std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
@@ -77,10 +83,10 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std
   velocity.assign(rows.size() * components, 0.);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    const auto old = remembered.find(rows[r].key);
-    if (old != remembered.end())
+    const auto old = first_guess.find(rows[r].key);
+    if (old != first_guess.end())
       for (unsigned int c = 0; c < components; ++c)
-        impulse[r * components + c] = old->second[c];
+        impulse[r * components + c] = scale * old->second[c];
   }
   delassus.reset();
   color_pairs(bodies);
@@ -89,8 +95,9 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows, const std
 template <int dim>
 void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 {
-  // Rows of a pair follow each other. Each pair gets the first colour that neither of its bodies has yet.
+  // Each pair gets the first colour that neither of its bodies has yet.
   problem.colors.clear();
+  pairs.clear();
   std::vector<std::vector<char>> taken(bodies.size());
   for (unsigned int first = 0, end; first < rows.size(); first = end)
   {
@@ -98,6 +105,7 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
     while (end < rows.size() && rows[end].body == rows[first].body &&
            rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall)
       ++end;
+    pairs.push_back({first, end});
     std::vector<unsigned int> pair = {rows[first].body};
     if (rows[first].partner != ContactRow<dim>::none)
       pair.push_back(rows[first].partner);
@@ -118,17 +126,25 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 }
 
 template <int dim>
-void ContactSystem<dim>::remember()
+typename ContactSystem<dim>::Memory ContactSystem<dim>::memory_of_now() const
 {
-  remembered.clear();
+  Memory now;
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (impulse[r * n_components()] > 0.)
     {
       std::array<double, dim> value{};
       for (unsigned int c = 0; c < n_components(); ++c)
         value[c] = impulse[r * n_components() + c];
-      remembered[rows[r].key] = value;
+      now[rows[r].key] = value;
     }
+  return now;
+}
+
+template <int dim>
+void ContactSystem<dim>::remember(const double dt)
+{
+  remembered = memory_of_now();
+  memory_step = dt;
 }
 
 template <int dim>
@@ -165,7 +181,10 @@ void ContactSystem<dim>::add_impulses(const unsigned int b,
 
 template <int dim>
 void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
-                                  std::vector<std::unique_ptr<LinearSolver>> &solvers)
+                                  std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+                                  const SubgridCompliance &subgrid,
+                                  const double dt,
+                                  const double theta)
 {
   std::vector<Eigen::MatrixXd> blocks(bodies.size());
   parallel_for(bodies.size(), 1,
@@ -179,7 +198,61 @@ void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)
       W.add_block(body_components[b], blocks[b]);
+  if constexpr (dim == 2)
+    for (Pair &pair : pairs)
+    {
+      const ContactRow<dim> &row = rows[pair.first];
+      pair.compliance =
+          subgrid(bodies[row.body], row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                  normal_force(pair, dt));
+      if (pair.compliance == 0.)
+        continue;
+      std::vector<unsigned int> normals;
+      for (unsigned int r = pair.first; r < pair.end; ++r)
+        normals.push_back(r * n_components());
+      W.add_block(normals, Eigen::MatrixXd::Constant(normals.size(), normals.size(),
+                                                     pair.compliance / (theta * dt * dt)));
+    }
   delassus = std::make_shared<Operator>(Operator{std::move(W)});
+}
+
+template <int dim>
+double ContactSystem<dim>::normal_force(const Pair &pair, const double dt) const
+{
+  double sum = 0.;
+  for (unsigned int r = pair.first; r < pair.end; ++r)
+    sum += impulse[r * n_components()];
+  return sum / dt;
+}
+
+template <int dim>
+std::vector<double> ContactSystem<dim>::subgrid_overlap(const double dt) const
+{
+  std::vector<double> overlap(rows.size(), 0.);
+  for (const Pair &pair : pairs)
+    std::fill(overlap.begin() + pair.first, overlap.begin() + pair.end,
+              pair.compliance * normal_force(pair, dt));
+  return overlap;
+}
+
+template <int dim>
+double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
+                                          const SubgridCompliance &subgrid,
+                                          const double dt) const
+{
+  double energy = 0.;
+  if constexpr (dim == 2)
+    for (const Pair &pair : pairs)
+    {
+      const ContactRow<dim> &row = rows[pair.first];
+      if (pair.compliance > 0.)
+        energy += subgrid.energy(bodies[row.body],
+                                 row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                                 normal_force(pair, dt));
+    }
+  else
+    (void) bodies, (void) subgrid, (void) dt;
+  return energy;
 }
 
 template <int dim>
@@ -238,24 +311,6 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
         return report;
       },
       delassus->kind);
-}
-
-template <int dim>
-std::vector<double> ContactSystem<dim>::repair(const std::vector<double> &gap,
-                                               const contact::SolverSettings &settings)
-{
-  const unsigned int components = n_components();
-  contact::Problem positions;
-  positions.n_components = components;
-  positions.colors = problem.colors;
-  positions.friction.assign(problem.friction.size(), 0.);
-  positions.free_velocity.assign(rows.size() * components, 0.);
-  for (unsigned int r = 0; r < rows.size(); ++r)
-    positions.free_velocity[r * components] = gap[r];
-  std::vector<double> tau(rows.size() * components, 0.), moved;
-  std::visit([&](auto &W) { plain_solves += contact::solve(W, positions, settings, tau, moved).fell_back; },
-             delassus->kind);
-  return tau;
 }
 
 template <int dim>

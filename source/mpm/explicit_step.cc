@@ -48,7 +48,9 @@ void solve_contacts(
 StepOutcome explicit_step(World &world, const double dt)
 {
   StepOutcome outcome;
-  const std::vector<WallMotion<2>> motion = world.begin_step(dt);
+  const StepPlan plan{dt, false, 0.};
+  const std::vector<WallMotion<2>> motion = world.wall_motion(plan);
+  world.find_rows(motion, dt, nullptr, 0.5, false);
   const unsigned int n_bodies = world.bodies.size();
   Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
   for (const Body<2> &body : world.bodies)
@@ -103,7 +105,7 @@ StepOutcome explicit_step(World &world, const double dt)
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
     rate[b] = 0.5 * (world.bodies[b].velocity + v[b]);
-  accept_step(world, dt, v, increment, rate, motion, external);
+  accept_step(world, plan, v, increment, rate, motion, external);
   outcome.accepted = true;
   return outcome;
 }

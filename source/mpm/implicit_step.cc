@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
+#include <softgrain/mpm/anderson_mixing.h>
 #include <softgrain/mpm/row_velocity.h>
 #include <softgrain/mpm/step_equations.h>
 #include <softgrain/mpm/stress.h>
@@ -29,12 +31,13 @@ std::string number(const double value)
 class ImplicitStep
 {
 public:
-  ImplicitStep(World &world, const double dt)
+  ImplicitStep(World &world, const StepPlan &plan)
       : world(world)
-      , dt(dt)
+      , plan(plan)
+      , dt(plan.dt)
       , theta(world.settings.scheme.theta)
-      , motion(world.begin_step(dt))
-      , equations(world, dt)
+      , motion(world.wall_motion(plan))
+      , equations(world, plan)
       , n_bodies(world.bodies.size())
       , trial(n_bodies)
       , direction(n_bodies)
@@ -43,21 +46,23 @@ public:
 
   StepOutcome run()
   {
-    for (unsigned int b = 0; b < n_bodies; ++b)
-      trial[b] = world.bodies[b].velocity;
-    if (!equations.evaluate(trial))
-    {
-      // A first guess that turns a point inside out is replaced by rest; if that fails too the step is too
-      // long.
-      for (Eigen::VectorXd &v : trial)
-        v.setZero();
-      if (!equations.evaluate(trial))
-        return reject(equations.why_not());
-    }
+    if (!start())
+      return reject(equations.why_not());
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
-      if (outcome.newton_iterations > 0 && converged())
+      // Held steps go on: the step they belong to has been taken.
+      if (!plan.held)
+        stop_if_interrupted();
+      const bool settled = rows_are_settled();
+      if (outcome.newton_iterations > 0 && converged() &&
+          (settled || searches >= world.settings.max_searches))
+      {
+        outcome.rows_settled = settled;
         return finish();
+      }
+      // Rows that stay as they are make rotation unstable: they may only where nothing turns.
+      if (!settled && (searches < world.settings.max_searches || !equations.rotation_is_gauge()))
+        find_rows_again();
       if (outcome.newton_iterations == world.settings.max_newton)
         return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +
                       " iterations ('Newton/Maximum iterations'); relative residual " +
@@ -82,12 +87,115 @@ private:
     return outcome;
   }
 
+  /// First guess: bodies go on as they did, without inertia they stay; a guess that turns a point inside out
+  /// is replaced by rest. @return false when that fails too, and the step is too long
+  bool start()
+  {
+    for (const bool rest : {!world.settings.scheme.inertia && plan.guess == nullptr, true})
+    {
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        trial[b] = rest                    ? Eigen::VectorXd::Zero(world.bodies[b].velocity.size())
+                   : plan.guess == nullptr ? world.bodies[b].velocity
+                                           : Eigen::VectorXd((*plan.guess)[b] / dt);
+      if (!equations.evaluate(trial))
+        continue;
+      increment_of_rows = equations.increment;
+      find_rows(false);
+      return true;
+    }
+    return false;
+  }
+
+  void find_rows(const bool again)
+  {
+    world.find_rows(motion, dt, &increment_of_rows, world.settings.scheme.row_share, again);
+    equations.rows_changed();
+    condensed_rows_are_old = true;
+  }
+
+  /// How far the bodies are from where the rows were found [m].
+  double way_from_rows() const
+  {
+    double way = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+        way = std::max(way, largest_way(world.bodies[b], equations.increment[b] - increment_of_rows[b]));
+    return way;
+  }
+
+  /// Of a boundary marker for a displacement of the nodes [m]; nodes on the rim may go far and move nothing.
+  static double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
+  {
+    double way = 0.;
+    for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+    {
+      const NodeWeights &weights = body.field.marker_weights(m);
+      dealii::Tensor<1, 2> moved;
+      for (unsigned int k = 0; k < weights.node.size(); ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          moved[d] += weights.weight[k] * displacement[2 * weights.node[k] + d];
+      way = std::max(way, moved.norm());
+    }
+    return way;
+  }
+
+  /// Whether the contact rows are those of the step as far as it is known.
+  bool rows_are_settled() const
+  {
+    return !world.settings.rows_follow() || way_from_rows() <= row_tolerance * world.lattice->cell_size();
+  }
+
+  void find_rows_again()
+  {
+    ++searches;
+    increment_of_rows = next_increment_of_rows();
+    find_rows(true);
+  }
+
+  /// Newton's matrix does not know how rows turn with the bodies, so the increments g that come out for rows
+  /// found for increments x are a fixed-point iteration: linear, and in dense packings slow or worse. Near
+  /// the solution it is mixed.
+  Vectors next_increment_of_rows()
+  {
+    if (!equations.rotation_is_gauge())
+      return equations.increment;
+    const double way = way_from_rows();
+    if (way > mixing_range * world.lattice->cell_size() || way > 2. * last_way)
+      mixing.restart();
+    last_way = way;
+    if (way > mixing_range * world.lattice->cell_size())
+      return equations.increment;
+    const Eigen::VectorXd mixed = mixing.next(joined(increment_of_rows), joined(equations.increment));
+    Vectors next = equations.increment;
+    Eigen::Index at = 0;
+    for (Eigen::VectorXd &of_body : next)
+    {
+      of_body = mixed.segment(at, of_body.size());
+      at += of_body.size();
+    }
+    return next;
+  }
+
+  static Eigen::VectorXd joined(const Vectors &of_bodies)
+  {
+    Eigen::Index size = 0;
+    for (const Eigen::VectorXd &v : of_bodies)
+      size += v.size();
+    Eigen::VectorXd all(size);
+    size = 0;
+    for (const Eigen::VectorXd &v : of_bodies)
+    {
+      all.segment(size, v.size()) = v;
+      size += v.size();
+    }
+    return all;
+  }
+
   bool converged()
   {
     outcome.newton_residual = equations.residual();
     if (outcome.newton_residual > world.settings.residual_tolerance)
       return false;
-    // A body between frictionless walls may turn at no cost, so without inertia increments need not die out.
     if (!world.settings.scheme.inertia)
       return true;
     // Lumped contact is an iteration of its own: the bulk may be balanced while the contact velocities are
@@ -121,13 +229,15 @@ private:
     if (!factors_serve)
     {
       trouble = equations.factorise();
+      stop_if_interrupted();
       if (!trouble.empty())
         return trouble;
-      if (condensed && !world.contact.empty())
-      {
-        dealii::TimerOutput::Scope section(*world.timer, "condensation");
-        world.contact.condense(world.bodies, world.solvers);
-      }
+    }
+    if (condensed && !world.contact.empty() && (!factors_serve || condensed_rows_are_old))
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "condensation");
+      world.contact.condense(world.bodies, world.solvers, world.subgrid(), dt, theta);
+      condensed_rows_are_old = false;
     }
     if (world.contact.empty() || condensed)
       equations.solve(false, direction);
@@ -169,7 +279,8 @@ private:
   {
     dealii::TimerOutput::Scope section(*world.timer, "contact solve");
     const contact::SolverReport report =
-        world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt, theta == 1.),
+        world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt,
+                                         theta == 1. || world.settings.rows_follow()),
                             world.settings.contact_solver, relative);
     outcome.contact_sweeps += report.sweeps;
     outcome.contact_residual = report.residual;
@@ -210,13 +321,13 @@ private:
       first_work = last_work;
     }
     merit = std::sqrt(merit);
-    const Vectors x = trial;
+    const Vectors x = trial, from = equations.increment;
     double best = std::numeric_limits<double>::max();
     for (double alpha = 1.; alpha > 0.01; alpha *= 0.5)
     {
       for (unsigned int b = 0; b < n_bodies; ++b)
         if (equations.moves(b))
-          trial[b] = x[b] + alpha * direction[b];
+          trial[b] = equations.go(b, x[b], alpha, direction[b], from[b]);
       if (!equations.evaluate(trial))
         continue;
       const double now = equations.unbalanced_norm();
@@ -239,85 +350,73 @@ private:
     Vectors rate(n_bodies);
     for (unsigned int b = 0; b < n_bodies; ++b)
       rate[b] = equations.increment[b] / dt;
-    std::vector<double> gap = gaps();
-    if (repair(gap))
-      gap = gaps();
-    for (const double g : gap)
-      outcome.max_penetration = std::max(outcome.max_penetration, -g);
+    outcome.max_penetration = penetration();
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (equations.moves(b))
       {
+        outcome.largest_move =
+            std::max(outcome.largest_move, largest_way(world.bodies[b], equations.increment[b]));
+        world.balance.scheme_damping += equations.scheme_damping(b, trial[b]);
         world.bodies[b].internal_force = equations.internal[b];
         if (world.settings.scheme.inertia)
           spread_imbalance(world.bodies[b], equations.unbalanced(b), trial[b]);
+        else
+          trial[b].setZero();
       }
-    accept_step(world, dt, trial, equations.increment, rate, motion, equations.external);
+    world.balance.regularisation_work += equations.regularisation_work();
+    accept_step(world, plan, trial, equations.increment, rate, motion, equations.external);
     outcome.accepted = true;
     return outcome;
   }
 
-  std::vector<double> gaps() const
+  /// Deepest overlap at the end of the step that stands for no dent [m].
+  double penetration() const
   {
-    return world.contact.empty() ? std::vector<double>() : end_gaps(world, equations.increment, motion, dt);
+    double worst = 0.;
+    if (world.contact.empty())
+      return worst;
+    const std::vector<double> gaps = end_gaps(world, equations.increment, motion, dt),
+                              dents = world.contact.subgrid_overlap(dt);
+    for (unsigned int r = 0; r < gaps.size(); ++r)
+      worst = std::max(worst, -gaps[r] - dents[r]);
+    return worst;
   }
 
-  /// Takes back by positions alone what penetration is left; @return whether anything moved.
-  bool repair(const std::vector<double> &gap)
-  {
-    const double tolerance = 1e-6 * world.lattice->cell_size();
-    if (!world.settings.repair_positions || theta == 1. ||
-        world.settings.coupling != ContactCoupling::condensed ||
-        std::none_of(gap.begin(), gap.end(), [&](const double g) { return g < -tolerance; }))
-      return false;
-    dealii::TimerOutput::Scope section(*world.timer, "position repair");
-    const std::vector<double> tau = world.contact.repair(gap, world.settings.contact_solver);
-    const Vectors saved = equations.increment;
-    std::vector<double> energy(n_bodies, 0.);
-    std::vector<char> good(n_bodies, 1);
-    const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
-    world.for_moving_bodies(
-        [&](Body<2> &body)
-        {
-          Eigen::VectorXd &increment = equations.increment[body.index];
-          Eigen::VectorXd push = Eigen::VectorXd::Zero(body.field.n_dofs()), moved;
-          world.contact.add_impulses(body.index, tau, push);
-          if (push.isZero(0.))
-            return;
-          world.solvers[body.index]->solve(push, moved);
-          const Eigen::VectorXd before = body.displacement + increment, after = before + moved;
-          energy[body.index] = -measure_points(body, before, increment).energy;
-          increment += moved;
-          energy[body.index] += measure_points(body, after, increment).energy;
-          good[body.index] = evaluate_stress(body, after, increment, {half_dt, false, 0.}).good();
-          if (good[body.index])
-            internal_force(body, equations.internal[body.index]);
-        });
-    if (std::count(good.begin(), good.end(), 0) > 0)
-    {
-      equations.increment = saved;
-      equations.evaluate(trial);
-      return false;
-    }
-    // Contact took this from the bodies when it let them overlap, and gives it back.
-    for (const double gain : energy)
-      world.balance.contact_loss -= gain;
-    return true;
-  }
+  static constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
+  static constexpr double mixing_range = 0.02;  ///< move of nodes below which searches are mixed [cells]
 
   World &world;
+  const StepPlan plan;
   const double dt, theta;
   const std::vector<WallMotion<2>> motion;
   StepEquations equations;
   const unsigned int n_bodies;
   StepOutcome outcome;
   Vectors trial, direction;
-  bool factors_serve = false; ///< those of the iteration before are good enough for the next
+  Vectors increment_of_rows; ///< for which the rows were found [m]
+  AndersonMixing mixing{5};  ///< of them
+  double last_way = std::numeric_limits<double>::max();
+  unsigned int searches = 0;           ///< for rows, after the first
+  bool condensed_rows_are_old = false; ///< the Delassus operator is not that of the present rows
+  bool factors_serve = false;          ///< those of the iteration before are good enough for the next
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
 };
 } // namespace
 
-StepOutcome implicit_step(World &world, const double dt)
+StepOutcome implicit_step(World &world, const StepPlan &plan)
 {
-  return ImplicitStep(world, dt).run();
+  if (!plan.held)
+    return ImplicitStep(world, plan).run();
+  // What is driven stands still too.
+  std::vector<dealii::Tensor<1, 2>> drives;
+  for (Body<2> &body : world.bodies)
+  {
+    drives.push_back(body.drive);
+    body.drive = 0.;
+  }
+  const StepOutcome outcome = ImplicitStep(world, plan).run();
+  for (Body<2> &body : world.bodies)
+    body.drive = drives[body.index];
+  return outcome;
 }
 } // namespace softgrain::mpm

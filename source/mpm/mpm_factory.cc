@@ -15,6 +15,15 @@ class MpmFactory final : public ModelFactory
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override { Settings::declare_parameters(prm); }
 
+  std::vector<std::string> changeable_on_restart() const override
+  {
+    return {"Time/Time step",         "Time/CFL multiple",
+            "Time/Smallest step",     "Newton/",
+            "Linear solver/",         "Contact/Tolerance",
+            "Contact/Algorithm",      "Contact/Relaxation",
+            "Contact/Maximum sweeps", "Contact/Keep failed problems in"};
+  }
+
   LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
 
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override

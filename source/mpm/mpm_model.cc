@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/external_force.h>
 #include <softgrain/mpm/mpm_model.h>
 #include <softgrain/mpm/nodal_contact.h>
 #include <softgrain/mpm/point_store.h>
+#include <softgrain/mpm/quasi_static.h>
 #include <softgrain/mpm/stress.h>
 #include <softgrain/mpm/surface_contact.h>
 
@@ -80,8 +82,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
       if (body.driven)
         continue;
       world.matrices[body.index].reinit(body.field);
-      world.solvers.back() =
-          create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed);
+      world.solvers.back() = std::make_unique<RankOneSolver>(
+          create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
   if (settings.contact_kind == ContactKind::nodes)
@@ -130,15 +132,31 @@ double MpmModel::wanted_step() const
          cfl_step();
 }
 
+StepOutcome MpmModel::attempt(const double dt, const double wanted)
+{
+  const TimeScheme &scheme = world.settings.scheme;
+  if (!scheme.implicit)
+    return explicit_step(world, dt);
+  return scheme.inertia ? implicit_step(world, {dt, false, 0.}) : quasi_static_step(world, dt, wanted);
+}
+
 StepReport MpmModel::advance(const double dt_limit)
 {
   StepReport report;
-  const double wanted = wanted_step();
+  const double wanted = wanted_step(), scale_before = step_scale;
   double dt = std::min(wanted * step_scale, dt_limit);
   for (;; ++report.attempts)
   {
-    const StepOutcome outcome =
-        world.settings.scheme.implicit ? implicit_step(world, dt) : explicit_step(world, dt);
+    StepOutcome outcome;
+    try
+    {
+      outcome = attempt(dt, wanted);
+    }
+    catch (const Interrupted &)
+    {
+      step_scale = scale_before; // attempts change nothing else that lasts
+      throw;
+    }
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
     if (outcome.accepted)
@@ -146,7 +164,9 @@ StepReport MpmModel::advance(const double dt_limit)
       report.newton_residual = outcome.newton_residual;
       report.contact_residual = outcome.contact_residual;
       report.max_penetration = outcome.max_penetration;
-      if (outcome.newton_iterations <= world.settings.max_newton / 2)
+      held_steps += outcome.held_steps;
+      last_unbalanced = outcome.unbalanced;
+      if (outcome.newton_iterations <= (1 + outcome.held_steps) * world.settings.max_newton / 2)
         step_scale = std::min(1., 1.5 * step_scale);
       break;
     }
@@ -298,7 +318,9 @@ Energies MpmModel::energies() const
         energies.kinetic += body.kinetic_energy();
       energies.elastic += elastic[body.index];
     }
-  energies.dissipated = world.balance.contact_loss + world.balance.law_loss;
+  energies.elastic += world.balance.subgrid_energy;
+  energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
+                        world.balance.regularisation_work;
   energies.external_work = world.balance.wall_work + world.balance.body_force_work;
   return energies;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/wall_position.h>
 #include <softgrain/mpm/body_builder.h>
 #include <softgrain/mpm/mpm_model.h>
 #include <softgrain/mpm/stress.h>
+#include <softgrain/mpm/whole_rotation.h>
 #include <softgrain/scene/polygon.h>
 
 #include <algorithm>
@@ -164,11 +166,7 @@ std::vector<WallState<2>> MpmModel::walls() const
     state.name = wall.description.name;
     state.point = wall.point();
     state.normal = wall.description.normal;
-    // Along the axis that the wall is square to; of an inclined wall the distance from the origin.
-    const unsigned int axis = std::abs(state.normal[0]) > std::abs(state.normal[1]) ? 0 : 1;
-    state.position = std::abs(state.normal[axis]) > 1. - 1e-12
-                         ? state.point[axis]
-                         : (state.point - dealii::Point<2>()) * state.normal;
+    state.position = wall_position(state.point, state.normal);
     state.velocity = wall.speed;
     state.normal_force = -(wall.force * state.normal);
     state.tangential_force = wall.force * dealii::Tensor<1, 2>({state.normal[1], -state.normal[0]});
@@ -201,17 +199,47 @@ double MpmModel::coordination() const
   return world.scene.bodies.empty() ? 0. : static_cast<double>(touching.size()) / world.scene.bodies.size();
 }
 
+double MpmModel::rotational_energy() const
+{
+  double energy = 0.;
+  if (world.settings.scheme.inertia)
+    for (const Body<2> &body : world.bodies)
+      if (!body.driven)
+      {
+        // r is M w / I for the field w of a unit rotation, so that rᵀ M⁻¹ r = 1/I.
+        const Eigen::VectorXd r = whole_rotation(body);
+        double inverse = 0.;
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          inverse += r.segment<2>(2 * i).squaredNorm() / body.mass[i];
+        const double rate = r.dot(body.velocity);
+        energy += 0.5 * rate * rate / inverse;
+      }
+  return energy;
+}
+
 std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
 {
-  const std::pair<std::string, double> plain{"plain_solves", world.contact.plain_solves};
+  const Balance &balance = world.balance;
+  std::vector<std::pair<std::string, double>> columns = {
+      {"plain_solves", world.contact.plain_solves},
+      {"contact_loss_J_per_m", balance.contact_loss},
+      {"rotational_energy_J_per_m", rotational_energy()},
+      {"scheme_damping_J_per_m", balance.scheme_damping},
+      {"regularisation_work_J_per_m", balance.regularisation_work}};
+  if (!world.settings.scheme.inertia)
+  {
+    columns.emplace_back("held_steps", held_steps);
+    columns.emplace_back("unbalanced_force", last_unbalanced);
+  }
   if (world.scene.bodies.size() != 1)
-    return {plain};
+    return columns;
   double lower = std::numeric_limits<double>::max(), upper = -lower;
   for (const auto &x : world.bodies[0].boundary.position)
   {
     lower = std::min(lower, x[0]);
     upper = std::max(upper, x[0]);
   }
-  return {{"width_m", upper - lower}, plain};
+  columns.insert(columns.begin(), {"width_m", upper - lower});
+  return columns;
 }
 } // namespace softgrain::mpm

@@ -92,13 +92,15 @@ void load_points(PointStore<2> &store, const StateReader &in)
 void MpmModel::save(StateWriter &out) const
 {
   const Balance &b = world.balance;
-  out.write("mpm/scalars", std::vector<double>{world.time, step_scale, last_dt});
-  out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves});
+  out.write("mpm/scalars",
+            std::vector<double>{world.time, step_scale, last_dt, world.contact.memory_step, last_unbalanced});
+  out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves, held_steps});
   out.write("mpm/balance",
             std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
                                 b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
                                 b.largest_momentum, b.wall_work, b.body_force_work, b.contact_loss,
-                                b.law_loss, b.carried_load[0], b.carried_load[1]});
+                                b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
+                                b.carried_load[0], b.carried_load[1]});
   std::vector<double> walls;
   for (const Wall &wall : world.walls)
     walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
@@ -141,9 +143,12 @@ void MpmModel::load(StateReader &in)
   world.time = scalars.at(0);
   step_scale = scalars.at(1);
   last_dt = scalars.at(2);
+  world.contact.memory_step = scalars.at(3);
+  last_unbalanced = scalars.at(4);
   const std::vector<std::uint64_t> counts = in.read_integers("mpm/step");
   steps = counts.at(0);
-  world.contact.plain_solves = counts.size() > 1 ? counts[1] : 0; // files of before it was counted
+  world.contact.plain_solves = counts.at(1);
+  held_steps = counts.at(2);
   const std::vector<double> b = in.read_doubles("mpm/balance");
   world.balance = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
                    dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
@@ -153,7 +158,10 @@ void MpmModel::load(StateReader &in)
                    b.at(8),
                    b.at(9),
                    b.at(10),
-                   dealii::Tensor<1, 2>({b.at(11), b.at(12)})};
+                   b.at(11),
+                   b.at(12),
+                   b.at(13),
+                   dealii::Tensor<1, 2>({b.at(14), b.at(15)})};
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
     const double *v = &walls[8 * w];

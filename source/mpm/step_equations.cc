@@ -10,18 +10,20 @@
 
 namespace softgrain::mpm
 {
-StepEquations::StepEquations(World &world, const double dt)
+StepEquations::StepEquations(World &world, const StepPlan &plan)
     : increment(world.bodies.size())
     , internal(world.bodies.size())
     , external(world.bodies.size())
     , world(world)
     , scheme(world.settings.scheme)
-    , dt(dt)
+    , plan(plan)
+    , dt(plan.dt)
     , old_force(world.bodies.size())
     , missing_impulse(world.bodies.size())
     , rotation(world.bodies.size())
     , shift(world.bodies.size(), 0.)
-    , rotation_stiffness(world.bodies.size(), 0.)
+    , rotation_weight(world.bodies.size(), 0.)
+    , round_and_smooth(world.bodies.size(), 0)
 {
   for (const Body<2> &body : world.bodies)
     if (body.driven)
@@ -33,7 +35,11 @@ StepEquations::StepEquations(World &world, const double dt)
         // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes
         // those at the end, (3.21), and has those at the start in the acceleration.
         if (!external_force(body, world.scene.gravity,
-                            world.time + (scheme.stored_acceleration ? 1. : 0.5) * dt, external[b]))
+                            world.time + (plan.held                    ? 0.
+                                          : scheme.stored_acceleration ? 1.
+                                                                       : 0.5) *
+                                             dt,
+                            external[b]))
           external[b].resize(0);
         if (scheme.stored_acceleration)
         {
@@ -45,15 +51,22 @@ StepEquations::StepEquations(World &world, const double dt)
           old_force[b] = body.internal_force;
         else
           old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
-        // Without inertia a body that touches nothing has no stiffness against rigid motion: a weak spring on
-        // the Newton increment alone, which leaves the equations as they are.
         if (!scheme.inertia)
-        {
-          shift[b] = 1e-3 * dt * dt * body.law->young_modulus() / body.mass.sum();
-          rotation[b] = whole_rotation(body);
-          rotation_stiffness[b] = rotation_resistance(body);
-        }
+          shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
+        rotation[b] = whole_rotation(body);
+        if (scheme.inertia)
+          return;
+        // A round body without friction is the same when it is turned: that it stays is a choice of one of
+        // many equal answers, and nothing resists that would have moved. Other bodies are resisted like
+        // everything that moves.
+        round_and_smooth[b] = body.boundary.smooth && world.frictionless();
+        rotation_weight[b] = 30. * (round_and_smooth[b] ? 1. : plan.regularisation) * dt * dt *
+                             body.law->young_modulus() * body.rest_area;
       });
+}
+
+void StepEquations::rows_changed()
+{
   if (world.contact.empty() || scheme.theta == 1.)
     return;
   Vectors v;
@@ -82,11 +95,13 @@ bool StepEquations::evaluate(const Vectors &v)
         if (external[b].size() > 0)
           // newmark's stored acceleration already holds the load at the start of the step.
           P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
-        if (scheme.inertia)
-          for (unsigned int i = 0; i < body.mass.size(); ++i)
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          if (scheme.inertia)
             P.segment<2>(2 * i) -= body.mass[i] * (v[b] - body.velocity).segment<2>(2 * i);
-        else
-          P -= dt * dt * rotation_stiffness[b] * rotation[b].dot(v[b]) * rotation[b];
+          else
+            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * v[b].segment<2>(2 * i);
+        if (rotation_weight[b] > 0.)
+          P -= rotation_weight[b] * rotation[b].dot(v[b]) * rotation[b];
       });
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
@@ -118,13 +133,14 @@ double StepEquations::unbalanced_norm() const
 double StepEquations::residual() const
 {
   const double h = world.lattice->cell_size();
-  std::vector<double> scales(world.bodies.size(), 0.);
+  std::vector<double> norms(world.bodies.size(), 0.), scales(world.bodies.size(), 0.);
   world.for_moving_bodies(
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
         world.contact.add_impulses(b, world.contact.impulses(), contact);
+        norms[b] = (missing_impulse[b] + contact).norm();
         double scale = std::max(contact.norm(), dt * internal[b].norm());
         if (scheme.inertia)
           for (unsigned int i = 0; i < body.mass.size(); ++i)
@@ -135,7 +151,50 @@ double StepEquations::residual() const
         const double moved = body.displacement.lpNorm<Eigen::Infinity>();
         scales[b] = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
       });
-  return unbalanced_norm() / *std::max_element(scales.begin(), scales.end());
+  return *std::max_element(norms.begin(), norms.end()) / *std::max_element(scales.begin(), scales.end());
+}
+
+double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
+{
+  if (!scheme.inertia || scheme.stored_acceleration)
+    return 0.;
+  // Impulses and forces at theta do (theta - 1/2) more than their mean over the step.
+  const Body<2> &body = world.bodies[b];
+  double sum = -(internal[b] - body.internal_force).dot(increment[b]);
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += body.mass[i] * (v - body.velocity).segment<2>(2 * i).squaredNorm();
+  return (scheme.theta - 0.5) * sum;
+}
+
+double StepEquations::regularisation_work() const
+{
+  double work = 0.;
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
+                increment[body.index].segment<2>(2 * i).squaredNorm();
+  return work;
+}
+
+bool StepEquations::rotation_is_gauge() const
+{
+  for (const Body<2> &body : world.bodies)
+    if (moves(body.index) && !round_and_smooth[body.index])
+      return false;
+  return true;
+}
+
+Eigen::VectorXd StepEquations::go(const unsigned int b,
+                                  const Eigen::VectorXd &x,
+                                  const double fraction,
+                                  const Eigen::VectorXd &direction,
+                                  const Eigen::VectorXd &from) const
+{
+  // A trial is a velocity; theta dt of it is displacement.
+  Eigen::VectorXd step = (fraction * scheme.theta * dt) * direction;
+  turn_along_circles(world.bodies[b], rotation[b], world.bodies[b].displacement + from, step);
+  return x + step / (scheme.theta * dt);
 }
 
 std::string StepEquations::factorise()
@@ -152,9 +211,12 @@ std::string StepEquations::factorise()
             if (!pending[body.index])
               return;
             SystemMatrix &matrix = world.matrices[body.index];
+            const double factor = scheme.theta * scheme.theta * dt * dt;
             matrix.set_zero();
-            add_stiffness(body, scheme.theta * scheme.theta * dt * dt, !scheme.inertia, matrix);
+            add_stiffness(body, factor, matrix);
             matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
+            world.solvers[body.index]->set_update(rotation[body.index], factor * rotation_stiffness(body) +
+                                                                            rotation_weight[body.index]);
           });
     }
     dealii::TimerOutput::Scope section(*world.timer, "factorisation");

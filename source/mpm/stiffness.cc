@@ -62,22 +62,6 @@ void add_dilatation_terms(const Body<dim> &body,
           add(i, d, j, e, -pressure_sum * mean[i][d] * mean[j][e]);
 }
 
-/// Makes up for the negative stiffness that compression gives to rotation: -tr(tau)/2 W:W, W the skew part of
-/// grad u.
-template <int dim>
-void add_rotation_guard(const std::vector<dealii::Tensor<1, dim>> &slopes,
-                        const double weight,
-                        Eigen::MatrixXd &local)
-{
-  // For u = e_d N: W = (e_d (x) g - g (x) e_d) / 2, so W_i:W_j = (g_i.g_j delta_de - g_i[e] g_j[d]) / 2.
-  for (unsigned int i = 0; i < slopes.size(); ++i)
-    for (unsigned int j = 0; j < slopes.size(); ++j)
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          local(dim * i + d, dim * j + e) +=
-              0.25 * weight * ((d == e ? slopes[i] * slopes[j] : 0.) - slopes[i][e] * slopes[j][d]);
-}
-
 /// Calls make_work() once on every thread that takes a piece, and what it returns for the cells of the piece;
 /// cells at the same time share no node.
 template <int dim, class MakeWork>
@@ -95,10 +79,7 @@ void for_cells(const Body<dim> &body, const MakeWork &make_work)
 
 /// Stiffness of one cell over its own nodes.
 template <int dim>
-void cell_stiffness(const Body<dim> &body,
-                    const unsigned int cell,
-                    const bool guard_rotation,
-                    Eigen::MatrixXd &local)
+void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::MatrixXd &local)
 {
   constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = body.field.nodes_per_cell();
@@ -141,15 +122,12 @@ void cell_stiffness(const Body<dim> &body,
             local(dim * i + d, dim * j + d) += g;
         }
       }
-    // A little more than rigid rotation needs.
-    if (guard_rotation && trace(tau) < 0.)
-      add_rotation_guard(slopes, -1.25 * v * trace(tau), local);
   }
   if (body.f_bar && !body.small_strain())
     add_dilatation_terms(body, cell, mean, total, local);
 }
 
-/// Stiffness of one cell of the plane over its independent nodes, without F-bar and guard. What is on the rim
+/// Stiffness of one cell of the plane over its independent nodes, without F-bar. What is on the rim
 /// is extended point by point, before the products: a cell there has few points.
 class PlaneCell
 {
@@ -232,10 +210,7 @@ void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix 
 
 /// Adds the cells by cell_stiffness().
 template <int dim>
-void add_general_stiffness(const Body<dim> &body,
-                           const double factor,
-                           const bool guard_rotation,
-                           SystemMatrix &matrix)
+void add_general_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
 {
   const auto add = [&](const unsigned int cell, const Eigen::MatrixXd &of_cell)
   {
@@ -249,7 +224,7 @@ void add_general_stiffness(const Body<dim> &body,
   {
     return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
     {
-      cell_stiffness(body, c, guard_rotation, local);
+      cell_stiffness(body, c, local);
       const Eigen::MatrixXd &extension = body.field.cell_extension(c);
       if (extension.size() == 0)
       {
@@ -272,17 +247,14 @@ void add_general_stiffness(const Body<dim> &body,
 } // namespace
 
 template <int dim>
-void add_stiffness(const Body<dim> &body,
-                   const double factor,
-                   const bool guard_rotation,
-                   SystemMatrix &matrix)
+void add_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
 {
   if constexpr (dim == 2)
-    if (!body.f_bar && !guard_rotation)
+    if (!body.f_bar)
       return add_plane_stiffness(body, factor, matrix);
-  add_general_stiffness(body, factor, guard_rotation, matrix);
+  add_general_stiffness(body, factor, matrix);
 }
 
-template void add_stiffness<2>(const Body<2> &, double, bool, SystemMatrix &);
-template void add_stiffness<3>(const Body<3> &, double, bool, SystemMatrix &);
+template void add_stiffness<2>(const Body<2> &, double, SystemMatrix &);
+template void add_stiffness<3>(const Body<3> &, double, SystemMatrix &);
 } // namespace softgrain::mpm

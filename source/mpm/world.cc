@@ -21,22 +21,43 @@ void World::sort_points()
     bodies[b].points.renew(std::move(lists[b]));
 }
 
-std::vector<WallMotion<2>> World::begin_step(const double dt)
+SubgridCompliance World::subgrid() const
+{
+  return {settings.subgrid_compliance() && frictionless(), lattice->cell_size()};
+}
+
+bool World::frictionless() const
+{
+  return scene.friction == 0. &&
+         std::all_of(walls.begin(), walls.end(),
+                     [](const Wall &wall) { return wall.description.friction == 0.; });
+}
+
+std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
 {
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
     // The middle of the step: exact for speeds linear in time.
     motion.push_back({wall.point(), wall.description.normal,
-                      wall.velocity.empty() ? 0. : wall.velocity[0]({time + 0.5 * dt}),
+                      wall.velocity.empty() || plan.held ? 0. : wall.velocity[0]({time + 0.5 * plan.dt}),
                       wall.description.friction, wall.body == ContactRow<2>::none});
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].body != ContactRow<2>::none)
       bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
+  return motion;
+}
+
+void World::find_rows(const std::vector<WallMotion<2>> &motion,
+                      const double dt,
+                      const std::vector<Eigen::VectorXd> *increment,
+                      const double share,
+                      const bool again)
+{
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size()}, rows);
-  contact.reinit(std::move(rows), bodies);
-  return motion;
+  geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size(), increment, share, frictionless()},
+                 rows);
+  contact.reinit(std::move(rows), bodies, dt, again);
 }
 
 void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
@@ -90,8 +111,10 @@ void account_contacts(World &world,
                       const std::vector<Eigen::VectorXd> &rate,
                       const std::vector<WallMotion<2>> &motion)
 {
+  std::vector<dealii::Tensor<1, 2>> force_before;
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
+    force_before.push_back(world.walls[w].force);
     world.walls[w].force = 0.;
     world.walls[w].speed = motion[w].velocity;
   }
@@ -99,6 +122,8 @@ void account_contacts(World &world,
   // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
   // at its end.
   const bool half = world.settings.scheme.stored_acceleration;
+  // From balance to balance forces change steadily: their work is that of the mean of both ends.
+  const bool balanced = !world.settings.scheme.inertia;
   const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
   {
     wall.force -= given / dt;
@@ -112,6 +137,11 @@ void account_contacts(World &world,
       give(wall, 0.5 * dt * wall.carried);
       wall.carried = 0.;
     }
+  // What the dents take is not lost.
+  const double dents = world.contact.subgrid_energy(world.bodies, world.subgrid(), dt);
+  if (!balanced)
+    world.balance.contact_loss -= dents - world.balance.subgrid_energy;
+  world.balance.subgrid_energy = dents;
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   const std::vector<double> &P = world.contact.impulses();
@@ -143,12 +173,25 @@ void account_contacts(World &world,
         world.balance.wall_work += given * world.bodies[rows[r].partner].drive;
       }
       double acting = impulse;
-      if (half)
+      if (half || balanced)
       {
         const auto before = world.contact.memory().find(rows[r].key);
-        acting += before != world.contact.memory().end() ? before->second[c] : 0.;
+        const double old = before == world.contact.memory().end() ? 0.
+                           : half                                 ? before->second[c]
+                                  : before->second[c] * dt / world.contact.memory_step;
+        acting = (half ? 1. : 0.5) * (impulse + old);
       }
-      world.balance.contact_loss -= acting * relative;
+      // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
+      // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
+      if (c > 0 || !balanced)
+        world.balance.contact_loss -= acting * relative;
+    }
+  if (balanced)
+    for (unsigned int w = 0; w < world.walls.size(); ++w)
+    {
+      const Wall &wall = world.walls[w];
+      world.balance.wall_work +=
+          0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
     }
 }
 
@@ -167,13 +210,14 @@ void keep_stress(Body<2> &body)
 } // namespace
 
 void accept_step(World &world,
-                 const double dt,
+                 const StepPlan &plan,
                  std::vector<Eigen::VectorXd> &end_velocity,
                  const std::vector<Eigen::VectorXd> &increment,
                  const std::vector<Eigen::VectorXd> &rate,
                  const std::vector<WallMotion<2>> &motion,
                  const std::vector<Eigen::VectorXd> &external)
 {
+  const double dt = plan.dt;
   account_contacts(world, dt, rate, motion);
   const bool half = world.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
@@ -215,7 +259,8 @@ void accept_step(World &world,
   world.balance.carried_load = load;
   for (Wall &wall : world.walls)
     wall.travel += dt * wall.speed;
-  world.time += dt;
-  world.contact.remember();
+  if (!plan.held)
+    world.time += dt;
+  world.contact.remember(dt);
 }
 } // namespace softgrain::mpm

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/hdf5_file.h>
@@ -15,7 +16,8 @@ namespace softgrain
 {
 namespace
 {
-const std::string format_name = "softgrain checkpoint 1";
+const std::string format_start = "softgrain checkpoint ";
+const std::string format_name = format_start + "2";
 
 /// Of name, type and content, so that no array can pass for another.
 std::uint64_t checksum(const std::string &name, const char type, const void *data, const std::size_t n_bytes)
@@ -48,27 +50,6 @@ std::uint64_t checksum(const Hdf5File &file, const std::string &name)
     return checksum(name, type, text.data(), text.size());
   }
   }
-}
-
-/// Checkpoints of a folder, the newest first, by the step in their names.
-std::vector<std::filesystem::path> checkpoints(const std::string &directory)
-{
-  std::vector<std::filesystem::path> paths;
-  std::error_code error;
-  for (const auto &entry : std::filesystem::directory_iterator(directory, error))
-  {
-    const std::string name = entry.path().filename();
-    if (name.size() > 9 && name.compare(0, 6, "state-") == 0 && entry.path().extension() == ".h5" &&
-        name.find_first_not_of("0123456789", 6) == name.size() - 3)
-      paths.push_back(entry.path());
-  }
-  const auto newer = [](const std::filesystem::path &a, const std::filesystem::path &b)
-  {
-    const std::string first = a.filename(), second = b.filename();
-    return first.size() != second.size() ? first.size() > second.size() : first > second;
-  };
-  std::sort(paths.begin(), paths.end(), newer);
-  return paths;
 }
 } // namespace
 
@@ -114,9 +95,12 @@ CheckpointReader::CheckpointReader(const std::string &path) : path(path)
   if (!std::filesystem::exists(path))
     throw InputError("there is no checkpoint " + path);
   file = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read);
-  if (!file->has_attribute("/", "format") || !file->has_attribute("/", "checksum") ||
-      file->read_text_attribute("/", "format") != format_name)
-    throw InputError(path + " is not a whole checkpoint of this version ('" + format_name + "')");
+  if (!file->has_attribute("/", "format") || !file->has_attribute("/", "checksum"))
+    throw InputError(path + " is not a whole checkpoint of softgrain");
+  const std::string format = file->read_text_attribute("/", "format");
+  if (format != format_name)
+    throw InputError(path + " is a '" + format + "', but softgrain " + SOFTGRAIN_VERSION + " reads '" +
+                     format_name + "': go on with the version that has written it");
   const std::vector<std::string> names = file->array_names();
   std::uint64_t sum = 0;
   try
@@ -167,10 +151,44 @@ std::string checkpoint_path(const std::string &directory, const std::uint64_t st
   return directory + "/state-" + zeros + digits + ".h5";
 }
 
+bool is_checkpoint_name(const std::string &name)
+{
+  return name.size() > 9 && name.compare(0, 6, "state-") == 0 &&
+         name.compare(name.size() - 3, 3, ".h5") == 0 &&
+         name.find_first_not_of("0123456789", 6) == name.size() - 3;
+}
+
+bool is_checkpoint(const std::string &path)
+{
+  try
+  {
+    const Hdf5File file(path, Hdf5File::Mode::read);
+    return file.has_attribute("/", "format") &&
+           file.read_text_attribute("/", "format").compare(0, format_start.size(), format_start) == 0;
+  }
+  catch (const InputError &)
+  {
+    return false;
+  }
+}
+
+std::vector<std::string> checkpoint_paths(const std::string &directory)
+{
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (const auto &entry : std::filesystem::directory_iterator(directory, error))
+    if (is_checkpoint_name(entry.path().filename()))
+      paths.push_back(entry.path());
+  const auto newer = [](const std::string &first, const std::string &second)
+  { return first.size() != second.size() ? first.size() > second.size() : first > second; };
+  std::sort(paths.begin(), paths.end(), newer);
+  return paths;
+}
+
 std::string latest_checkpoint(const std::string &directory)
 {
   std::string last_problem;
-  for (const std::filesystem::path &path : checkpoints(directory))
+  for (const std::string &path : checkpoint_paths(directory))
     try
     {
       CheckpointReader reader(path);
@@ -183,11 +201,27 @@ std::string latest_checkpoint(const std::string &directory)
   throw InputError("there is no whole checkpoint (state-*.h5) in " + directory + last_problem);
 }
 
+std::optional<std::string> newest_checkpoint(const std::string &directory)
+{
+  const std::vector<std::string> paths = checkpoint_paths(directory);
+  return paths.empty() ? std::nullopt : std::optional<std::string>(paths.front());
+}
+
+void remove_checkpoints_after(const std::string &directory, const std::uint64_t step)
+{
+  const std::string last = checkpoint_path(directory, step);
+  std::error_code error;
+  for (const std::string &path : checkpoint_paths(directory))
+    if ((path.size() > last.size() || (path.size() == last.size() && path > last)) && is_checkpoint(path))
+      std::filesystem::remove(path, error);
+}
+
 void remove_old_checkpoints(const std::string &directory, const unsigned int keep)
 {
-  const std::vector<std::filesystem::path> paths = checkpoints(directory);
+  const std::vector<std::string> paths = checkpoint_paths(directory);
   std::error_code error; // one that cannot be removed does no harm
   for (std::size_t i = keep; i < paths.size(); ++i)
-    std::filesystem::remove(paths[i], error);
+    if (is_checkpoint(paths[i]))
+      std::filesystem::remove(paths[i], error);
 }
 } // namespace softgrain

@@ -17,6 +17,10 @@ namespace
 {
 using Cell = VtuFile::Cell;
 
+/// Of the names of files.
+const std::vector<std::string> prefixes = {"points-", "outlines-", "contacts-", "walls-"};
+const std::string suffix = ".vtu";
+
 std::int32_t id(const unsigned int index)
 {
   return index == ContactState<2>::not_a_body ? -1 : static_cast<std::int32_t>(index);
@@ -264,7 +268,7 @@ void FieldWriter::write(const Snapshot<2> &snapshot)
     file.add_global("TimeValue", snapshot.time);
     file.add_global("step", static_cast<double>(snapshot.step));
     fill(file);
-    const std::string name = "fields/" + part + "-" + number + ".vtu";
+    const std::string name = "fields/" + part + "-" + number + suffix;
     write_file_atomically(directory + "/" + name, file.text());
     frame.parts.emplace_back(part, name);
   };
@@ -296,6 +300,11 @@ void FieldWriter::remove_stale_files() const
   for (const Frame &frame : frames)
     for (const auto &part : frame.parts)
       kept.insert(std::filesystem::path(part.second).filename());
-  remove_series_files(directory + "/fields", {"points-", "outlines-", "contacts-", "walls-"}, ".vtu", kept);
+  remove_series_files(directory + "/fields", prefixes, suffix, kept);
+}
+
+void remove_pictures(const std::string &directory)
+{
+  remove_series(directory + "/fields.pvd", directory + "/fields", prefixes, suffix);
 }
 } // namespace softgrain

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/hdf5_image.h>
 #include <softgrain/output/hdf5_chunks.h>
 #include <softgrain/output/hdf5_file.h>
 
@@ -204,12 +205,13 @@ Number number_from(const std::string &bytes)
 } // namespace
 
 Hdf5File::Hdf5File(const std::string &path, const Mode mode, const unsigned int compression_level)
-    : path(path), compression_level(compression_level)
+    : path(path), in_memory(mode == Mode::create), compression_level(compression_level)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (mode == Mode::create)
   {
-    file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    write_bytes(path, nullptr, 0); // a place that cannot be written shows before the work is done
+    file = create_hdf5_image(path);
     if (file < 0)
       fail_to_write(path, "");
   }
@@ -229,6 +231,8 @@ Hdf5File::~Hdf5File()
 
 void Hdf5File::close()
 {
+  if (in_memory)
+    write_hdf5_image(file, path);
   const hid_t closing = file;
   file = -1;
   if (H5Fclose(closing) < 0)

@@ -96,6 +96,8 @@ void HistoryWriter::write(const HistoryRow &row)
     file << header << '\n';
   }
   check_columns(names);
+  if (!std::filesystem::exists(path))
+    throw ComputationError(path + " was removed during the run");
   // Each row is handed to the system at once, so that what is seen from outside is whole rows.
   file << values << '\n' << std::flush;
   if (!file)

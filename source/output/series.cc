@@ -53,6 +53,18 @@ void remove_series_files(const std::string &folder,
     std::filesystem::remove(path, error);
 }
 
+void remove_series(const std::string &index,
+                   const std::string &folder,
+                   const std::vector<std::string> &prefixes,
+                   const std::string &suffix)
+{
+  std::error_code error;
+  std::filesystem::remove(index, error);
+  std::filesystem::remove(index + ".part", error);
+  remove_series_files(folder, prefixes, suffix, {});
+  std::filesystem::remove(folder, error); // refuses when something else is in it
+}
+
 std::vector<dealii::Point<2>> wall_segment(const Snapshot<2> &snapshot, const unsigned int wall)
 {
   const dealii::Point<2> origin = snapshot.walls[wall].point;

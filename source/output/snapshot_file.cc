@@ -97,6 +97,11 @@ void SnapshotFile::remove_stale_files() const
   remove_series_files(directory + "/snapshots", {""}, ".h5", kept);
 }
 
+void remove_snapshots(const std::string &directory)
+{
+  remove_series(directory + "/snapshots.h5", directory + "/snapshots", {""}, ".h5");
+}
+
 std::vector<double> snapshot_times(const std::string &path)
 {
   const Hdf5File file(path, Hdf5File::Mode::read);

@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace softgrain
 {
@@ -15,7 +16,14 @@ double Summary::microseconds_per_point_step() const
   return steps == 0 || points == 0 ? 0. : wall_seconds * 1e6 / (static_cast<double>(points) * steps);
 }
 
-void write_summary(const std::string &directory, const Summary &summary)
+namespace
+{
+std::string summary_path(const std::string &directory)
+{
+  return (std::filesystem::path(directory) / "summary.json").string();
+}
+
+std::string text_of(const Summary &summary)
 {
   nlohmann::ordered_json json;
   json["status"] = summary.status;
@@ -34,7 +42,26 @@ void write_summary(const std::string &directory, const Summary &summary)
   json["peak_memory_bytes"] = summary.peak_memory;
   json["phases"] = summary.phases;
   json["version"] = summary.version;
-  write_file_atomically((std::filesystem::path(directory) / "summary.json").string(), json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+} // namespace
+
+void write_summary(const std::string &directory, const Summary &summary)
+{
+  write_file_atomically(summary_path(directory), text_of(summary));
+}
+
+void overwrite_summary(const std::string &directory, const Summary &summary)
+{
+  std::string text = text_of(summary);
+  std::fstream file(summary_path(directory), std::ios::in | std::ios::out | std::ios::binary);
+  // Blanks over what is left of a longer text.
+  file.seekg(0, std::ios::end);
+  const std::streamoff old_size = file.tellg();
+  if (old_size > static_cast<std::streamoff>(text.size()))
+    text.resize(old_size, ' ');
+  file.seekp(0);
+  file << text << std::flush;
 }
 
 std::uint64_t peak_memory()

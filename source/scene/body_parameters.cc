@@ -35,9 +35,10 @@ void declare_motion(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   prm.declare_entry("Velocity", "0; 0", Anything(),
-                    "Velocity at the start, formulas of x and y: \"vx; vy\". Units: m/s.");
-  prm.declare_entry("Angular velocity", "0", Double(),
-                    "Added to Velocity at the start, about the center, counter-clockwise. Units: rad/s.");
+                    "Velocity at the start, formulas (doc/formulas.md) of x and y: \"vx; vy\". Units: m/s.");
+  prm.declare_entry(
+      "Angular velocity", "0", Double(),
+      "Angular velocity at the start about the center, counter-clockwise; added to Velocity. Units: rad/s.");
   prm.declare_entry(
       "Body force", "0; 0", Anything(),
       "Force per mass besides gravity, formulas of x, y (place now), X, Y (place at rest) and t: "
@@ -79,8 +80,9 @@ void BodyParameters::declare_parameters(dealii::ParameterHandler &prm) const
   for (const std::string &name : names)
   {
     prm.enter_subsection(name);
-    prm.declare_entry("Material", "", Anything(),
-                      "One of Materials/Names; may be left out when there is only one.");
+    prm.declare_entry(
+        "Material", "", Anything(),
+        "Material of the body, one of Materials/Names; may be left out when there is only one.");
     declare_shape(prm);
     declare_motion(prm);
     prm.leave_subsection();

@@ -24,7 +24,7 @@ void MaterialParameters::declare_parameters(dealii::ParameterHandler &prm) const
   {
     prm.enter_subsection(name);
     prm.declare_entry("Law", laws.names.empty() ? "" : laws.names.front(), Selection(law_choice),
-                      "Constitutive law; its parameters stand in the subsection of the law.");
+                      "Constitutive law; its parameters are in the subsection of the law.");
     prm.declare_entry("Density", "1000", Double(1e-300), "Density at rest. Units: kg/m^3.");
     if (laws.declare_law_subsections)
       laws.declare_law_subsections(prm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/scene/packing.h>
+#include <softgrain/scene/parameter_file.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,9 +18,25 @@ const std::string heading = "x_m,y_m,radius_m";
 
 Packing read_packing(const std::string &file)
 {
-  std::ifstream in(file);
-  if (!in)
+  if (!std::filesystem::is_regular_file(file))
     throw InputError("'Packing/File': there is no file '" + file + "' that can be read");
+  std::istringstream in;
+  try
+  {
+    in.str(read_text_file(file));
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(std::string("'Packing/File': ") + error.what());
+  }
+  const auto next_line = [&in](std::string &line)
+  {
+    if (!std::getline(in, line))
+      return false;
+    if (!line.empty() && line.back() == '\r') // lines of Windows end with it
+      line.pop_back();
+    return true;
+  };
   const auto complain = [&](const std::size_t number)
   {
     throw InputError("'Packing/File': line " + std::to_string(number) + " of '" + file +
@@ -27,11 +44,11 @@ Packing read_packing(const std::string &file)
                      ", the others three finite numbers, the last above 0");
   };
   std::string line;
-  std::getline(in, line);
+  next_line(line);
   if (line != heading)
     complain(1);
   Packing packing;
-  for (std::size_t number = 2; std::getline(in, line); ++number)
+  for (std::size_t number = 2; next_line(line); ++number)
   {
     std::istringstream fields(line);
     Packing::Disk disk;

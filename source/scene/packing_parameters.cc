@@ -53,36 +53,36 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Packing");
-  prm.declare_entry("Number", "0", Integer(0, 10000000),
-                    "Disks to make at random, as bodies grain_1, grain_2, …; 0: none.");
+  prm.declare_entry(
+      "Number", "0", Integer(0, 10000000),
+      "Number of disks to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
   prm.declare_entry("File", "", Anything(),
-                    "Disks to read instead: CSV with the columns x_m, y_m, radius_m.");
-  prm.declare_entry("Save to", "", Anything(), "Where the disks made are written, in the same form.");
-  prm.declare_entry("Material", "", Anything(), "Of the bodies; may be left out when there is one only.");
+                    "Table of disks to read instead: CSV with the columns x_m, y_m, radius_m.");
+  prm.declare_entry("Save to", "", Anything(),
+                    "File to which the packed disks are written, in the same form; empty: none.");
+  prm.declare_entry("Material", "", Anything(),
+                    "Material of the disks; may be left out when there is only one.");
   SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
   prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
                     "Lower left corner of the box that the disks are packed in. Units: m.");
-  prm.declare_entry("Upper", "1, 1", List(Double(), 2, 2, ","),
-                    "Upper right corner. Number, diameters and box decide how dense it is, unless 'Packing "
-                    "fraction' or 'Until "
-                    "jammed' does; about 0.80 is possible. Units: m.");
   prm.declare_entry(
-      "Packing fraction", "0", Double(0., 0.9),
-      "Share of the box that the disks fill; their diameters are scaled alike to do so. 0: diameters as "
-      "they are. Units: none.");
-  prm.declare_entry(
-      "Until jammed", "false", Bool(),
-      "Whether the box is closed until the disks carry it, as under a pressure (to rigid disks its height "
-      "does not matter). Then all is scaled to the box wanted: about 0.84 without friction and walls.");
-  prm.declare_entry(
-      "Friction", "0", Double(0.),
-      "Coefficient between the disks, and with the sides of the box, while they are packed: more of it "
-      "jams them looser. Units: none.");
-  prm.declare_entry(
-      "Periodic", "", MultipleSelection("x|y"),
-      "Directions without sides, where disks reach over the edge of the box and go on at the other: x, y or "
-      "both. For packings without walls; a scene with walls there refuses them.");
-  prm.declare_entry("Seed", "1", Integer(0), "Of the random sizes and places.");
+      "Upper", "1, 1", List(Double(), 2, 2, ","),
+      "Upper right corner of that box. Number, diameters and box decide how dense the packing is, unless "
+      "'Packing fraction' or 'Until jammed' does; up to about 0.80 is possible. Units: m.");
+  prm.declare_entry("Packing fraction", "0", Double(0., 0.9),
+                    "Share of the box that the disks fill; all diameters are scaled by one factor to reach "
+                    "it. 0: diameters are kept. Units: none.");
+  prm.declare_entry("Until jammed", "false", Bool(),
+                    "Whether the box shrinks until the disks resist, as under pressure. Then everything is "
+                    "scaled to the box asked for: about 0.84 of it is filled without friction and walls.");
+  prm.declare_entry("Friction", "0", Double(0.),
+                    "Coefficient of friction between the disks, and with the sides of the box, while they "
+                    "are packed. With more friction they jam at a lower density. Units: none.");
+  prm.declare_entry("Periodic", "", MultipleSelection("x|y"),
+                    "Directions in which the box has no sides: x, y or both. A disk that leaves on one side "
+                    "enters on the other, and disks reach over the edge. For packings without walls; a scene "
+                    "with a wall there refuses them.");
+  prm.declare_entry("Seed", "1", Integer(0), "Seed of the random sizes and places. Units: none.");
   prm.leave_subsection();
 }
 

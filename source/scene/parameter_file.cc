@@ -8,6 +8,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -18,6 +20,9 @@ namespace
 {
 /// Lists longer than this would hide the message.
 constexpr unsigned int max_names_in_message = 16;
+
+/// Editors of Windows begin a text with it.
+const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 std::string
 suggestion(const std::string &word, const std::vector<std::string> &names, const std::string &what)
@@ -63,6 +68,15 @@ const ParameterSection &find_section(const ParameterSection &top, const Paramete
   return *here;
 }
 
+/// What became of a parameter that older versions had; empty when there was none of that name.
+std::string what_became_of(const std::string &path)
+{
+  if (path == "Contact/Position repair")
+    return "it is gone, since contact leaves no penetration that would have to be repaired: take the line "
+           "out";
+  return "";
+}
+
 const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAssignment &assignment)
 {
   const ParameterSection &section = find_section(top, assignment);
@@ -71,12 +85,32 @@ const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAss
   const std::string path = parameter_path(assignment.sections, assignment.key);
   if (section.section(assignment.key) != nullptr)
     throw InputError(assignment.where + ": '" + path + "' is a section, not a parameter");
+  if (const std::string now = what_became_of(path); !now.empty())
+    throw InputError(assignment.where + ": '" + path + "': " + now);
   const std::vector<std::string> names = section.entry_names();
   const std::string home =
       nearest_name(assignment.key, names).empty() ? home_of(top, assignment.key, "") : "";
   throw InputError(assignment.where + ": unknown parameter '" + path + "'" +
                    (home.empty() ? suggestion(assignment.key, names, "parameters")
                                  : "; it belongs in section '" + home + "'"));
+}
+
+/// The first number of a value whose pattern asks for numbers that no double holds: 1e-308 loses digits,
+/// 1e999 is infinite. Nothing when all are fine.
+std::string number_out_of_range(const std::string &pattern, const std::string &value)
+{
+  if (pattern.find("[Double") == std::string::npos)
+    return "";
+  std::istringstream words(value);
+  for (std::string list; std::getline(words, list, ';');)
+    for (const std::string &number : dealii::Utilities::split_string_list(list, ","))
+    {
+      errno = 0;
+      std::strtod(number.c_str(), nullptr);
+      if (errno == ERANGE)
+        return number;
+    }
+  return "";
 }
 
 void check_names(const std::vector<std::string> &names, const std::string &section, const std::string &where)
@@ -107,7 +141,9 @@ std::string read_text_file(const std::string &file_name)
   std::ostringstream text;
   if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())))
     throw InputError(file_name + ": cannot be read");
-  const std::string content = text.str();
+  std::string content = text.str();
+  if (content.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+    content.erase(0, byte_order_mark.size());
   if (std::any_of(content.begin(), content.end(),
                   [](const unsigned char c)
                   { return c < 32 && c != '\n' && c != '\r' && c != '\t' && c != '\f'; }))
@@ -206,6 +242,11 @@ void ParameterFile::apply(dealii::ParameterHandler &prm) const
     for (const std::string &section : assignment.sections)
       prm.enter_subsection(section);
     bool allowed = true;
+    const std::string bad_number = number_out_of_range(entry.pattern, assignment.value);
+    if (!bad_number.empty())
+      throw InputError(assignment.where + ": '" + parameter_path(assignment.sections, assignment.key) +
+                       "' = '" + assignment.value + "' is not allowed: " + bad_number +
+                       " is not between 2.3e-308 and 1.7e308 in size, where numbers have all their digits");
     try
     {
       prm.set(assignment.key, assignment.value);

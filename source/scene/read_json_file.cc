@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace softgrain
 {
@@ -67,7 +69,10 @@ public:
       fail("a list cannot hold a section");
     if (started)
     {
+      if (sections.size() == max_section_depth)
+        fail("more than " + std::to_string(max_section_depth) + " sections within each other");
       sections.push_back(current_key);
+      section_begins.push_back({assignments.size(), where(key_line)});
       assignments.push_back({sections, "", "", where(line)});
     }
     started = true;
@@ -89,8 +94,25 @@ public:
 
   bool end_object() override
   {
-    if (!sections.empty())
+    if (sections.empty())
+      return true;
+    const auto [first, at] = section_begins.back();
+    section_begins.pop_back();
+    const auto begin = assignments.begin() + first;
+    const auto value = std::find_if(begin, assignments.end(),
+                                    [this](const ParameterAssignment &a)
+                                    { return a.key == "value" && a.sections == sections; });
+    const std::string name = sections.back();
+    if (value == assignments.end())
       sections.pop_back();
+    else
+    {
+      check_described_parameter(begin, assignments.end());
+      const std::string text = value->value;
+      assignments.erase(begin, assignments.end());
+      sections.pop_back();
+      assignments.push_back({sections, name, text, at});
+    }
     return true;
   }
 
@@ -142,6 +164,26 @@ private:
     return true;
   }
 
+  /// {"value": …, "default": …} is one parameter with its description, as `softgrain parameters --format
+  /// json` and deal.II print it. What describes it is not read.
+  void check_described_parameter(const std::vector<ParameterAssignment>::const_iterator begin,
+                                 const std::vector<ParameterAssignment>::const_iterator end) const
+  {
+    static const std::set<std::string> described = {"",
+                                                    "value",
+                                                    "default",
+                                                    "allowed",
+                                                    "meaning",
+                                                    "default_value",
+                                                    "documentation",
+                                                    "pattern",
+                                                    "pattern_description"};
+    for (auto entry = begin; entry != end; ++entry)
+      if (entry->sections != sections || described.count(entry->key) == 0)
+        throw InputError(entry->where + ": '" + parameter_path(entry->sections, entry->key) +
+                         "' cannot stand beside a \"value\"; allowed are default, allowed and meaning");
+  }
+
   void store(const std::string &value)
   {
     assignments.push_back({sections, current_key, value, where(key_line)});
@@ -157,6 +199,7 @@ private:
   std::string list;
   std::string current_key;
   std::vector<std::string> sections;
+  std::vector<std::pair<std::size_t, std::string>> section_begins; ///< first assignment and place
   std::map<std::string, unsigned int> set_at;
   std::vector<ParameterAssignment> assignments;
 };

@@ -92,6 +92,8 @@ private:
   {
     if (name.empty())
       fail("'subsection' needs a name");
+    if (sections.size() == max_section_depth)
+      fail("more than " + std::to_string(max_section_depth) + " subsections within each other");
     sections.push_back(name);
     opened_at.push_back(line_number);
     assignments.push_back({sections, "", "", where()});

@@ -14,14 +14,12 @@ void declare_stop(dealii::ParameterHandler &prm)
   using namespace dealii::Patterns;
   prm.enter_subsection("Stop");
   prm.declare_entry("End time", "0", Double(0), "The run ends at this time; 0: no such condition. Units: s.");
-  prm.declare_entry(
-      "Axial strain", "0", Double(0),
-      "The run ends when ln(h0/h) of the distance of the walls bottom and top reaches this; 0: no "
-      "such condition. Units: none.");
-  prm.declare_entry(
-      "Packing fraction", "0", Double(0),
-      "The run ends when the bodies fill this part of the box of the walls bottom, top, left and "
-      "right; 0: no such condition. Units: none.");
+  prm.declare_entry("Axial strain", "0", Double(0),
+                    "The run ends when ln(h0/h), where h is the distance of the walls bottom and top, "
+                    "reaches this; 0: no such condition. Units: none.");
+  prm.declare_entry("Packing fraction", "0", Double(0),
+                    "The run ends when the bodies fill this share of the box of the walls bottom, top, left "
+                    "and right; 0: no such condition. Units: none.");
   prm.leave_subsection();
 }
 

@@ -40,12 +40,12 @@ void SizeDistribution::declare_parameters(dealii::ParameterHandler &prm,
 {
   using namespace dealii::Patterns;
   constexpr double tiny = 1e-300; // patterns know no "greater than zero"
-  prm.declare_entry("Smallest diameter", smallest, Double(tiny), "Of the disks. Units: m.");
-  prm.declare_entry("Largest diameter", largest, Double(tiny), "Of the disks. Units: m.");
+  prm.declare_entry("Smallest diameter", smallest, Double(tiny), "Smallest diameter of a disk. Units: m.");
+  prm.declare_entry("Largest diameter", largest, Double(tiny), "Largest diameter of a disk. Units: m.");
   prm.declare_entry(
       "Size distribution", "uniform area", Selection("uniform area|uniform diameter|equal areas"),
-      "uniform area: areas are uniform between the smallest and the largest (the thesis); uniform "
-      "diameter: diameters are; equal areas: every class of diameters holds the same area in all.");
+      "uniform area: areas are drawn uniformly between the smallest and the largest (the thesis); uniform "
+      "diameter: diameters are; equal areas: all classes of diameters have the same total area.");
 }
 
 void SizeDistribution::parse_parameters(dealii::ParameterHandler &prm, const std::string &section)

@@ -26,34 +26,35 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Walls");
-  prm.declare_entry(
-      "Names", "", List(Anything()),
-      "Names of the walls; each has a subsection of its name. The names bottom, top, left and right "
-      "make the usual box and carry axial strain and packing fraction.");
+  prm.declare_entry("Names", "", List(Anything()),
+                    "Names of the walls; each has a subsection of its name. The names bottom, top, left and "
+                    "right know their normal; axial strain and packing fraction are measured between them.");
   for (const std::string &name : names)
   {
     prm.enter_subsection(name);
-    prm.declare_entry("Type", "plane", Selection("plane|material points"),
-                      "plane: an exact plane; material points: a slab that moves rigidly, as in the thesis.");
+    prm.declare_entry(
+        "Type", "plane", Selection("plane|material points"),
+        "plane: an exact plane; material points: a rigid slab of material points, as in the thesis.");
     prm.declare_entry("Point", "0, 0", List(Double(), 2, 2, ","),
                       "A point of the plane at the start. Units: m.");
-    prm.declare_entry(
-        "Normal", usual_normal(name), List(Double(), 0, 2, ","),
-        "Normal into the domain, of any length; empty is allowed for bottom, top, left and right. "
-        "Units: none.");
+    prm.declare_entry("Normal", usual_normal(name), List(Double(), 0, 2, ","),
+                      "Normal that points to the bodies, of any length; may be left out for bottom, top, "
+                      "left and right. Units: none.");
     prm.declare_entry("Velocity", "0", Anything(),
-                      "Velocity along the normal, positive into the domain, a formula of t. Units: m/s.");
-    prm.declare_entry(
-        "Drive", "velocity", Selection("velocity|pressure"),
-        "velocity: moves as 'Velocity' says; pressure: a body with 'Mass' that 'Pressure' moves "
-        "along its normal.");
+                      "Velocity along the normal, positive towards the bodies; a formula of t "
+                      "(doc/formulas.md). Units: m/s.");
+    prm.declare_entry("Drive", "velocity", Selection("velocity|pressure"),
+                      "velocity: the wall moves as 'Velocity' says; pressure: it has a 'Mass' and moves "
+                      "along its normal under 'Pressure'.");
     prm.declare_entry("Pressure", "0", Anything(),
-                      "Of a wall with 'Drive' = 'pressure', pushing into the domain, over the length between "
-                      "the walls beside it; a formula of t. Units: Pa.");
-    prm.declare_entry("Mass", "0", Double(0), "Of a wall with 'Drive' = 'pressure'. Units: kg/m.");
-    prm.declare_entry("Damping", "0", Double(0),
-                      "Force per velocity on a wall with 'Drive' = 'pressure'. Units: kg/(m s).");
-    prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction against bodies. Units: none.");
+                      "With 'Drive = pressure': pressure towards the bodies, acting on the length between "
+                      "the walls beside it; a formula of t (doc/formulas.md). Units: Pa.");
+    prm.declare_entry("Mass", "0", Double(0), "With 'Drive = pressure': mass of the wall. Units: kg/m.");
+    prm.declare_entry(
+        "Damping", "0", Double(0),
+        "With 'Drive = pressure': force that resists the motion, per velocity. Units: kg/(m s).");
+    prm.declare_entry("Friction", "0", Double(0),
+                      "Coefficient of friction between the wall and bodies. Units: none.");
     prm.leave_subsection();
   }
   prm.leave_subsection();

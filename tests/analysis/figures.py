@@ -19,7 +19,7 @@ from tool_runs import run  # noqa: E402  (before matplotlib and the tools)
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
-import figures_fits  # noqa: E402
+from softgrain import fits  # noqa: E402
 
 INITIAL, REFERENCE, REFERENCE_STRESS, WIDTH = 0.7, 0.8, 2.5e5, 0.04
 BINS = np.arange(0.1, 4, 0.2)
@@ -84,7 +84,7 @@ def write_run(name, model, friction, beta=None, alpha=None, exponent=0.5, gamma=
             "orientation_anisotropy": 0.3 + 0 * p, "aspect_ratio": 1 + 0.2 * p, "shape_strain": 0.1 * p,
             "shape_anisotropy": broken_line(p, 0.775, 0.925, (0, 0.2, 0.6)), "force_fit_gamma": gamma + 0 * p}
         for force in BINS:
-            columns[f"force_density_at_{force:.1f}"] = figures_fits.force_density(force, gamma) + 0 * p
+            columns[f"force_density_at_{force:.1f}"] = fits.force_density(force, gamma) + 0 * p
         write_table(os.path.join(directory, "measures.csv"), columns)
     write_snapshots(directory, time[chosen], height[chosen])
     return directory
@@ -132,6 +132,26 @@ class Figures(unittest.TestCase):
         near(rough["packing_slope"], slope_of_4_4(8), delta=2e-3)
         self.assertIn("| β (4.3)", printed)
         self.assertIn("11 ± 1.4", printed)
+
+    def test_poor_fits_are_told(self):
+        # By MPM, but its stress stays low and then rises steeply: no line, which (4.3) is.
+        bent = write_run("bent", "mpm", 0, alpha=0.02)
+        history = os.path.join(bent, "history.csv")
+        with open(history, encoding="utf-8") as file:
+            names, *rows = [line.rstrip("\n").split(",") for line in file]
+        force, packing = names.index("bottom_force_N_per_m"), names.index("packing_fraction")
+        for row in rows:
+            row[force] = str(REFERENCE_STRESS * WIDTH * (1 + 5 * max(0., float(row[packing]) - 0.93) * 1e3))
+        write_table(history, {name: np.array([float(row[i]) for row in rows]) for i, name in enumerate(names)})
+        code, printed, errors = run("figures_thesis4.py", bent, "--output", os.path.join(WORK, "bent_figures"), "--only",
+                                    "4.2", "--dpi", "40")
+        self.assertEqual(code, 0)
+        self.assertIn("constants.json", printed)
+        self.assertRegex(errors, r"figures thesis-4: warning: β \(4.3\) of .*bent fits poorly, R² = 0\.\d\d")
+        with open(os.path.join(WORK, "bent_figures/constants.json"), encoding="utf-8") as file:
+            quality = json.load(file)["groups"][0]["runs"][0]["r_squared"]
+        self.assertLess(quality["beta"], 0.9)
+        self.assertGreater(quality["coordination_exponent"], 0.99)
 
     def test_what_is_missing_is_said(self):
         bare = write_run("bare", "bpm", 0, alpha=0.3, measures=False)

@@ -167,6 +167,8 @@ public:
     prm.leave_subsection();
   }
 
+  std::vector<std::string> changeable_on_restart() const override { return {"Stub/", "Contact/Tolerance"}; }
+
   LawCatalogue laws() const override
   {
     return {{"hard", "soft"},

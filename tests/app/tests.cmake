@@ -35,4 +35,24 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     softgrain_add_check_test(app/${name} check_shipped.cmake -DFILE=${file} ${changes}
       -DWORK=${CMAKE_BINARY_DIR}/tests/app/${name}.run)
   endforeach()
+
+  add_test(NAME app/command_line
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/command_line.py $<TARGET_FILE:softgrain_executable>
+      ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/app/command_line.run)
+  set_tests_properties(app/command_line PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+endif()
+
+# Whole runs of the program: what comes in their way, and what both models share.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  foreach(name runs.FullDisk runs.OldResults runs.OneFolder runs.Signals
+      models.OtherSettings models.BothModels models.LinearSolvers models.DissipativeLaw)
+    string(REGEX MATCH "^[a-z]+" script ${name})
+    string(REGEX MATCH "[A-Za-z]+$" class ${name})
+    add_test(NAME app/${name}
+      COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
+        SOFTGRAIN_TEST_LAW=${CMAKE_BINARY_DIR}/tests/constitutive/libtest_constitutive_module_dissipative.so
+        ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/${script}.py $<TARGET_FILE:softgrain_executable>
+        ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/app/whole_runs ${class})
+    set_tests_properties(app/${name} PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+  endforeach()
 endif()

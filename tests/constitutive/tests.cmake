@@ -12,6 +12,23 @@ target_compile_definitions(test_constitutive_custom_law PRIVATE
   SOFTGRAIN_CUSTOM_LAW="$<TARGET_FILE:test_constitutive_module_custom_law>"
   SOFTGRAIN_CUSTOM_LAW_TWICE="$<TARGET_FILE:test_constitutive_module_custom_law_twice>")
 
+# Laws that are no part of softgrain: one that overflows is told so, and the tester goes on to its end; one that dissipates
+# holds every property.
+foreach(law overflowing dissipative)
+  add_library(test_constitutive_module_${law} MODULE ${CMAKE_CURRENT_SOURCE_DIR}/constitutive/modules/${law}.cc)
+  set_target_properties(test_constitutive_module_${law} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)
+  softgrain_setup_target(test_constitutive_module_${law})
+  target_link_libraries(test_constitutive_module_${law} softgrain)
+  add_dependencies(test_constitutive_custom_law test_constitutive_module_${law})
+  add_test(NAME constitutive/${law}_law
+    COMMAND test_constitutive_custom_law $<TARGET_FILE:test_constitutive_module_${law}>)
+endforeach()
+set_tests_properties(constitutive/dissipative_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+set_tests_properties(constitutive/overflowing_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT}
+  PASS_REGULAR_EXPRESSION
+    "FAILED: no overflow, division by zero or undefined number on the way.*every law holds every property: no")
+
 # The example as a user builds it, by its own CMakeLists.txt; slower, so not among the quick ones.
 add_test(NAME constitutive/custom_law_alone
   COMMAND ${CMAKE_CTEST_COMMAND}

@@ -35,24 +35,16 @@ Solution sweep(Operator &W,
   return result;
 }
 
-double difference(const std::vector<double> &a, const std::vector<double> &b)
-{
-  double largest = 0.;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 template <class Operator>
 void compare(const std::string &title, Operator &W, const Problem &problem, const double factor)
 {
   const Solution plain = sweep(W, problem, Algorithm::gauss_seidel, 200000, 1e-9),
                  fast = sweep(W, problem, Algorithm::accelerated, 200000, 1e-9);
   std::cout << title << ": both converged " << verdict(plain.report.converged && fast.report.converged)
-            << ", same velocities to 1e-7 " << verdict(difference(plain.velocities, fast.velocities) < 1e-7)
-            << ", sweeps below 1/" << factor << ' '
-            << verdict(factor * fast.report.sweeps < plain.report.sweeps) << ", without giving up "
-            << verdict(!fast.report.fell_back) << '\n';
+            << ", same velocities to 1e-7 "
+            << verdict(largest_difference(plain.velocities, fast.velocities) < 1e-7) << ", sweeps below 1/"
+            << factor << ' ' << verdict(factor * fast.report.sweeps < plain.report.sweeps)
+            << ", without giving up " << verdict(!fast.report.fell_back) << '\n';
   std::cerr << title << ": " << plain.report.sweeps << " plain, " << fast.report.sweeps << " with momentum\n";
 }
 
@@ -202,7 +194,7 @@ int main()
     lowest = std::min(lowest, cut.report.residual);
     std::vector<double> velocities;
     compute_velocities(W, problem, cut.impulses, velocities);
-    consistent = consistent && difference(velocities, cut.velocities) < 1e-9;
+    consistent = consistent && largest_difference(velocities, cut.velocities) < 1e-9;
   }
   std::cout << "cut off after 5, 10, ... sweeps: never worse " << verdict(monotone)
             << ", velocities are those of the impulses " << verdict(consistent) << '\n';

@@ -116,6 +116,10 @@ void random_rows()
   const SolverReport once = gauss_seidel(independent, problem, settings, P = {}, w);
   std::cout << "  diagonal operator: sweeps at most 2 " << verdict(once.sweeps <= 2 && once.converged)
             << '\n';
+  settings.algorithm = Algorithm::accelerated;
+  const SolverReport ahead = gauss_seidel(independent, problem, settings, P = {}, w);
+  std::cout << "  diagonal operator with momentum: sweeps at most 3 "
+            << verdict(ahead.sweeps <= 3 && ahead.converged) << '\n';
 }
 
 void expect_error(const std::string &title, const std::function<void()> &work)

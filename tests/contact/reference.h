@@ -121,6 +121,15 @@ inline softgrain::contact::BlockDelassus random_bodies(const unsigned int n_bodi
   return W;
 }
 
+/// Largest difference between two vectors of one size.
+inline double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double worst = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
+}
+
 inline const char *verdict(const bool fine)
 {
   return fine ? "yes" : "NO";

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Three problems of Siconos (data/README.md): sweeps to its residual 1e-4, 1e-8, 1e-12 beside its own
 // numbers, and the velocities at 1e-12 against its reference; then the same by Newton from a few sweeps.
+#include <softgrain/base/exceptions.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/contact/problem_io.h>
 #include <softgrain/contact/residual.h>
 
+#include "reference.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 
 using namespace softgrain::contact;
@@ -36,17 +40,101 @@ Reference read_reference(const std::string &path, const unsigned int n)
   return reference;
 }
 
-double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
+Eigen::MatrixXd matrix_of(SavedProblem &saved)
 {
-  double worst = 0.;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    worst = std::max(worst, std::abs(a[i] - b[i]));
-  return worst;
+  auto &operator_ = std::get<BlockDelassus>(saved.delassus);
+  const unsigned int n = saved.problem.free_velocity.size();
+  Eigen::MatrixXd W(n, n);
+  std::vector<double> velocities;
+  saved.problem.free_velocity.assign(n, 0.);
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    std::vector<double> unit(n, 0.);
+    unit[j] = 1.;
+    compute_velocities(operator_, saved.problem, unit, velocities);
+    W.col(j) = Eigen::Map<Eigen::VectorXd>(velocities.data(), n);
+  }
+  return W;
 }
 
-const char *verdict(const bool fine)
+/// What Siconos writes: dense with the sizes twice or once, triplets, columns, rows; largest difference when
+/// read.
+void other_storages(const std::string &original)
 {
-  return fine ? "yes" : "NO";
+  SavedProblem saved = load_siconos_problem(original);
+  const std::vector<double> q = saved.problem.free_velocity;
+  const unsigned int n = q.size();
+  const Eigen::MatrixXd W = matrix_of(saved);
+  const auto try_matrix = [&](const std::string &name, const auto &write_matrix)
+  {
+    std::ofstream file("storage.dat");
+    file << "2\n" << n / 2 << '\n' << std::setprecision(17);
+    write_matrix(file);
+    for (const double value : q)
+      file << value << '\n';
+    for (unsigned int i = 0; i < n / 2; ++i)
+      file << "0.5\n";
+    file.close();
+    std::cout << name << ": ";
+    try
+    {
+      SavedProblem again = load_siconos_problem("storage.dat");
+      const bool same_q = again.problem.free_velocity == q;
+      const double error = (matrix_of(again) - W).cwiseAbs().maxCoeff() / W.cwiseAbs().maxCoeff();
+      std::cout << (error == 0.    ? "same"
+                    : error < 1e-5 ? "six digits"
+                                   : "WRONG")
+                << ", q " << (same_q ? "same" : "WRONG") << '\n';
+    }
+    catch (const softgrain::InputError &error)
+    {
+      std::cout << error.what() << '\n';
+    }
+  };
+  const auto dense = [n](std::ostream &file, const Eigen::MatrixXd &matrix, const bool sizes_twice)
+  {
+    file << "0\n" << n << '\n' << n << '\n';
+    if (sizes_twice)
+      file << n << '\t' << n << '\n';
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        file << matrix(i, j) << (i + 1 == n ? "\n" : " ");
+  };
+  const auto sparse = [&](std::ostream &file, const unsigned int origin)
+  {
+    const auto count = (W.array() != 0.).count();
+    file << "2\n"
+         << n << '\n'
+         << n << '\n'
+         << origin << "\nCSparse Version 4.0.2, Sept 20, 2022.  (c) T. Davis\n";
+    if (origin == 1)
+      file << "triplet: ";
+    file << n << "-by-" << n << ", nzmax: " << count << " nnz: " << count
+         << (origin == 1 ? "" : ", 1-norm: 7") << '\n'
+         << std::setprecision(6);
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      if (origin != 1)
+        file << "    col " << j << " : locations 0 to 1\n";
+      for (unsigned int i = 0; i < n; ++i)
+        if (W(i, j) != 0. && origin == 1)
+          file << "    " << i << ' ' << j << " : " << W(i, j) << '\n';
+        else if (W(i, j) != 0.)
+          file << "      " << i << " : " << W(i, j) << '\n';
+    }
+    file << std::setprecision(17);
+  };
+  Eigen::MatrixXd skew = W;
+  const double largest = W.cwiseAbs().maxCoeff();
+  try_matrix("dense, sizes twice", [&](std::ostream &file) { dense(file, W, true); });
+  try_matrix("dense, sizes once", [&](std::ostream &file) { dense(file, W, false); });
+  for (const unsigned int origin : {1, 2, 3})
+    try_matrix("sparse, kind " + std::to_string(origin), [&](std::ostream &file) { sparse(file, origin); });
+  skew(3, 0) += 3e-7 * largest;
+  try_matrix("asymmetry 3e-7", [&](std::ostream &file) { dense(file, skew, true); });
+  skew(3, 0) += 1e-3 * largest;
+  try_matrix("asymmetry 1e-3", [&](std::ostream &file) { dense(file, skew, true); });
+  try_matrix("storage 7", [](std::ostream &file) { file << "7\n22\n22\n"; });
 }
 } // namespace
 
@@ -95,4 +183,5 @@ int main()
               << ", velocities within 1e-7 of the reference: "
               << verdict(largest_difference(velocities, reference.velocities) < 1e-7) << '\n';
   }
+  other_storages(data + "FrictionContactProblem00031.dat");
 }

@@ -58,18 +58,22 @@ SAMPLES = {
     "documentation": (
         {"doc/a.md": "# One `two`\n[b](b.md#what-it-is) [self](#one-two) <https://example.org> `gallery/a.prm` FILE.prm\n",
          "doc/b.md": "## What it is\n", "parameters/gallery/a.prm": "", "a.h": "/// @cite someone1999, eq. (1)\n",
-         "doc/references.bib": "@article{someone1999,\n}\n"},
+         "doc/references.bib": "@article{someone1999,\n}\n", "doc/a.png": "",
+         "doc/gallery.md": "| ![](a.png) | `a.prm`: a scene |\n"},
         [({"a.md": "[b](b.md)\n"}, "link to nothing: b.md"),
          ({"a.md": "![picture](doc/b.png)\n"}, "link to nothing: doc/b.png"),
          ({"a.md": "[b](b.md#there)\n", "b.md": "# Here\n"}, "no heading #there"),
          ({"a.md": "`softgrain run gallery/gone.prm`\n"}, "no such parameter file: gallery/gone.prm"),
          ({"a.md": "```\nsoftgrain run gone.prm\n```\n", "parameters/begone.prm": ""}, "no such parameter file: gone.prm"),
+         ({"parameters/gallery/new.prm": "", "doc/gallery.md": "`new.prm` in a line of text\n"}, "new.prm has no row"),
          ({"a.h": "/// @cite nobody2000\n"}, "not in doc/references.bib: nobody2000")]),
     "tests": (
         {**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "1\n", "tests/base/a.threads=1.output": "1\n"},
         [({**LISTS, "tests/base/a.cc": ""}, "no a.output beside it"),
          ({**LISTS, "tests/base/a.output": "1\n"}, "there is no a.cc"),
          ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": ""}, "expects nothing"),
+         ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "# tolerance: 1.1 1e-3\n2\n"},
+          "small numbers be anything"),
          ({**LISTS, "tests/lost/a.cc": ""}, "tests/lost: nobody runs it")]),
     "scripts": (
         {"a.py": "print(1)\n", "a.sh": "#!/bin/sh\necho 1\n"},

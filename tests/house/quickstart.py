@@ -101,6 +101,23 @@ with tempfile.TemporaryDirectory() as place:
            and f"softgrain render {output}" in log and f"softgrain plot {output}" in log
            and f"{output}/last.png" in said, status, said, log)
 
+    (output / "parameters.prm").write_text("")
+    (output / "summary.json").write_text('{\n  "status": "interrupted",\n')
+    status, said, log = machine.run("run", str(scene))
+    expect("run: one that was stopped before its first checkpoint begins anew",
+           status == 0 and log.count("--overwrite") == 1 and "--restart" not in log, status, said, log)
+    (output / "state-000000012.h5").write_text("")
+    status, said, log = machine.run("run", str(scene))
+    expect("run: one that was stopped goes on",
+           status == 0 and f"softgrain run {scene} --output {output} --restart" in log and "going on" in said,
+           status, said, log)
+    status, said, log = machine.run("run", str(scene), "--overwrite")
+    expect("run: unless it shall begin anew", status == 0 and "--restart" not in log, status, said, log)
+    (output / "summary.json").write_text('{\n  "status": "completed",\n')
+    status, said, log = machine.run("run", str(scene))
+    expect("run: one that has ended is replaced",
+           status == 0 and "--restart" not in log and "--overwrite" not in log, status, said, log)
+
     status, said, log = machine.run("run", "nowhere.prm")
     expect("run: a file that is not there is named before anything is built",
            status == 1 and "nowhere.prm" in said and log == "", status, said, log)

@@ -23,6 +23,27 @@ softgrain_add_house_test(self_contained_headers nightly
   ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/self_contained.py --build ${CMAKE_BINARY_DIR})
 set_tests_properties(house/self_contained_headers PROPERTIES TIMEOUT 1200)
 
+# The commands of every page of the manual, run as a reader would run them.
+if(TARGET softgrain_executable)
+  function(softgrain_add_manual_test name label)
+    softgrain_add_house_test(${name} ${label} ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/manual_commands.py
+      --program $<TARGET_FILE:softgrain_executable> --work ${CMAKE_BINARY_DIR}/tests/house/${name}.run ${ARGN})
+    set_tests_properties(house/${name} PROPERTIES TIMEOUT 1200)
+  endfunction()
+
+  softgrain_add_manual_test(manual_commands_refuses quick)
+  file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md
+    ${PROJECT_SOURCE_DIR}/doc/*.md ${PROJECT_SOURCE_DIR}/doc/results/*.md)
+  foreach(page ${pages})
+    string(REGEX REPLACE "[/.]" "_" name ${page})
+    set(label quick)
+    if(page MATCHES "results/")
+      set(label nightly)
+    endif()
+    softgrain_add_manual_test(commands_of_${name} ${label} ${page})
+  endforeach()
+endif()
+
 find_program(SOFTGRAIN_DOXYGEN doxygen)
 if(SOFTGRAIN_DOXYGEN)
   softgrain_add_house_test(reference_manual quick ${SOFTGRAIN_PYTHON}

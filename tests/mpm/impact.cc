@@ -43,7 +43,6 @@ void collide(const std::string &what, const std::vector<std::string> &changes)
 int main()
 {
   collide("trapezoidal, 2 CFL", {});
-  collide("without repair", {"Contact/Position repair=false"});
   collide("1 CFL", {"Time/CFL multiple=1"});
   collide("10 CFL", {"Time/CFL multiple=10"});
   collide("explicit", {"Time/Scheme=explicit", "Time/CFL multiple=0.3"});

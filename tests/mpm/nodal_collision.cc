@@ -48,7 +48,6 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
   settings.max_newton = 400;
   settings.contact_kind = ContactKind::nodes;
   settings.coupling = coupling;
-  settings.repair_positions = false;
   settings.contact_solver.tolerance = 1e-10;
 
   MpmModel model(scene, settings, {Registry<constitutive::Law<2>>::instance().create("linear_elastic")});

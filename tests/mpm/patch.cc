@@ -39,7 +39,7 @@ double condition(const mpm::MpmModel &model)
   matrix.set_zero();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(body.field.n_dofs());
   mpm::evaluate_stress(body, zero, zero, {0., true, 0.});
-  mpm::add_stiffness(body, std::pow(20. * model.cfl_step(), 2), false, matrix);
+  mpm::add_stiffness(body, std::pow(20. * model.cfl_step(), 2), matrix);
   matrix.add_mass<2>(body.mass, 1.);
   Eigen::MatrixXd A = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
   const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();

@@ -90,7 +90,7 @@ void check(const std::string &shape, const std::string &law, const std::string &
   matrix.reinit(body.field);
   const Evaluation at = evaluate(body, u);
   matrix.set_zero();
-  mpm::add_stiffness(body, 1., false, matrix);
+  mpm::add_stiffness(body, 1., matrix);
   const Eigen::VectorXd Kd = matrix.lower().selfadjointView<Eigen::Lower>() * d;
   const Evaluation plus = evaluate(body, Eigen::VectorXd(u + step * d));
   const Evaluation minus = evaluate(body, Eigen::VectorXd(u - step * d));

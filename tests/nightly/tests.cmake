@@ -6,3 +6,11 @@ foreach(program ${programs})
   get_filename_component(name ${program} NAME_WE)
   set_tests_properties(nightly/${name} PROPERTIES LABELS nightly TIMEOUT 7200)
 endforeach()
+
+# Kills at random moments, damaged checkpoints.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  add_test(NAME nightly/faults
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/faults.py $<TARGET_FILE:softgrain_executable>
+      ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/nightly/faults)
+  set_tests_properties(nightly/faults PROPERTIES LABELS nightly TIMEOUT 7200)
+endif()

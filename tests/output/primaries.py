@@ -19,9 +19,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
 
-import primaries  # noqa: E402
-import reading  # noqa: E402
 import render  # noqa: E402
+from softgrain import Table, primaries  # noqa: E402
 from vtu import write_grid, write_series  # noqa: E402
 
 # Three primaries of body 0 and one of body 1. [m]
@@ -51,6 +50,13 @@ def contacts_of(centers, radii, body, pairs, inner_length=True):
                             ("normal_force_N_per_m", force), ("gap_m", gap), ("length_m", length)):
             rows[name].append(value)
     return np.array(places), {name: np.array(values, dtype=float) for name, values in rows.items()}
+
+
+def contact_table(places, rows):
+    """The same as a table of a state."""
+    return Table({"place_m": places, **{name: values[:, :2] if values.ndim == 2 else
+                                        values.astype(int) if name.startswith("body") else values
+                                        for name, values in rows.items()}})
 
 
 def write_run(name, pairs, with_radii=True):
@@ -89,8 +95,8 @@ class Primaries(unittest.TestCase):
 
     def test_lines_join_centres(self):
         places, rows = contacts_of(CENTERS, RADII, BODY, PAIRS)
-        contacts = reading.Grid(places, [], rows)
-        points = reading.Grid(CENTERS, [], {"body": BODY, "radius_m": RADII})
+        contacts = contact_table(places, rows)
+        points = Table({"position_m": CENTERS, "body": BODY, "radius_m": RADII})
         lines, forces, on_wall = primaries.force_lines(contacts, points)
         np.testing.assert_array_equal(lines[:3], [CENTERS[[a, b]] for a, b, _ in PAIRS[:3]])
         np.testing.assert_allclose(lines[3], [[0, 0], [0, -1.02e-3]], atol=1e-12)
@@ -109,8 +115,8 @@ class Primaries(unittest.TestCase):
         pairs = [(a, b, 1.) for a in range(625) for b in (a + 1, a + 25, a + 26) if b < 625 and b % 25 >= a % 25]
         places, rows = contacts_of(centers, radii, body, pairs)
         rows = {name: values.astype(np.float32).astype(float) for name, values in rows.items()}  # as in the file
-        points = reading.Grid(centers, [], {"body": body, "radius_m": radii})
-        lines = primaries.force_lines(reading.Grid(places, [], rows), points)[0]
+        points = Table({"position_m": centers, "body": body, "radius_m": radii})
+        lines = primaries.force_lines(contact_table(places, rows), points)[0]
         np.testing.assert_array_equal(lines, [centers[[a, b]] for a, b, _ in pairs])
 
     def test_widths(self):

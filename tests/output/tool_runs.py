@@ -18,7 +18,7 @@ import matplotlib  # noqa: E402
 
 matplotlib.use("Agg")
 
-import reading  # noqa: E402
+from softgrain import command  # noqa: E402
 
 
 def run(tool, *arguments):
@@ -31,7 +31,7 @@ def run(tool, *arguments):
     old_arguments, sys.argv = sys.argv, [tool, *arguments]
     try:
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            reading.run_tool(module.main)
+            command.run_tool(module.main)
     except SystemExit as end:
         code = end.code
     finally:

@@ -15,9 +15,9 @@ import h5py  # noqa: E402
 import matplotlib.image  # noqa: E402
 import numpy as np  # noqa: E402
 
-import drawing  # noqa: E402
-import reading  # noqa: E402
-import theory  # noqa: E402
+import softgrain  # noqa: E402
+from softgrain import drawing, fields, theory  # noqa: E402
+from softgrain.parameters import Parameters  # noqa: E402
 
 
 def run(tool, *arguments):
@@ -56,10 +56,10 @@ class Tools(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_fields_are_read_by_vtk(self):
-        series = reading.read_series(os.path.join(WORK, "disk"))
+        series = fields.read_series(os.path.join(WORK, "disk"))
         self.assertEqual([round(frame.time, 9) for frame in series], [0, 0.005, 0.01, 0.015])
         self.assertEqual(set(series[0].files), {"points", "outlines", "contacts", "walls"})
-        points = reading.read_grid(series[-1].files["points"])
+        points = fields.read_grid(series[-1].files["points"])
         data = points.point_data
         self.assertEqual(len(points.cells), len(points.points))
         self.assertEqual(data["deformation_gradient"].shape, (len(points.points), 4))
@@ -70,19 +70,19 @@ class Tools(unittest.TestCase):
         mean = -(data["stress_xx_Pa"] + data["stress_yy_Pa"] + data["stress_zz_Pa"]) / 3
         np.testing.assert_allclose(data["pressure_Pa"], mean, rtol=1e-4, atol=1)
         self.assertTrue((data["von_mises_Pa"] > 0).all())
-        outlines = reading.read_grid(series[-1].files["outlines"])
+        outlines = fields.read_grid(series[-1].files["outlines"])
         self.assertEqual([len(cell) for cell in outlines.cells], [240])
         x, y = outlines.points.T
         inside = 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
         np.testing.assert_allclose(data["area_m2"].sum(), inside, rtol=0.01)
         np.testing.assert_allclose(np.ptp(outlines.points[:, 1]), 7e-3, rtol=0.01)
-        contacts = reading.read_grid(series[-1].files["contacts"])
+        contacts = fields.read_grid(series[-1].files["contacts"])
         self.assertTrue((contacts.point_data["body_b"] == -1).all())
         on_bottom = contacts.point_data["wall"] == 0
-        walls = reading.read_grid(series[-1].files["walls"])
+        walls = fields.read_grid(series[-1].files["walls"])
         np.testing.assert_allclose(contacts.point_data["normal_force_N_per_m"][on_bottom].sum(),
                                    walls.cell_data["normal_force_N_per_m"][0], rtol=0.05)
-        self.assertEqual(len(reading.read_grid(series[0].files["contacts"]).points), 0)
+        self.assertEqual(len(fields.read_grid(series[0].files["contacts"]).points), 0)
 
     def test_snapshots_are_read_by_h5py(self):
         with h5py.File(os.path.join(WORK, "disk", "snapshots.h5")) as file:
@@ -126,6 +126,23 @@ class Tools(unittest.TestCase):
             file.write(text.replace("Young's modulus", "Shear modulus"))
         self.assertFalse(b"Johnson" in self.picture("plot.py", "soft", "--output", "pictures/soft.svg"))
         self.refused("plot.py", "soft", "--theory", "johnson", words=("--young",))
+
+    def test_plot_without_a_bottom_wall(self):
+        for name, header, drawn in (
+                ("two_walls", "time_s,left_force_N_per_m,right_force_N_per_m,kinetic_energy_J_per_m",
+                 "left_force_N_per_m-right_force_N_per_m-against-time_s.png"),
+                ("no_walls", "time_s,kinetic_energy_J_per_m,elastic_energy_J_per_m,coordination",
+                 "kinetic_energy_J_per_m-elastic_energy_J_per_m-against-time_s.png")):
+            os.makedirs(os.path.join(WORK, name), exist_ok=True)
+            with open(os.path.join(WORK, name, "history.csv"), "w", encoding="utf-8") as file:
+                file.write(f"{header}\n0,1,2,3\n1,2,3,4\n")
+            self.picture("plot.py", name)
+            self.assertTrue(os.path.exists(os.path.join(WORK, name, "pictures", drawn)))
+        self.picture("plot.py", "two_walls", "no_walls")  # the energy that both have
+        os.makedirs(os.path.join(WORK, "times"), exist_ok=True)
+        with open(os.path.join(WORK, "times/history.csv"), "w", encoding="utf-8") as file:
+            file.write("time_s,step\n0,1\n1,2\n")
+        self.refused("plot.py", "times", words=("--y", "step"))
 
     def test_alone(self):
         for tool in ("render.py", "plot.py"):
@@ -188,15 +205,15 @@ class Tools(unittest.TestCase):
         a = np.sqrt(4 * compliance * 5e-3)
         approach = compliance * (2 * np.log(4 * 5e-3 / a) - 1)
         self.assertAlmostEqual(-np.log(1 - approach / 5e-3), 0.1, places=5)
-        parameters = reading.read_parameters(os.path.join(WORK, "disk"))
-        self.assertEqual(reading.find_number(parameters, "Young's modulus", "Materials"), 10e6)
-        self.assertEqual(reading.find_number(parameters, "Radius", "Bodies"), 5e-3)
+        parameters = softgrain.open(os.path.join(WORK, "disk")).parameters
+        self.assertEqual(parameters.find_number("Young's modulus", "Materials"), 10e6)
+        self.assertEqual(parameters.find_number("Radius", "Bodies"), 5e-3)
         # A number of a law that the material does not use is none of the material's.
         unused = {("Materials", "grain", "Law"): "power_law", ("Materials", "grain", "Power potential", "Force"): "100"}
-        self.assertIsNone(reading.find_number(unused, "Force", "Materials"))
+        self.assertIsNone(Parameters(unused).find_number("Force", "Materials"))
         used = {**unused, ("Materials", "grain", "Law"): "power_potential"}
-        self.assertEqual(reading.find_number(used, "Force", "Materials"), 100)
-        self.assertEqual(reading.split_unit("kinetic_energy_J_per_m"), ("kinetic_energy", "J/m"))
+        self.assertEqual(Parameters(used).find_number("Force", "Materials"), 100)
+        self.assertEqual(softgrain.split_unit("kinetic_energy_J_per_m"), ("kinetic_energy", "J/m"))
 
 
 def prepare():

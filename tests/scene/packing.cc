@@ -157,6 +157,11 @@ int main()
   for (std::size_t i = 0; same && i < 2; ++i)
     same = back.disks[i].center == packing.disks[i].center && back.disks[i].radius == packing.disks[i].radius;
   std::cout << (same ? "read as written" : "NOT AS WRITTEN") << '\n';
+  // From a spreadsheet of Windows: a byte-order mark, and lines that end with a carriage return.
+  std::ofstream("windows.csv", std::ios::binary) << "\xEF\xBB\xBFx_m,y_m,radius_m\r\n1,2,0.5\r\n3,4,0.25\r\n";
+  const Packing windows = read_packing("windows.csv");
+  std::cout << "with marks of Windows: " << windows.disks.size() << " disks, the last at "
+            << windows.disks.back().center << " of radius " << windows.disks.back().radius << '\n';
   refused([] { read_packing("nothing.csv"); });
   std::ofstream("bad.csv") << "x_m,y_m,radius_m\n0,0,1\n0,1,-1\n";
   refused([] { read_packing("bad.csv"); });

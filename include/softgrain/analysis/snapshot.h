@@ -74,7 +74,7 @@ struct WallState
   std::string name;
   dealii::Point<dim> point;      ///< a point of its plane [m]
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  double position = 0;           ///< coordinate that `NAME_position_m` reports [m]
+  double position = 0;           ///< that `NAME_position_m` reports, see wall_position() [m]
   double velocity = 0;           ///< along the normal [m/s]
   double normal_force = 0;       ///< compression positive [N/m in 2D]
   double tangential_force = 0;   ///< force on the wall along its tangent (normal turned by -90 degrees) [N/m]

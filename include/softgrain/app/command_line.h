@@ -12,7 +12,8 @@ namespace softgrain
 /**
  * @brief What the user typed after `softgrain`.
  *
- * Exit codes: 0 done, 1 the computation failed, 2 bad input. Errors are one line on stderr.
+ * Exit codes: 0 done, 1 the computation failed, 2 bad input, 3 interrupted and saved. Errors are one line on
+ * stderr.
  */
 class CommandLine
 {
@@ -37,7 +38,8 @@ private:
     script
   };
 
-  void run() const;
+  /// @return whether it came to its end
+  bool run() const;
   void check() const;
   void print_parameters() const;
   void measure() const;
@@ -46,6 +48,7 @@ private:
   std::string parameter_file;
   std::vector<std::string> assignments; ///< those of --output and --threads included
   bool restart = false;
+  bool overwrite = false;
   std::string checkpoint; ///< empty: the newest
   std::string model;
   std::string format = "prm";

@@ -16,6 +16,8 @@
 
 namespace softgrain
 {
+class StateReader;
+
 /**
  * @brief A parameter file together with the words of the command line, read, checked and understood.
  */
@@ -34,6 +36,13 @@ public:
 
   /// @throw InputError when the scene does not suit the model.
   std::unique_ptr<Model<2>> create_model();
+
+  /**
+   * @brief Compares with the checkpoint that the run is to go on from.
+   * @return a line for each parameter that is another now and may be
+   * @throw InputError that names file and parameters when the scene is another
+   */
+  std::vector<std::string> check_restart(const StateReader &checkpoint, const std::string &file_name) const;
 
   /// Every parameter with its value, in the form of a parameter file.
   std::string effective_parameters() const;

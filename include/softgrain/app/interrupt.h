@@ -3,11 +3,17 @@
 #define softgrain_app_interrupt_h
 
 #include <csignal>
+#include <map>
 
 namespace softgrain
 {
 /**
- * @brief While it lives, Ctrl-C and SIGTERM are only noted; a second one ends the program at once.
+ * @brief While it lives, signals that would end the program request an interruption (base/interruption.h).
+ *
+ * They are Ctrl-C, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR1, which schedulers send before a limit. One that
+ * comes a second later or more ends the program at once; sooner it is the same wish, sent to the group of
+ * processes too. What is ignored when the program starts (nohup) stays ignored. A full disk or a closed
+ * terminal comes back as an error of writing, not as a signal.
  */
 class InterruptGuard
 {
@@ -17,12 +23,8 @@ public:
   InterruptGuard(const InterruptGuard &) = delete;
   InterruptGuard &operator=(const InterruptGuard &) = delete;
 
-  /// Whether a signal has come.
-  bool requested() const;
-
 private:
-  struct sigaction old_interrupt;
-  struct sigaction old_terminate;
+  std::map<int, struct sigaction> old_actions;
 };
 } // namespace softgrain
 

@@ -12,8 +12,19 @@ namespace softgrain
  */
 void check_output_folder(const std::string &directory);
 
-/// Makes the folder and removes the results of an earlier run in it, and nothing else.
-void make_fresh_output_folder(const std::string &directory);
+/**
+ * @brief Looks whether a new run may replace what is in @p directory.
+ * @param overwrite whether the user gives up a run that has not ended
+ * @throw InputError when such a run is there, or a file that is not ours and bears the name of a checkpoint
+ */
+void check_may_begin_anew(const std::string &directory, bool overwrite);
+
+/// @throw InputError when a run that goes on from @p checkpoint would mix its results with those of another
+/// run.
+void check_may_go_on(const std::string &directory, const std::string &checkpoint);
+
+/// Removes the results of an earlier run, and nothing else.
+void remove_old_results(const std::string &directory);
 } // namespace softgrain
 
 #endif

@@ -6,6 +6,7 @@
 #include <softgrain/app/interrupt.h>
 #include <softgrain/app/output_schedule.h>
 #include <softgrain/app/progress.h>
+#include <softgrain/app/run_lock.h>
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/app/run_statistics.h>
 #include <softgrain/output/history.h>
@@ -30,17 +31,18 @@ public:
              Model<2> &model,
              const RunParameters &parameters,
              const std::string &effective_parameters,
+             const RunLock &lock,
              std::ostream &log);
 
   /**
    * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
-   * @param checkpoint file name; empty: the newest one of the output folder
+   * @param file_name of the checkpoint, for the log
    * @throw InputError when it cannot be read
    */
-  void restart(const std::string &checkpoint);
+  void restart(StateReader &checkpoint, const std::string &file_name);
 
   /**
-   * @brief Computes to the end, or until Ctrl-C or SIGTERM.
+   * @brief Computes to the end, or until a signal asks the program to stop, within a step if need be.
    * @return "completed" or "interrupted"
    * @throw ComputationError after the last good state has been saved
    */
@@ -49,9 +51,13 @@ public:
 private:
   void print_head();
   void start_files();
-  /// Keeps the state after a ComputationError. @return what to add to the message
-  std::string save_after_failure();
-  std::string loop(const InterruptGuard &interrupt);
+  /// @return the text of @p error, or that the output folder is gone, which explains it.
+  std::string cause_of(const ComputationError &error) const;
+  /// Keeps the state after a ComputationError. @return what to add to its @p message
+  std::string save_after_failure(const std::string &message);
+  /// The end of a run that failed: summary.json says so, if the disk lets it.
+  void note_failure();
+  std::string loop();
   bool finished() const;
   /// Part of the way to the nearest stop condition.
   double fraction_done() const;
@@ -67,6 +73,7 @@ private:
   Model<2> &model;
   const RunParameters &parameters;
   const std::string effective_parameters;
+  const RunLock &lock;
   std::ostream &log;
 
   const std::vector<WallState<2>> walls_at_start;

@@ -21,7 +21,7 @@ public:
 /**
  * @brief The computation failed: one clear line, the last good state is kept, exit code 1.
  *
- * The message names body, place, time and the parameter to turn.
+ * The message names body, place, time and the parameter to change.
  */
 class ComputationError : public std::runtime_error
 {

@@ -14,7 +14,7 @@
 namespace softgrain
 {
 /**
- * @brief Names and factories of one family of replaceable parts (laws, shape functions, time schemes, …).
+ * @brief Names and factories of one family of replaceable parts (laws, measures, models, …).
  *
  * A member registers itself where it is defined:
  * @code

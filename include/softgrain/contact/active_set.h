@@ -6,8 +6,14 @@
 
 #include <Eigen/SparseCore>
 
+#include <map>
+#include <string>
+
 namespace softgrain::contact
 {
+/// The ways of solve() by the names that parameter files and saved problems use.
+const std::map<std::string, Algorithm> &algorithms();
+
 /**
  * @brief Newton on the active set, from @p impulses on; no sweeps.
  *

@@ -16,8 +16,8 @@ namespace softgrain::contact
  * @brief Contacts packed for sweeping, and the loops over them, on all threads and with the same bits for any
  * number of them.
  *
- * A sweep lives on the latency of a velocity that the contact before has just written. So the contacts of a
- * tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
+ * A contact would have to wait for a velocity that the contact before it has just written. So the contacts of
+ * a tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
  * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
  * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
  */

@@ -75,9 +75,9 @@ struct SolverReport
  * @brief Nonlinear Gauss–Seidel (Moreau and Jean): contacts one after the other, each solved exactly with
  * solve_local(), until the residual of the solution is below the tolerance.
  *
- * Unless the algorithm is Algorithm::gauss_seidel, sweeps go there and back and start ahead of the last
- * impulses (see Momentum); when that makes the residual grow, they return to the best impulses and go on
- * without.
+ * Unless the algorithm is Algorithm::gauss_seidel, sweeps start ahead of the last impulses (see Momentum);
+ * when that makes the residual grow or stand still they go on from the best impulses both ways, there and
+ * back, and when that does too, without momentum.
  *
  * In the order of the contacts, or of Problem::colors and then on all threads: the result does not depend on
  * their number.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace softgrain::contact
 {
@@ -11,7 +12,7 @@ namespace softgrain::contact
  * @brief Nesterov's sequence of momenta, with restart.
  *
  * Sweeps start from P + m (P - P_before) in place of P. They are no gradient steps, so the sequence, which
- * goes to 1, is bounded, and whoever uses it watches the residual.
+ * goes to 1, is bounded, and judge() watches the residual.
  */
 class Momentum
 {
@@ -42,8 +43,42 @@ public:
 
   void restart() { t = 1.; }
 
+  enum class Verdict
+  {
+    go_on,
+    restarted, ///< with friction: the residual has grown, and the momentum starts afresh
+    give_up    ///< it has grown too much, or is no number
+  };
+
+  /// Takes the residual of the last sweep that was looked at.
+  Verdict judge(const double residual)
+  {
+    if (!(residual <= fallback_growth * lowest))
+      return Verdict::give_up;
+    if (largest == frictional && residual > restart_growth * lowest_since_restart)
+    {
+      restart();
+      lowest_since_restart = residual;
+      return Verdict::restarted;
+    }
+    lowest = std::min(lowest, residual);
+    lowest_since_restart = std::min(lowest_since_restart, residual);
+    return Verdict::go_on;
+  }
+
+  /// Goes on from the impulses of the lowest residual.
+  void return_to_lowest()
+  {
+    restart();
+    lowest_since_restart = lowest;
+  }
+
+  /// Lowest residual that judge() has seen.
+  double lowest_residual() const { return lowest; }
+
 private:
   double largest, t = 1.;
+  double lowest = std::numeric_limits<double>::max(), lowest_since_restart = lowest;
 };
 } // namespace softgrain::contact
 

@@ -69,9 +69,12 @@ void save_problem(const std::string &path,
 SavedProblem load_problem(const std::string &path);
 
 /**
- * @brief Reads a Siconos FrictionContactProblem (text; local form, u = W r + q, matrix storage 0 dense or 1
- * sparse blocks), dimension 2 or 3. The warm start is zero.
- * @throw InputError when the file is missing or not of this form.
+ * @brief Reads a Siconos FrictionContactProblem (text; local form, u = W r + q, matrix storage 0 dense, 1
+ * sparse blocks or 2 sparse), dimension 2 or 3. The warm start is zero.
+ *
+ * Entries that differ from their mirror image by up to 1e-5 of the largest are set to the mean of both:
+ * sparse files have six digits.
+ * @throw InputError when the file is missing, not of this form, or less symmetric.
  */
 SavedProblem load_siconos_problem(const std::string &path);
 

@@ -21,6 +21,7 @@ class BandedSolver final : public LinearSolver
 {
 public:
   bool factorize(SystemMatrix &matrix) override;
+  std::optional<unsigned int> n_negative() const override { return negative.size(); }
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
   void condense(const Rows &rows, Eigen::MatrixXd &W) override;
 
@@ -30,6 +31,7 @@ public:
 private:
   void analyze(const SystemMatrix::Sparse &matrix);
   void fill(const SystemMatrix::Sparse &matrix);
+  bool factorize_diagonal(int panel);
   /// Substitutions in place; a vector, or the columns of a matrix.
   template <class Derived>
   void forward(Eigen::MatrixBase<Derived> &x) const;
@@ -39,6 +41,7 @@ private:
   static constexpr int block = 32; ///< columns of a panel; the fastest of 16 to 64 with AVX2
   int band = 0;                    ///< rows of a panel below its diagonal block, a multiple of block
   int n_panels = 0;
+  std::vector<int> negative;  ///< unknowns, in their new order, whose pivot is negative; at most one
   std::vector<int> order;     ///< new place of every unknown
   std::vector<int> target;    ///< place in panels of every entry of the matrix
   std::vector<double> panels; ///< n_panels matrices of (block + band) x block, by columns

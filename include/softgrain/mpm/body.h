@@ -51,6 +51,9 @@ struct Boundary
   std::vector<dealii::Point<dim>> position;      ///< now [m]
   std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
   unsigned int contact_stride = 1;
+  std::vector<char> corner; ///< of every marker: whether the outline at rest has a corner there
+  /// One loop around the centre without corners: rows may stand anywhere on it.
+  bool smooth = false;
 
   unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
   /// Marker after @p m in its loop.

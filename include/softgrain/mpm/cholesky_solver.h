@@ -14,6 +14,7 @@ public:
   ~CholeskySolver() override;
 
   bool factorize(SystemMatrix &matrix) override;
+  std::optional<unsigned int> n_negative() const override;
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
   void condense(const Rows &rows, Eigen::MatrixXd &W) override;
 

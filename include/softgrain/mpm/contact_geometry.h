@@ -18,6 +18,12 @@ struct ContactScene
   double friction;  ///< between bodies
   double dt;        ///< of the step to come [s]
   double cell_size; ///< [m]
+  /// Displacement of the nodes of every body over the step, as far as it is known [m]; null: that of the
+  /// velocities at its start.
+  const std::vector<Eigen::VectorXd> *increment = nullptr;
+  /// Where in the step places and normals are taken: 0 its start, 1 its end.
+  double share = 0.5;
+  bool frictionless = false; ///< no row of the scene has friction
 };
 
 /**
@@ -29,8 +35,8 @@ class ContactGeometry
 public:
   virtual ~ContactGeometry() = default;
 
-  /// Rows for the positions at the start of the step, in an order that does not depend on the number of
-  /// threads.
+  /// Rows with the gaps that they have at the start of the step, in an order that does not depend on the
+  /// number of threads.
   virtual void find(const ContactScene<dim> &scene, std::vector<ContactRow<dim>> &rows) const = 0;
 };
 } // namespace softgrain::mpm

@@ -5,7 +5,8 @@
 #include <softgrain/contact/gauss_seidel.h>
 #include <softgrain/mpm/body.h>
 #include <softgrain/mpm/contact_rows.h>
-#include <softgrain/mpm/linear_solver.h>
+#include <softgrain/mpm/rank_one_solver.h>
+#include <softgrain/mpm/subgrid_compliance.h>
 
 #include <Eigen/Core>
 
@@ -27,8 +28,9 @@ template <int dim>
 class ContactSystem
 {
 public:
-  /// Takes the rows of a step and the impulses of rows with the same key in the step before as first guess.
-  void reinit(std::vector<ContactRow<dim>> rows, const std::vector<Body<dim>> &bodies);
+  /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
+  /// step before or, when @p again, the impulses that such rows have now.
+  void reinit(std::vector<ContactRow<dim>> rows, const std::vector<Body<dim>> &bodies, double dt, bool again);
 
   bool empty() const { return rows.empty(); }
   const std::vector<ContactRow<dim>> &contact_rows() const { return rows; }
@@ -46,8 +48,25 @@ public:
   /// Adds H^T P of body @p b to @p nodal.
   void add_impulses(unsigned int b, const std::vector<double> &P, Eigen::VectorXd &nodal) const;
 
-  /// W from the bodies' factorised matrices.
-  void condense(const std::vector<Body<dim>> &bodies, std::vector<std::unique_ptr<LinearSolver>> &solvers);
+  /**
+   * @brief W from the bodies' factorised matrices, and from the sub-grid compliance of every pair under the
+   * present impulses.
+   * @param subgrid what the grid misses
+   * @param dt      of the step [s]
+   * @param theta   of the time scheme: a compliance C [m^2/N] adds C / (theta dt^2) to W
+   */
+  void condense(const std::vector<Body<dim>> &bodies,
+                std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+                const SubgridCompliance &subgrid,
+                double dt,
+                double theta);
+
+  /// Overlap of every row that stands for a dent which the grid misses, under the present impulses of a step
+  /// of length @p dt; as last condensed [m].
+  std::vector<double> subgrid_overlap(double dt) const;
+  /// Energy in these dents [J/m].
+  double
+  subgrid_energy(const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid, double dt) const;
   /// W from nodal masses: H M^-1 H^T.
   void lump(const std::vector<Body<dim>> &bodies);
 
@@ -60,37 +79,47 @@ public:
   contact::SolverReport
   solve(std::vector<double> free_velocity, const contact::SolverSettings &settings, bool relative = false);
 
-  /// Smallest displacement-like correction tau with 0 <= tau _|_ gap + W tau >= 0 on the normals,
-  /// frictionless.
-  std::vector<double> repair(const std::vector<double> &gap, const contact::SolverSettings &settings);
-
-  /// Calls of solve() and repair() so far in which momentum was given up for plain sweeps.
+  /// Calls of solve() so far in which momentum was given up for plain sweeps.
   std::uint64_t plain_solves = 0;
 
-  /// Keeps the impulses for the next step.
-  void remember();
+  /// Keeps the impulses of a step of length @p dt for the next one.
+  void remember(double dt);
 
   /// Saves the problem last given to solve(), for replay.
   void save_problem(const std::string &file,
                     const std::string &description,
                     const contact::SolverSettings &settings) const;
 
-  /// Impulses kept for the next step, by key of the row.
-  std::unordered_map<std::uint64_t, std::array<double, dim>> &memory() { return remembered; }
-  const std::unordered_map<std::uint64_t, std::array<double, dim>> &memory() const { return remembered; }
+  /// Impulses by key of the row.
+  using Memory = std::unordered_map<std::uint64_t, std::array<double, dim>>;
+  /// Those kept for the next step, of a step of length memory_step.
+  Memory &memory() { return remembered; }
+  const Memory &memory() const { return remembered; }
+  double memory_step = 0; ///< [s]
 
 private:
   struct Operator;
 
+  /// Rows of one pair of bodies, or of a body and a wall: they follow each other.
+  struct Pair
+  {
+    unsigned int first, end;
+    double compliance = 0; ///< sub-grid, as last condensed [m^2/N]
+  };
+
+  double normal_force(const Pair &pair, double dt) const;
+
+  Memory memory_of_now() const;
   void color_pairs(const std::vector<Body<dim>> &bodies);
 
   std::vector<ContactRow<dim>> rows;
+  std::vector<Pair> pairs;
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
   std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
   std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
-  std::unordered_map<std::uint64_t, std::array<double, dim>> remembered;
+  Memory remembered;
 };
 } // namespace softgrain::mpm
 

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace softgrain::mpm
@@ -22,8 +23,11 @@ public:
 
   virtual ~LinearSolver() = default;
 
-  /// @return false when the matrix is not positive definite (the caller then shifts it or cuts the step).
+  /// @return false when the matrix is singular or has more than one negative eigenvalue; solvers that cannot
+  /// tell, or that need a positive definite matrix, may also refuse one.
   virtual bool factorize(SystemMatrix &matrix) = 0;
+  /// Of the matrix last factorised, 0 or 1; nothing when the solver cannot tell.
+  virtual std::optional<unsigned int> n_negative() const { return 0; }
   /// x = A^-1 b. @throw ComputationError when an iterative solver does not converge.
   virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
   /// W = H A^-1 H^T, the Delassus operator of this body on its own rows.
@@ -44,8 +48,8 @@ struct LinearSolverSettings
 /**
  * @brief The solver for a body with the pattern of @p matrix.
  * @param dim number of rigid translations, for the near null space of AMG
- * @param condensed whether contact rows may have to be condensed: a solve for each, which iterating is too
- * dear for (doc/results/linear-solvers.md)
+ * @param condensed whether contact rows may have to be condensed. That takes a solve for each row, for which
+ * iterative solvers are too slow (doc/results/linear-solvers.md)
  * @throw InputError when the type is unknown
  */
 std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &settings,

@@ -52,6 +52,8 @@ public:
   const std::vector<Body<2>> &bodies() const { return world.bodies; }
 
 private:
+  double rotational_energy() const;
+  StepOutcome attempt(double dt, double wanted);
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   void renew_grids();
   void check_energy() const;
@@ -64,6 +66,8 @@ private:
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
   double step_scale = 1.; ///< of the wanted step, after cuts
+  std::uint64_t held_steps = 0;
+  double last_unbalanced = 0.;
   double last_dt = 0.;
   double initial_energy = 0.; ///< [J/m]
 };

@@ -12,9 +12,9 @@ namespace softgrain::mpm
  * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
  * [m/s].
  *
- * While a gap is open, once the part of the displacement that is known has happened, the condition holds for
- * the gap at the end of the step, so nothing touches early; once it is closed the condition holds for the
- * velocity.
+ * The displacement of a step has a known part, from the velocities at its start, and an unknown one. As long
+ * as a gap is open after the known part, the contact condition is posed for the gap at the end of the step,
+ * so that nothing touches early. When the known part closes the gap, the condition is posed for the velocity.
  * @param start_relative H v at the start of the step; empty when theta is 1 [m/s]
  * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
  */

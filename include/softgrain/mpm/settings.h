@@ -70,10 +70,29 @@ struct Settings
   ContactKind contact_kind = ContactKind::surface;
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
-  double marker_spacing = 0.5; ///< [cells]
-  bool repair_positions = true;
+  double marker_spacing = 0.5;   ///< [cells]
+  bool subgrid = true;           ///< see SubgridCompliance
+  unsigned int max_searches = 8; ///< for contact rows within a step
   contact::SolverSettings contact_solver;
   std::string failed_problem_directory; ///< where contact problems that do not converge are kept
+
+  double regularisation = 1e-3;      ///< of quasi_static, see StepPlan
+  double unbalanced_force = 1e-4;    ///< net force on a body over the mean contact force, in balance
+  double held_motion = 1e-2;         ///< of a held step, in balance [cells]
+  unsigned int max_held_steps = 200; ///< after one that moves
+
+  /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
+  bool subgrid_compliance() const
+  {
+    return subgrid && !scheme.inertia && rows_follow() && shape == "bspline";
+  }
+
+  /// Whether contact rows are found again as Newton goes.
+  bool rows_follow() const
+  {
+    return scheme.rows_follow && contact_kind == ContactKind::surface &&
+           coupling == ContactCoupling::condensed;
+  }
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);

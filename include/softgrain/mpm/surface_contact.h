@@ -11,9 +11,9 @@ namespace softgrain::mpm
  * another body.
  *
  * Gap and normal come from the polylines, not from the grid, so bodies touch where they are, not a cell
- * early. Markers that look for contact stand about one cell apart: that many rows the field can tell apart,
- * more make W singular. Between two bodies the markers of one meet the segments of the other; the roles
- * depend on the indices alone.
+ * early. Markers that look for contact are 'Contact/Marker spacing' apart, half a cell by default. The field
+ * cannot tell many more rows apart, and W would become singular. Between two bodies the markers of one meet
+ * the segments of the other; which is which depends on the indices of the bodies alone.
  */
 class SurfaceContact final : public ContactGeometry<2>
 {

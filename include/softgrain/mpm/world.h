@@ -27,6 +27,16 @@ template <int dim>
 class PointStore;
 struct StressOutcome;
 
+/// What a step is to do.
+struct StepPlan
+{
+  double dt = 0;             ///< [s]
+  bool held = false;         ///< walls and loads stand still and no time passes: the bodies come to balance
+  double regularisation = 0; ///< of quasi_static: stiffness against motion per body, over Young's modulus
+  /// First guess for the displacements over the step of a scheme without inertia [m]; null: none.
+  const std::vector<Eigen::VectorXd> *guess = nullptr;
+};
+
 /// A wall with its formula of motion and what it has felt.
 struct Wall
 {
@@ -49,6 +59,9 @@ struct Balance
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
   double largest_momentum = 0; ///< scale of the momentum error [N s/m]
   double wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
+  double scheme_damping = 0;                                                 ///< taken by theta > 1/2 [J/m]
+  double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
+  double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
   dealii::Tensor<1, 2>
       carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
 };
@@ -68,8 +81,8 @@ struct World
   std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
-  std::vector<SystemMatrix> matrices;                 ///< one per body, implicit schemes
-  std::vector<std::unique_ptr<LinearSolver>> solvers; ///< one per body, implicit schemes
+  std::vector<SystemMatrix> matrices;                  ///< one per body, implicit schemes
+  std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
   std::unique_ptr<ContactGeometry<2>> geometry;
   ContactSystem<2> contact;
   Balance balance;
@@ -79,8 +92,25 @@ struct World
   /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
   void sort_points();
 
-  /// What every step of length @p dt starts with: how walls move, slabs among them, and the contact rows.
-  std::vector<WallMotion<2>> begin_step(double dt);
+  /// What the grid misses of light contacts.
+  SubgridCompliance subgrid() const;
+
+  /// Whether no body can meet anything with friction.
+  bool frictionless() const;
+
+  /// How walls move in a step, slabs among them.
+  std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
+
+  /// Finds the contact rows of a step.
+  /// @param increment displacement of the nodes over the step as far as it is known, null: by their
+  /// velocities
+  /// @param share     where in the step places and normals are taken
+  /// @param again     whether rows of this step are replaced; they hand their impulses on
+  void find_rows(const std::vector<WallMotion<2>> &motion,
+                 double dt,
+                 const std::vector<Eigen::VectorXd> *increment,
+                 double share,
+                 bool again);
 
   /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
   /// body's.
@@ -97,11 +127,14 @@ struct StepOutcome
   std::string reason; ///< why not: names body, place and what happened
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
+  bool rows_settled = true;    ///< the contact rows are those of the step as it came out
+  double largest_move = 0;     ///< of a node over the step [m]
+  unsigned int held_steps = 0; ///< of quasi_static, after the step itself
+  double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
 };
 
-/// One implicit step (moreau_jean, newmark, quasi_static) of length @p dt; the world changes only if it is
-/// accepted.
-StepOutcome implicit_step(World &world, double dt);
+/// One implicit step (moreau_jean, newmark, quasi_static); the world changes only if it is accepted.
+StepOutcome implicit_step(World &world, const StepPlan &plan);
 
 /// One step of symplectic Euler.
 StepOutcome explicit_step(World &world, double dt);
@@ -109,11 +142,11 @@ StepOutcome explicit_step(World &world, double dt);
 /**
  * @brief Writes an accepted step into the world: nodes, points, boundary, walls and balances.
  * @param end_velocity of the nodes of every body [m/s]
- * @param increment    their displacement over the step, repair of positions included [m]
- * @param rate         mean velocity over the step without the repair, with which impulses do their work [m/s]
+ * @param increment    their displacement over the step [m]
+ * @param rate         mean velocity over the step, with which impulses do their work [m/s]
  */
 void accept_step(World &world,
-                 double dt,
+                 const StepPlan &plan,
                  std::vector<Eigen::VectorXd> &end_velocity,
                  const std::vector<Eigen::VectorXd> &increment,
                  const std::vector<Eigen::VectorXd> &rate,

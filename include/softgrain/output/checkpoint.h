@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,22 @@ std::string checkpoint_path(const std::string &directory, std::uint64_t step);
  */
 std::string latest_checkpoint(const std::string &directory);
 
-/// Removes all but the newest @p keep checkpoints of a folder.
+/// Whether a file has the name of a checkpoint.
+bool is_checkpoint_name(const std::string &file_name);
+
+/// Whether the file is a checkpoint of this or another version, whole or not.
+bool is_checkpoint(const std::string &path);
+
+/// Files of a folder that have the name of a checkpoint, the newest first.
+std::vector<std::string> checkpoint_paths(const std::string &directory);
+
+/// The checkpoint of a folder with the highest step, whole or not; nothing when there is none.
+std::optional<std::string> newest_checkpoint(const std::string &directory);
+
+/// Removes the checkpoints of a folder that are of a later step.
+void remove_checkpoints_after(const std::string &directory, std::uint64_t step);
+
+/// Removes all but the newest @p keep checkpoints of a folder; files that only have their name stay.
 void remove_old_checkpoints(const std::string &directory, unsigned int keep);
 } // namespace softgrain
 

@@ -67,6 +67,9 @@ private:
   std::vector<Frame> frames;
   bool stale_files_removed = false;
 };
+
+/// Removes the pictures of a run from its output folder, and nothing else.
+void remove_pictures(const std::string &directory);
 } // namespace softgrain
 
 #endif

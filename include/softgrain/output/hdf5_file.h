@@ -12,6 +12,7 @@ namespace softgrain
 /**
  * @brief An HDF5 file with arrays of numbers and texts in groups, used by one process.
  *
+ * A file that is created is made in memory, and close() writes it: without close() it stays empty.
  * Slashes in names make groups; missing groups are created. Errors of writing are ComputationErrors, errors
  * of reading InputErrors; both name file and array. HDF5 itself prints nothing.
  */
@@ -65,11 +66,12 @@ public:
   /// Number type of an array: 'd' double, 'u' unsigned integer, 't' text, '?' another.
   char array_type(const std::string &name) const;
 
-  /// Closes the file and reports what the destructor could not. @throw ComputationError
+  /// Brings a created file to the disk and closes it. @throw ComputationError with the reason of the system
   void close();
 
 private:
   std::string path;
+  bool in_memory;
   std::int64_t file = -1; ///< HDF5's hid_t, whose header stays out of ours
   unsigned int compression_level;
 };

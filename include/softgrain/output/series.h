@@ -26,6 +26,13 @@ void remove_series_files(const std::string &folder,
                          const std::string &suffix,
                          const std::set<std::string> &kept);
 
+/// Removes a whole series: its index first, so that it never names a file that is gone, and the folder if it
+/// is then empty.
+void remove_series(const std::string &index,
+                   const std::string &folder,
+                   const std::vector<std::string> &prefixes,
+                   const std::string &suffix);
+
 /**
  * @brief The piece of an unbounded wall that is worth drawing: inside the other walls, and not far outside
  * the bodies. Two points; none when nothing of the wall is near the scene.

@@ -62,6 +62,9 @@ std::vector<double> snapshot_times(const std::string &path);
 /// Snapshot number @p index of a `snapshots.h5`, as it was written, bit for bit.
 /// @throw InputError when it cannot be read.
 Snapshot<2> read_snapshot(const std::string &path, std::size_t index);
+
+/// Removes the snapshots of a run from its output folder, and nothing else.
+void remove_snapshots(const std::string &directory);
 } // namespace softgrain
 
 #endif

@@ -35,6 +35,14 @@ struct Summary
 /// Writes `summary.json` into the folder, whole; a number that is not finite becomes null.
 void write_summary(const std::string &directory, const Summary &summary);
 
+/**
+ * @brief Writes over the `summary.json` that is there, in its place: on a full disk there is room for nothing
+ * else.
+ *
+ * Fails silently, for it is called when another error is already on its way to the user.
+ */
+void overwrite_summary(const std::string &directory, const Summary &summary);
+
 /// Largest memory this process has held so far [bytes].
 std::uint64_t peak_memory();
 } // namespace softgrain

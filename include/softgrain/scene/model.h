@@ -47,6 +47,8 @@ public:
   /**
    * @brief Advances by one step of at most @p dt_limit (the way to the next output or to the end) [s].
    * @throw ComputationError when no acceptable step is found; the state is then that before the call.
+   * @throw Interrupted when the program is to stop (base/interruption.h); the state is that before the call
+   * too.
    */
   virtual StepReport advance(double dt_limit) = 0;
 

@@ -33,6 +33,10 @@ public:
   /// shared with the scene (`Contact` is).
   virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
 
+  /// Parameters of the model that a run may change when it goes on from a checkpoint: "Section/Key", or
+  /// "Section/" with all that is in it. What the state of a run means must not depend on them.
+  virtual std::vector<std::string> changeable_on_restart() const = 0;
+
   /// What `Materials/NAME/Law` may say.
   virtual LawCatalogue laws() const = 0;
 

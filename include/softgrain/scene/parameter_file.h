@@ -72,7 +72,11 @@ private:
   std::vector<ParameterAssignment> assignments;
 };
 
-/// @throw InputError when @p file_name is missing, a folder, unreadable or not text.
+/// Sections within sections that a file may open; none of softgrain's goes deeper than five.
+constexpr unsigned int max_section_depth = 16;
+
+/// Without the byte-order mark that some editors write. @throw InputError when @p file_name is missing, a
+/// folder, unreadable or not text.
 std::string read_text_file(const std::string &file_name);
 
 /// The assignments of a .prm file, includes followed; @p including are the files on the way to this one.

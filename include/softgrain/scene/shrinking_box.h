@@ -14,9 +14,9 @@ namespace softgrain
 /**
  * @brief A box about the origin that shrinks, with rigid disks in it that the contact kernel keeps apart.
  *
- * A direction has walls, or it is periodic: what leaves at one side comes in at the other. Velocities are
- * displacements of one step; the disks have the masses of their areas, and friction, if any, resists what is
- * not the motion of the box.
+ * A direction has walls or is periodic: a disk that leaves on one side enters on the other. Velocities are
+ * displacements of one step. The mass of a disk is its area. Friction, if any, resists motion relative to
+ * that of the box.
  */
 class ShrinkingBox
 {

@@ -1,10 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fits of chapter 4 of Nguyen (2016), each a function of arrays; None where the data do not reach."""
+"""Fits: lines, powers and exponentials, and the laws of chapter 4 of Nguyen (2016); None where the data do not reach."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 FEWEST = 5  # points below which nothing is fitted
 LOOSE = 0.68  # packing below which bodies hardly touch
+
+
+POOR = 0.9  # R² below which a law does not describe the data
+
+
+def quality(values, rms):
+    """
+    R² of a fit that leaves the root mean square @rms of the @values: 1 is perfect, 0 no better than their mean.
+
+    >>> round(quality(np.array([1., 2., 3.]), 0.1), 3)
+    0.985
+    """
+    spread = np.var(values)
+    return float(1 - rms**2 / spread) if spread > 0 else float(rms == 0)
 
 
 def smallest(function, lower, upper, steps=60):
@@ -20,6 +36,52 @@ def smallest(function, lower, upper, steps=60):
         else:
             a = c
     return 0.5 * (a + b)
+
+
+@dataclass
+class Curve:
+    """A fitted curve y = a + b shape(x): its constants {name: number}, its formula, R²."""
+    constants: dict
+    formula: str
+    quality: float
+    shape: callable
+    at_limit: bool = False  # c is at the end of the values that are tried: the data do not say what it is
+
+    def __call__(self, x):
+        return self.constants["a"] + self.constants["b"] * self.shape(np.asarray(x, dtype=float))
+
+
+def curve(x, y, kind):
+    """
+    Least squares in y of a 'line' a + b x, a 'power' a + b (x - x0)^c or an 'exponential' a + b exp(c (x - x0)), x0 being
+    the smallest x; None for too few points.
+
+    >>> x = np.linspace(1, 2, 20)
+    >>> found = curve(x, 3 + 2 * (x - 1)**0.5, "power")
+    >>> {name: round(value, 3) for name, value in found.constants.items()}, round(found.quality, 6)
+    ({'a': 3.0, 'b': 2.0, 'x0': 1.0, 'c': 0.5}, 1.0)
+    """
+    known = np.isfinite(x) & np.isfinite(y)
+    x, y = np.asarray(x)[known], np.asarray(y)[known]
+    if len(x) < FEWEST or not np.ptp(x) > 0:
+        return None
+    start, extent = x.min(), np.ptp(x)
+    shapes = {"line": (lambda c: lambda v: v, None, "a + b x"),
+              "power": (lambda c: lambda v: np.maximum(v - start, 0.)**c, (0.05, 5.), "a + b (x - x0)^c"),
+              "exponential": (lambda c: lambda v: np.exp(c * (v - start)), (-20 / extent, 20 / extent),
+                              "a + b exp(c (x - x0))")}
+    shape_of, limits, formula = shapes[kind]
+
+    def solve(c):
+        basis = np.stack([np.ones_like(x), shape_of(c)(x)], axis=1)
+        numbers = np.linalg.lstsq(basis, y, rcond=None)[0]
+        return numbers, float(np.sqrt(np.mean((y - basis @ numbers)**2)))
+
+    best = smallest(lambda c: solve(c)[1], *limits) if limits else 1.
+    (a, b), rms = solve(best)
+    constants = {"a": float(a), "b": float(b), **({"x0": float(start), "c": float(best)} if limits else {})}
+    at_limit = bool(limits) and min(best - limits[0], limits[1] - best) < 1e-3 * (limits[1] - limits[0])
+    return Curve(constants, formula, quality(y, rms), shape_of(best), at_limit)
 
 
 def means(x, y, width):

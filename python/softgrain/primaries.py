@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PathCollection
 from matplotlib.colors import to_rgb
 
-from drawing import INK, outline_path, round_length
+from .drawing import INK, outline_path, round_length
 
 PALETTE = ("#f0dcae", "#bdd5ea", "#c3ddb9", "#f2c6a4", "#d6c6e4", "#a9d6cf", "#ecc0c4", "#cfcdc4", "#dfe3a6")
 REPULSION, ATTRACTION = "#9c1414", "#2b6cb0"
@@ -15,29 +15,24 @@ WALL = -1  # in place of a body or a primary
 
 def of_primaries(points):
     """Whether the points are rigid disks."""
-    return points is not None and "radius_m" in points.point_data
+    return points is not None and "radius_m" in points
 
 
 def between_bodies(contacts):
     """The contacts without those of a body with itself."""
-    data = contacts.point_data
-    kept = data["body_a"] != data["body_b"]
-    if kept.all():
-        return contacts
-    return type(contacts)(contacts.points[kept], [], {name: values[kept] for name, values in data.items()})
+    kept = contacts["body_a"] != contacts["body_b"]
+    return contacts if kept.all() else contacts.where(kept)
 
 
 # --- colours -------------------------------------------------------------------------------------------------
 
 
-def neighbours_of(outlines):
-    """Pairs of bodies that are close to each other in any of the grids of outlines."""
+def neighbours_of(tables):
+    """Pairs of bodies that are close to each other in any of the tables of bodies."""
     pairs = set()
-    for grid in outlines:
-        outer = grid.cell_data["ring"] == 0
-        body = grid.cell_data["body"][outer].astype(int)
-        center = grid.cell_data["center_m"][outer][:, :2]
-        radius = np.sqrt(grid.cell_data["area_m2"][outer] / np.pi)
+    for bodies in tables:
+        body, center = bodies["body"], bodies["center_m"]
+        radius = np.sqrt(bodies["area_m2"] / np.pi)
         for i in range(len(body)):
             apart = np.hypot(*(center[i + 1:] - center[i]).T)
             for j in i + 1 + np.flatnonzero(apart < 1.3 * (radius[i] + radius[i + 1:])):
@@ -72,13 +67,13 @@ def draw_bodies(axes, rings, numbers, colours):
 
 def draw_points_of_bodies(axes, points, numbers, colours, points_per_metre):
     """Every point a disk in the colour of its body, with an edge where it is large enough to be seen."""
-    diameter = 2 * np.sqrt(points.point_data["area_m2"] / np.pi)
-    number = numbers[points.point_data["body"].astype(int)]
+    diameter = 2 * np.sqrt(points["area_m2"] / np.pi)
+    number = numbers[points["body"]]
     on_paper = np.median(diameter) * points_per_metre
     edge = min(0.5, 0.07 * on_paper) if on_paper > 1.5 else 0.
     axes.add_collection(EllipseCollection(
         diameter - edge / points_per_metre, diameter - edge / points_per_metre, np.zeros(len(diameter)), units="xy",
-        offsets=points.points, transOffset=axes.transData, linewidths=edge, zorder=2,
+        offsets=points["position_m"], transOffset=axes.transData, linewidths=edge, zorder=2,
         facecolors=np.array([to_rgb(colour) for colour in colours])[number],
         edgecolors=np.array([darker(colour) for colour in colours])[number]))
 
@@ -90,8 +85,7 @@ class Primaries:
     """Finds the primary of a contact by where its surface is."""
 
     def __init__(self, points):
-        self.points, self.body = points.points, points.point_data["body"].astype(int)
-        self.radius = points.point_data["radius_m"]
+        self.points, self.body, self.radius = points["position_m"], points["body"], points["radius_m"]
         # The centre is at most the difference of two radii beside the guess: always in the four nearest cells.
         self.size = 2 * self.radius.max()
         self.low = self.points.min(axis=0) - 2 * self.size
@@ -131,19 +125,18 @@ def force_lines(contacts, points=None):
     The force is the normal one, positive when it is repulsive. Without points with radii the lines have the lengths
     that the contacts give.
     """
-    data = contacts.point_data
-    normal, gap, place = data["normal"][:, :2], data["gap_m"], contacts.points
-    body_a, body_b = data["body_a"].astype(int), data["body_b"].astype(int)
+    normal, gap, place = contacts["normal"], contacts["gap_m"], contacts["place_m"]
+    body_a, body_b = contacts["body_a"], contacts["body_b"]
     # The length of a contact inside a body is the distance of the centres, else the sum of the two radii.
-    half = 0.5 * data["length_m"] + np.where(body_a == body_b, 0., 0.5 * gap)
+    half = 0.5 * contacts["length_m"] + np.where(body_a == body_b, 0., 0.5 * gap)
     ends = [place + half[:, None] * normal, place - half[:, None] * normal]
-    if of_primaries(points) and len(points.points):
+    if of_primaries(points) and len(points):
         primaries = Primaries(points)
         ends[0] = primaries.centers(body_a, place, normal, gap, ends[0])
         ends[1] = primaries.centers(body_b, place, -normal, gap, ends[1])
     on_wall = body_b == WALL
     ends[1][on_wall] = (place - 0.5 * gap[:, None] * normal)[on_wall]
-    return np.stack(ends, axis=1), data["normal_force_N_per_m"], on_wall
+    return np.stack(ends, axis=1), contacts["normal_force_N_per_m"], on_wall
 
 
 def full_force(forces):
@@ -171,7 +164,7 @@ def draw_force_lines(axes, lines, forces, on_wall, width_per_force, widest, attr
                                                linewidths=np.minimum(widths[rows], widest), zorder=order))
 
 
-def draw_width_legend(figure, axes, width_per_force, full, strongest_attraction=0., colour=REPULSION):
+def draw_width_legend(figure, axes, width_per_force, full, strongest_attraction=0., colour=REPULSION, fill=None):
     """What the widths mean: a line of a round force for each kind, below the picture."""
     size = figure.get_size_inches()
     left, middle = axes.get_position().x0 * size[0], 0.27  # inches
@@ -181,9 +174,14 @@ def draw_width_legend(figure, axes, width_per_force, full, strongest_attraction=
                    ("attraction", strongest_attraction, ATTRACTION, THINNER * width_per_force)]
     for row, (name, force, colour, per_force) in enumerate(entries):
         shown = round_length(1.001 * force)
+        width = per_force * shown
+        strokes = [(colour, width)]
+        if fill not in (None, colour):  # with an edge, as the lines of the picture
+            strokes = [(colour, width + 2 * np.clip(0.35 * width, 0., 0.7)), (fill, width)]
         y = (middle + 0.2 * (0.5 * (len(entries) - 1) - row)) / size[1]
-        figure.add_artist(LineCollection([[(left / size[0], y), ((left + 0.42) / size[0], y)]], colors=colour,
-                                         linewidths=[per_force * shown], transform=figure.transFigure))
+        for stroke, thick in strokes:
+            figure.add_artist(LineCollection([[(left / size[0], y), ((left + 0.42) / size[0], y)]], colors=stroke,
+                                             linewidths=[thick], transform=figure.transFigure))
         figure.text((left + 0.54) / size[0], y, f"{name} {shown:g} N/m", ha="left", va="center_baseline", color=INK)
 
 

@@ -7,6 +7,8 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 
+from .contacts import pairs_of
+
 INK = "#1a1a1a"
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 11, "axes.linewidth": 0.9, "axes.edgecolor": INK,
@@ -14,17 +16,6 @@ STYLE = {
     "xtick.direction": "in", "ytick.direction": "in", "hatch.linewidth": 0.7, "svg.fonttype": "none",
     "mathtext.fontset": "dejavusans",
 }
-
-
-def rings_of(outlines):
-    """{body: [closed outlines]} of a grid of outlines."""
-    rings = {}
-    for cell, body in zip(outlines.cells, outlines.cell_data.get("body", [])):
-        vertices = outlines.points[cell]
-        if len(vertices) > 1 and np.array_equal(vertices[0], vertices[-1]):
-            vertices = vertices[:-1]
-        rings.setdefault(int(body), []).append(vertices)
-    return rings
 
 
 def outline_path(rings):
@@ -130,11 +121,10 @@ def draw_outlines(axes, rings, width, colour=INK):
 
 def draw_walls(axes, walls, thickness):
     """Hatched bars behind the walls' faces, the faces crisp."""
-    normals = walls.cell_data.get("normal", [])
-    ends = [walls.points[cell] for cell in walls.cells]
-    for number, ((begin, end), normal) in enumerate(zip(ends, normals)):
+    ends = list(walls["ends_m"])
+    for number, ((begin, end), normal) in enumerate(zip(ends, walls["normal"])):
         along = (end - begin) / np.linalg.norm(end - begin)
-        back = -thickness * normal[:2]
+        back = -thickness * normal
         # Where walls meet, those that lie take the corner.
         others = np.array([point for i, pair in enumerate(ends) if i != number for point in pair]).reshape(-1, 2)
         corner = [abs(normal[1]) > abs(normal[0]) and len(others) > 0
@@ -148,65 +138,47 @@ def draw_walls(axes, walls, thickness):
 
 
 def pair_forces(contacts):
-    """Rows of one pair of bodies (or body and wall) as one force: [(body_a, body_b or -1, place, magnitude)]."""
-    data = contacts.point_data
-    force, normal_force = data["force_N_per_m"][:, :2], np.abs(data["normal_force_N_per_m"])
-    keys = np.stack([data["body_a"], data["body_b"], data["wall"]], axis=1).astype(int)
-    pairs = []
-    unique, which = np.unique(keys, axis=0, return_inverse=True)
-    which = which.ravel()
-    for number, key in enumerate(unique):
-        rows = which == number
-        weights = normal_force[rows] if normal_force[rows].sum() > 0 else np.ones(rows.sum())
-        place = np.average(contacts.points[rows], axis=0, weights=weights)
-        pairs.append((key[0], key[1], place, np.linalg.norm(force[rows].sum(axis=0))))
-    return pairs
+    """Forces of pairs of bodies, or of body and wall: (pairs, magnitudes)."""
+    pairs = pairs_of(contacts)
+    return pairs, np.hypot(*pairs["force_N_per_m"].T)
 
 
-def draw_chains(axes, contacts, centers, full_width, fill="white"):
-    """
-    Force chains: from centre to contact to centre, as wide as the force is large.
+def strong_force(forces):
+    """The force of the widest chains: the strongest one in a hundred."""
+    return float(np.percentile(forces, 99)) if len(forces) else 0.
 
-    Returns the force that is @full_width wide, 0 when there is none.
-    """
-    pairs = pair_forces(contacts)
-    if not pairs:
-        return 0.
-    strong = np.percentile([pair[3] for pair in pairs], 99)
-    if strong <= 0:
-        return 0.
-    lines, widths = [], []
-    for body_a, body_b, place, force in sorted(pairs, key=lambda pair: pair[3]):
-        ends = [centers[b] for b in (body_a, body_b) if b in centers]
-        lines.append([ends[0], place, *ends[1:]])
-        widths.append(min(1.3, force / strong) * full_width)
-    widths = np.array(widths)
-    edge = np.clip(0.35 * widths, 0.0, 0.7)
+
+def draw_chains(axes, contacts, centers, width_per_force, full_width, fill="white"):
+    """Force chains: from centre to contact to centre, as wide as the force is large, a little above @full_width at most."""
+    pairs, forces = pair_forces(contacts)
+    order = np.argsort(forces, kind="stable")
+    widths = np.minimum(1.3 * full_width, width_per_force * forces[order])
     # The weakest would only blur the picture.
-    seen = widths > 0.04 * full_width
-    lines = [line for line, visible in zip(lines, seen) if visible]
-    for colour, width, order in ((INK, widths + 2 * edge, 5), (fill, widths, 5.1)):
-        collection = LineCollection(lines, linewidths=width[seen], colors=colour, capstyle="round",
-                                    joinstyle="round", zorder=order)
-        axes.add_collection(collection)
-    return float(strong)
+    order, widths = order[widths > 0.04 * full_width], widths[widths > 0.04 * full_width]
+    lines = []
+    for row in order:
+        ends = [centers[b] for b in (pairs["body_a"][row], pairs["body_b"][row]) if b in centers]
+        lines.append([ends[0], pairs["place_m"][row], *ends[1:]])
+    edge = np.clip(0.35 * widths, 0.0, 0.7)
+    for colour, width, above in ((INK, widths + 2 * edge, 5), (fill, widths, 5.1)):
+        axes.add_collection(LineCollection(lines, linewidths=width, colors=colour, capstyle="round", joinstyle="round",
+                                           zorder=above))
 
 
 def thinned(contacts, most=14):
     """Places, forces and whether there is a partner; a long row of places becomes fewer, evenly spread."""
-    data = contacts.point_data
-    keys = np.stack([data["body_a"], data["body_b"], data["wall"]], axis=1)
-    forces, normals = data["force_N_per_m"][:, :2], data["normal"][:, :2]
+    keys = np.stack([contacts["body_a"], contacts["body_b"], contacts["wall"]], axis=1)
+    forces, normals, points = contacts["force_N_per_m"], contacts["normal"], contacts["place_m"]
     places, shared, both = [], [], []
     for key in np.unique(keys, axis=0):
         rows = np.flatnonzero((keys == key).all(axis=1))
         normal = normals[rows].mean(axis=0)
-        along = contacts.points[rows] @ [normal[1], -normal[0]]
+        along = points[rows] @ [normal[1], -normal[0]]
         rows, along = rows[np.argsort(along, kind="stable")], np.sort(along)
-        spread = spread_evenly(along, contacts.points[rows], forces[rows], most)
+        spread = spread_evenly(along, points[rows], forces[rows], most)
         places.append(spread[0])
         shared.append(spread[1])
-        both += [data["body_b"][rows[0]] >= 0] * len(spread[0])
+        both += [contacts["body_b"][rows[0]] >= 0] * len(spread[0])
     return np.concatenate(places), np.concatenate(shared), np.array(both)
 
 
@@ -228,12 +200,14 @@ def spread_evenly(along, points, forces, most):
     return places, weights @ forces * (spacing / lengths)[:, None]
 
 
-def draw_arrows(axes, contacts, length, thickness):
-    """Forces on the bodies as arrows from the contact place into the body."""
+def strongest_arrow(contacts):
+    """The force of the longest arrow."""
+    return float(np.linalg.norm(thinned(contacts)[1], axis=1).max())
+
+
+def draw_arrows(axes, contacts, length, thickness, strongest):
+    """Forces on the bodies as arrows from the contact place into the body, of @length for the force @strongest."""
     places, forces, both = thinned(contacts)
-    strongest = np.linalg.norm(forces, axis=1).max()
-    if strongest <= 0:
-        return
     arrows = forces / strongest * length
     if len(places) > 1:  # close places get slender arrows
         apart = np.linalg.norm(places[:, None] - places, axis=2)
@@ -282,5 +256,5 @@ def is_signed(values):
     return low < 0 < high and min(-low, high) > 0.15 * max(-low, high)
 
 
-__all__ = ["INK", "STYLE", "Normalize", "rings_of", "draw_smooth", "draw_disks", "draw_outlines", "draw_walls",
-           "draw_chains", "draw_arrows", "draw_scale_bar", "colour_range", "is_signed"]
+__all__ = ["INK", "STYLE", "Normalize", "draw_smooth", "draw_disks", "draw_outlines", "draw_walls",
+           "draw_chains", "strong_force", "pair_forces", "draw_arrows", "strongest_arrow", "draw_scale_bar", "colour_range", "is_signed"]

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measures what grids miss of light line contacts: the function g of doc/results/quasi-static.md.
+
+Presses the disk of verification/line_contact.prm without sub-grid compliance at three resolutions, each with five cuts of
+the grid, and prints the mean of g = (δ_Johnson(F) - δ) π E*/(2 F) in bins of a/h, without and with friction at the plates."""
+import argparse
+import math
+import pathlib
+
+from line_contact import POISSON, RADIUS, YOUNG
+from running import run
+
+PLANE = YOUNG / (1 - POISSON**2)
+SPACINGS = (0.17, 0.10, 0.058)  # of the material points over the radius
+CUTS = (0.0, 0.2, 0.4, 0.6, 0.8)  # shift of the grid [cells]
+BINS = (0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.9)  # of a/h
+
+
+def half_width(force):
+    return math.sqrt(4 * force * RADIUS / (math.pi * PLANE))
+
+
+def missing(force, approach):
+    johnson = force / (math.pi * PLANE) * (2 * math.log(4 * RADIUS / half_width(force)) - 1)
+    return (johnson - approach) * math.pi * PLANE / (2 * force)
+
+
+def points(program, folder, spacing, cut, friction):
+    """(a/h, g) of one run, up to where Johnson's force is that of finite elements."""
+    cell = 2 * spacing * RADIUS
+    left, low = (-(math.ceil(reach * RADIUS / cell) + 1 + cut) * cell for reach in (1.6, 1.2))
+    changes = {"Mesh/Cell size": cell, "Mesh/Lower": f"{left}, {low}", "Mesh/Upper": f"{cell - left}, {cell - low}",
+               "Contact/Sub-grid compliance": "false", "Stop/End time": 0.03, "Time/Time step": 2e-3,
+               "Output/Number of field outputs": 0, "Walls/bottom/Friction": friction, "Walls/top/Friction": friction}
+    _, rows = run(program, "verification/line_contact.prm", folder, changes, threads=1)
+    forces = [(row["top_force_N_per_m"], row["time_s"] * RADIUS) for row in rows]
+    return [(half_width(force) / cell, missing(force, approach)) for force, approach in forces if force > 0]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="build/release/bin/softgrain")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/subgrid"),
+                        help="for the output folders of the runs (default: %(default)s)")
+    arguments = parser.parse_args()
+    print("| a/h | " + " | ".join(f"{low}–{high}" for low, high in zip(BINS, BINS[1:])) + " |\n" + "|---" * len(BINS) + "|")
+    for friction in (0, 0.5):
+        for spacing in SPACINGS:
+            found = [point for cut in CUTS for point in
+                     points(arguments.program, arguments.folder / f"{friction}-{spacing}-{cut}", spacing, cut, friction)]
+            cells = []
+            for low, high in zip(BINS, BINS[1:]):
+                values = [g for width, g in found if low <= width < high]
+                cells.append(f"{sum(values) / len(values):.2f}" if values else "")
+            print(f"| μ = {friction}, ξ = {spacing} | " + " | ".join(cells) + " |", flush=True)
+    middles = [0.5 * (low + high) for low, high in zip(BINS, BINS[1:])]
+    print("| ln(0.62 h/a) | " + " | ".join(f"{max(0.0, math.log(0.62 / width)):.2f}" for width in middles) + " |")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of grains: bodies or a field in colour, outlines, walls, forces; all of a series by the same scales."""
+
+from dataclasses import dataclass
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PathCollection
+
+from . import drawing, primaries
+from .colouring import Scale, colour_map, find_field
+from .command import save_figure
+from .errors import InputError
+from .units import scaled_unit
+
+LEGEND_WIDTH = 3.2  # inches that legend and scale bar need side by side
+
+
+@dataclass
+class Options:
+    """What a picture shows; the names are those of the options of `softgrain render`."""
+    field: str = None
+    range: tuple = None
+    colours: str = None
+    contacts: str = "auto"
+    attraction: bool = None
+    style: str = None
+    title: str = None
+    width: float = 7.0
+    zoom: tuple = None
+
+
+def get(state, part):
+    return getattr(state, part) if state.has(part) else None
+
+
+class Picture:
+    """What all states share: options, colours of bodies or the colour scale, the view, the force of the widest lines."""
+
+    def __init__(self, options, states):
+        self.options, self.several = options, len(states) > 1
+        first = states[0]
+        self.primaries = primaries.of_primaries(get(first, "points"))
+        if options.field is None:
+            default = "von_mises_Pa" if first.has("points") else "none"
+            options.field = "body" if self.primaries and not options.range else default
+        self.scale = self.numbers = self.colours = None
+        self.contacts = options.contacts
+        self.full_force = self.strongest_attraction = 0.
+        self.n_bodies = max(1, len(first.outlines)) if first.has("outlines") else \
+            len(np.unique(first.points["body"])) if first.has("points") else 1
+        self.survey(states)
+        if options.attraction and self.contacts != "inner":
+            raise InputError("--attraction needs --contacts inner and a run with 'Inner forces'")
+
+    # --- what all states have in common ---
+
+    def survey(self, states):
+        field = None if self.options.field in ("body", "none") else find_field(states[0], self.options.field)
+        samples, bodies, highest = [], [], -1
+        low, high = np.full(2, np.inf), np.full(2, -np.inf)
+        attraction = self.n_bodies <= 3 if self.options.attraction is None else self.options.attraction
+        inner = self.primaries and (self.contacts == "inner" or (self.contacts == "auto" and field is None))
+        if self.contacts == "inner" and not self.primaries:
+            raise InputError(f"--contacts inner is for primaries: {states[0].source.path('points')} has no radius_m")
+        inner_forces, chain_forces, arrow_forces = [0.], [0.], [0.]
+        for state in states:
+            if field:
+                if not state.has(field.part):
+                    raise InputError(f"frame {state.number} has no {field.part} to colour")
+                samples.append(field.values(state))
+            elif self.options.field == "body":
+                if state.has("bodies"):
+                    bodies.append(state.bodies)
+                    highest = max(highest, state.bodies["body"].max(initial=-1))
+                if state.has("points"):
+                    highest = max(highest, state.points["body"].max(initial=-1))
+            places = self.places(state)
+            low, high = np.minimum(low, places.min(axis=0)), np.maximum(high, places.max(axis=0))
+            contacts = get(state, "contacts")
+            if contacts is not None and len(contacts) and self.contacts != "none":
+                forces = contacts["normal_force_N_per_m"]
+                if inner:
+                    if (contacts["body_a"] == contacts["body_b"]).any():
+                        self.contacts = "inner"
+                    inner_forces.append(primaries.full_force(forces))
+                    if attraction:
+                        self.strongest_attraction = max(self.strongest_attraction, -forces.min())
+                outside = primaries.between_bodies(contacts)
+                if len(outside):
+                    chain_forces.append(drawing.strong_force(drawing.pair_forces(outside)[1]))
+                    if self.n_bodies <= 3 or self.contacts == "arrows":
+                        arrow_forces.append(drawing.strongest_arrow(outside))
+            if self.several:
+                state.forget()
+        if self.contacts == "auto":
+            self.contacts = "arrows" if self.n_bodies <= 3 else "chains"
+        self.full_force = max({"inner": inner_forces, "chains": chain_forces, "arrows": arrow_forces,
+                               "none": [0.]}[self.contacts])
+        self.set_view(low, high)
+        if field:
+            self.scale = Scale(field, samples, self.options.range, self.options.colours)
+        elif self.options.field == "body":
+            self.choose_colours(bodies, highest, states[0].number)
+
+    @staticmethod
+    def places(state):
+        places = [state.outlines.points_m] if state.has("outlines") else []
+        if state.has("walls"):
+            places.append(state.walls["ends_m"].reshape(-1, 2))
+        if not state.has("outlines") and state.has("points"):
+            places.append(state.points["position_m"])
+        places = [p for p in places if len(p)]
+        if not places:
+            raise InputError(f"frame {state.number} has neither outlines nor points")
+        return np.concatenate(places)
+
+    def set_view(self, low, high):
+        """The part that is shown, the same for all states."""
+        self.extent = max(high - low)
+        self.thickness = 0.03 * self.extent  # of walls
+        low, high = low - self.thickness, high + self.thickness
+        self.magnified = 1.
+        if zoom := self.options.zoom:
+            if len(zoom) == 1:
+                middle, half = (low + high) / 2, (high - low) / 2 / zoom[0]
+                zoom = (*(middle - half), *(middle + half))
+            corners = np.array(zoom, dtype=float).reshape(2, 2)
+            if not (corners[1] > corners[0]).all():
+                raise InputError("--zoom X0 Y0 X1 Y1: the second corner must be above and to the right of the first")
+            if (corners[0] >= high).any() or (corners[1] <= low).any():
+                raise InputError(f"--zoom shows nothing: the grains are between {low[0]:.4g} {low[1]:.4g} and "
+                                 f"{high[0]:.4g} {high[1]:.4g} m")
+            self.magnified = max(high - low) / max(corners[1] - corners[0])
+            low, high = corners
+        self.low, self.high = low, high
+
+    def choose_colours(self, bodies, highest, number):
+        """Colours of bodies that stay the same in all states."""
+        if highest < 0:
+            raise InputError(f"frame {number} has neither outlines nor points")
+        self.colours = primaries.PALETTE
+        if self.options.colours:
+            cmap = colour_map(self.options.colours)
+            listed = getattr(cmap, "colors", ())
+            self.colours = listed if 2 < len(listed) <= 32 else cmap(np.linspace(0.05, 0.95, 8))
+        self.numbers = primaries.colour_numbers(int(highest) + 1, primaries.neighbours_of(bodies), len(self.colours))
+
+    # --- one state ---
+
+    def save(self, state, path, dpi):
+        """Writes the picture of a state."""
+        with plt.rc_context(drawing.STYLE):
+            figure = self.figure(state)
+            try:
+                save_figure(figure, path, dpi)
+            finally:
+                plt.close(figure)
+        if self.several:
+            state.forget()
+
+    def figure(self, state):
+        """The picture of a state as a matplotlib figure."""
+        with plt.rc_context(drawing.STYLE):
+            figure, axes, bar_axes = self.make_axes()
+            points_per_metre = 72 * figure.get_figwidth() * axes.get_position().width / (self.high[0] - self.low[0])
+            rings = state.outlines.rings if state.has("outlines") else {}
+            if state.has("walls") and len(state.walls):
+                drawing.draw_walls(axes, state.walls, self.thickness)
+            self.fill(axes, state, rings, points_per_metre)
+            if self.scale:
+                self.scale.draw_bar(figure, bar_axes)
+            width = np.clip(9 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 0.6, 1.5)
+            drawing.draw_outlines(axes, rings, float(width))
+            contacts = get(state, "contacts")
+            if contacts is not None and self.full_force:
+                {"inner": self.draw_inner, "chains": self.draw_chains, "arrows": self.draw_arrows}[self.contacts](
+                    figure, axes, state, contacts, points_per_metre)
+            size = max(self.high - self.low)
+            margin = self.thickness if self.magnified == 1 else 0.
+            drawing.draw_scale_bar(axes, self.high[0] - margin, self.low[1] - 0.03 * size, size)
+            axes.set_title(self.title(state), pad=10, fontsize=12)
+            return figure
+
+    def make_axes(self):
+        """A figure as high as the scene needs, with room for title, scale bar and colour bar."""
+        width, low, high = self.options.width, self.low, self.high
+        margin, bar_room, top, bottom = 0.15, 1.25 if self.scale else 0.0, 0.45, 0.55
+        drawn = width - 2 * margin - bar_room
+        height = drawn * (high[1] - low[1]) / (high[0] - low[0])
+        if height > 1.6 * width:  # a tall scene: the height is the limit
+            drawn, height = drawn * 1.6 * width / height, 1.6 * width
+        total_height = height + top + bottom
+        total_width = drawn + 2 * margin + bar_room
+        margin += max(0., LEGEND_WIDTH - total_width) / 2 if self.full_force and self.contacts != "arrows" else 0.
+        total_width = drawn + 2 * margin + bar_room
+        figure = plt.figure(figsize=(total_width, total_height))
+        axes = figure.add_axes([margin / total_width, bottom / total_height, drawn / total_width,
+                                height / total_height])
+        axes.set_aspect("equal")
+        axes.set_autoscale_on(False)
+        axes.set_xlim(low[0], high[0])
+        axes.set_ylim(low[1], high[1])
+        if self.magnified > 1:  # a thin frame: the scene goes on
+            axes.set_xticks([])
+            axes.set_yticks([])
+        else:
+            axes.set_axis_off()
+        bar_axes = None
+        if self.scale:
+            bar_height = max(min(height, 4.5) * 0.86, 1.2)
+            bar_axes = figure.add_axes([(margin + drawn + 0.2) / total_width,
+                                        (bottom + 0.5 * (height - bar_height)) / total_height, 0.17 / total_width,
+                                        bar_height / total_height])
+        return figure, axes, bar_axes
+
+    def fill(self, axes, state, rings, points_per_metre):
+        """The insides of the bodies."""
+        if self.scale:
+            self.fill_by_scale(axes, state, rings)
+        elif self.numbers is not None:
+            style = self.options.style or ("disks" if self.primaries else "smooth")
+            if style == "disks" and state.has("points") or not rings:
+                primaries.draw_points_of_bodies(axes, state.points, self.numbers, self.colours, points_per_metre)
+            else:
+                primaries.draw_bodies(axes, rings, self.numbers, self.colours)
+        elif rings:
+            paths = [drawing.outline_path(body_rings) for body_rings in rings.values()]
+            axes.add_collection(PathCollection(paths, facecolors="#dfe6ee", linewidths=0, zorder=2))
+
+    def fill_by_scale(self, axes, state, rings):
+        scale, values = self.scale, self.scale.values(state)
+        if scale.field.part == "bodies":
+            bodies = {int(body): value for body, value in zip(state.bodies["body"], values)}
+            shown = [body for body in rings if body in bodies]
+            axes.add_collection(PathCollection(
+                [drawing.outline_path(rings[body]) for body in shown], linewidths=0, zorder=2,
+                facecolors=scale.map(scale.norm(np.array([bodies[body] for body in shown])))))
+            return
+        points = state.points
+        areas = points["area_m2"] if "area_m2" in points else np.ones(len(points))
+        continuum = "deformation_gradient" in points or "stress_zz_Pa" in points
+        style = self.options.style or ("smooth" if continuum and not self.primaries else "disks")
+        if style == "smooth" and rings:
+            shown = {body: r for body, r in rings.items() if self.in_view(r[0])}
+            drawing.draw_smooth(axes, shown, points["position_m"], points["body"], values, areas, scale.norm, scale.map)
+        else:
+            drawing.draw_disks(axes, points["position_m"], values, areas, scale.norm, scale.map)
+        axes.set_xlim(self.low[0], self.high[0])
+        axes.set_ylim(self.low[1], self.high[1])
+
+    def in_view(self, ring):
+        return (ring.max(axis=0) > self.low).all() and (ring.min(axis=0) < self.high).all()
+
+    def draw_arrows(self, _figure, axes, _state, contacts, _points_per_metre):
+        contacts = primaries.between_bodies(contacts)
+        if len(contacts):
+            size = self.extent / self.magnified
+            drawing.draw_arrows(axes, contacts, 0.11 * size, 0.0035 * size, self.full_force)
+
+    def draw_chains(self, figure, axes, state, contacts, _points_per_metre):
+        if not state.has("bodies"):
+            raise InputError("force chains need the outlines: use --contacts arrows")
+        centers = dict(zip(state.bodies["body"].tolist(), state.bodies["center_m"]))
+        width = 42.0 * self.options.width / 7 * np.sqrt(min(self.magnified, self.n_bodies) / self.n_bodies)
+        fill, colour = "white", drawing.INK
+        if self.primaries:
+            width *= 0.5  # the primaries are to be seen
+            if not self.scale:
+                fill = colour = primaries.REPULSION
+        width_per_force = width / self.full_force
+        drawing.draw_chains(axes, primaries.between_bodies(contacts), centers, width_per_force, width, fill)
+        primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, colour=colour, fill=fill)
+
+    def draw_inner(self, figure, axes, state, contacts, points_per_metre):
+        points = get(state, "points")
+        diameter = 2 * np.median(points["radius_m"]) if points is not None else 0.
+        width_per_force = max(0.75 * diameter * points_per_metre, 1.) / self.full_force
+        if len(contacts):
+            primaries.draw_force_lines(axes, *primaries.force_lines(contacts, points), width_per_force,
+                                       2 * width_per_force * self.full_force, self.strongest_attraction > 0)
+        primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, self.strongest_attraction)
+
+    def title(self, state):
+        if self.options.title is not None:
+            return self.options.title
+        scale, unit = scaled_unit("s", abs(state.time))
+        title = f"$t$ = {state.time / scale:.4g} {unit}"
+        if state.strain is not None:
+            title += rf"      $\varepsilon$ = {state.strain:.3f}"
+        return title
+
+
+__all__ = ["Options", "Picture"]

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""snapshots.h5: states in full precision."""
+
+import os
+
+import numpy as np
+
+from .errors import InputError, need
+from .tables import Table
+
+NOBODY = 4294967295
+WIDTHS = {"position_m": 2, "velocity_m_per_s": 2, "center_m": 2, "place_m": 2, "normal": 2, "force_N_per_m": 2,
+          "point_m": 2, "points_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
+OTHER_NAMES = {"size_m2": "area_m2"}  # the name that fields.pvd has
+
+
+def shown_name(name):
+    """The name of an array in a table: that of fields.pvd where the two differ."""
+    return OTHER_NAMES.get(name, name.removeprefix("extra/"))
+
+
+def open_file(path):
+    try:
+        import h5py
+    except ImportError as error:
+        raise need("python3-h5py", error) from error
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise InputError(f"{path} is damaged: {error}") from error
+
+
+def read_times(directory):
+    """Times of the snapshots; none without snapshots.h5."""
+    path = os.path.join(directory, "snapshots.h5")
+    if not os.path.exists(path):
+        return np.zeros(0)
+    with open_file(path) as file:
+        try:
+            return np.array(file["time_s"][()], dtype=float)
+        except KeyError as error:
+            raise InputError(f"{path} is damaged: {error}") from error
+
+
+class SnapshotSource:
+    """One step of snapshots.h5 as a source of a state; arrays are read when they are asked for."""
+
+    def __init__(self, directory, number):
+        self.file = os.path.join(directory, "snapshots.h5")
+        self.number = number
+        self.group = f"steps/{number:06d}"
+
+    def path(self, _part):
+        return f"{self.file}, step {self.number}"
+
+    def read(self, name):
+        with open_file(self.file) as file:
+            try:
+                return self.converted(name, file[f"{self.group}/{name}"][()])
+            except (KeyError, OSError) as error:
+                raise InputError(f"{self.file} is damaged: {error}") from error
+
+    @staticmethod
+    def converted(name, values):
+        if values.dtype.kind in "OS":
+            return np.array([item.decode() if isinstance(item, bytes) else item for item in values.ravel()])
+        if values.dtype.kind == "u":
+            signed = values.astype(np.int64)
+            return np.where(signed == NOBODY, -1, signed)
+        if name in ("walls/position_m", "walls/velocity_m_per_s"):  # along the normal
+            return values
+        width = WIDTHS.get(name.rsplit("/", 1)[-1])
+        return values.reshape(-1, width) if width else values
+
+    def forget(self):
+        """Nothing is kept here."""
+
+    def names(self, part):
+        with open_file(self.file) as file:
+            try:
+                group = file[self.group]
+            except (KeyError, OSError) as error:
+                raise InputError(f"{self.file} is damaged: {error}") from error
+            if part not in group:
+                return {}
+            found = {}
+            for name, item in group[part].items():
+                if name == "extra":
+                    found.update({f"extra/{other}": len(values) for other, values in item.items()})
+                elif name != "extra_names":
+                    found[name] = len(item)
+            return found
+
+    def has(self, part):
+        return bool(self.names(part))
+
+    def table(self, part):
+        sizes = self.names(part)
+        key = {"points": "position_m", "bodies": "center_m", "contacts": "place_m", "walls": "name"}[part]
+        n_rows = sizes.get(key, max(sizes.values(), default=0))
+        columns = {}
+        for name, size in sorted(sizes.items(), key=lambda item: (item[0] not in (key, "name"), shown_name(item[0]))):
+            if size == 0 and n_rows > 0:
+                continue  # what this model does not have
+            columns[shown_name(name)] = lambda full=f"{part}/{name}": self.read(full)
+        if part == "bodies":
+            columns = {"body": lambda: np.arange(n_rows), **columns}
+        if part == "walls":
+            columns["wall"] = lambda: np.arange(n_rows)
+        return Table(columns, part, self.path(part))
+
+    def rings(self):
+        vertices, rings, bodies = (self.read(f"outlines/{name}")
+                                   for name in ("points_m", "ring_offsets", "body_offsets"))
+        return {b: [vertices[rings[r]:rings[r + 1]] for r in range(bodies[b], bodies[b + 1])]
+                for b in range(len(bodies) - 1) if bodies[b + 1] > bodies[b]}
+
+    def energies(self):
+        return {name: float(np.ravel(self.read(f"energies/{name}"))[0]) for name in self.names("energies")}
+
+    def vertices(self):
+        return self.read("outlines/points_m")

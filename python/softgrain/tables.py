@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of numpy columns: history.csv, measures.csv, and what a state has per body, point or contact."""
+
+import csv
+import os
+
+import numpy as np
+
+from .errors import InputError, MissingName
+from .units import UNITS, split_unit
+
+COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
+
+
+class Table:
+    """
+    Columns by name, each a numpy array with one row per thing; ``units`` tells the units. Where the name is clear, the
+    unit may be left out. Columns are read when they are asked for.
+
+    >>> t = Table({"center_m": np.array([[0., 0.], [1., 2.]]), "area_m2": np.array([3., 4.])}, "bodies")
+    >>> t["area_m2"], t.area
+    (array([3., 4.]), array([3., 4.]))
+    >>> t.units
+    {'center_m': 'm', 'area_m2': 'm²'}
+    >>> len(t)
+    2
+    >>> list(t.flat())
+    ['center_x_m', 'center_y_m', 'area_m2']
+    """
+
+    def __init__(self, columns, title="table", path=""):
+        self._columns, self._title, self._path = dict(columns), title, path
+
+    def __getitem__(self, name):
+        full = self.resolve(name)
+        if full is None:
+            where = f"{self._title} of {self._path}" if self._path else self._title
+            raise MissingName(f"there is no '{name}' in {where}; there are " + (", ".join(self._columns) or "none"))
+        value = self._columns[full]
+        if callable(value):
+            value = self._columns[full] = value()
+        return value
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except MissingName as error:
+            raise AttributeError(str(error)) from None
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._columns, *(split_unit(name)[0] for name in self._columns)]
+
+    def __setitem__(self, name, values):
+        self._columns[name] = values
+
+    def __contains__(self, name):
+        return name in self._columns
+
+    def __iter__(self):
+        return iter(self._columns)
+
+    def __len__(self):
+        return len(self[next(iter(self._columns))]) if self._columns else 0
+
+    def __repr__(self):
+        lines = [f"<{self._title}: {len(self)} rows>"]
+        for name in self._columns:
+            unit, shape = split_unit(name)[1], np.shape(self[name])[1:]
+            lines.append(f"  {name}" + (f" ({' x '.join(map(str, shape))})" if shape else "") +
+                         (f" [{unit}]" if unit else ""))
+        return "\n".join(lines)
+
+    def resolve(self, name):
+        """The full name of a column, with its unit; None when there is no such column."""
+        if name in self._columns:
+            return name
+        full = [name + suffix for suffix in UNITS if name + suffix in self._columns]
+        return full[0] if len(full) == 1 else None
+
+    def keys(self):
+        return self._columns.keys()
+
+    def items(self):
+        return [(name, self[name]) for name in self._columns]
+
+    def get(self, name, default=None):
+        return self[name] if self.resolve(name) else default
+
+    @property
+    def path(self):
+        """The file it was read from."""
+        return self._path
+
+    @property
+    def title(self):
+        """Name of the file or part."""
+        return self._title
+
+    @property
+    def columns(self):
+        """Names of the columns."""
+        return list(self._columns)
+
+    @property
+    def units(self):
+        """Unit of every column, '' for pure numbers."""
+        return {name: split_unit(name)[1] for name in self._columns}
+
+    def where(self, mask):
+        """The rows for which @mask is true, as a table."""
+        return Table({name: values[mask] for name, values in self.items()}, self._title, self._path)
+
+    def flat(self):
+        """{name: column} with vectors and tensors taken apart: center_m becomes center_x_m and center_y_m."""
+        result = {}
+        for name, values in self.items():
+            if values.ndim == 1:
+                result[name] = values
+                continue
+            base, unit = split_unit(name)
+            suffix = name[len(base):] if unit else ""
+            labels = COMPONENTS.get(values.shape[1], [str(i) for i in range(values.shape[1])])
+            for i, label in enumerate(labels):
+                result[f"{base}_{label}{suffix}"] = values[:, i]
+        return result
+
+    def to_csv(self, path):
+        """Writes a table of commas, one row per thing, whole or not at all; numbers are written in full."""
+        flat = self.flat()
+        temporary = os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
+        with open(temporary, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(flat)
+            for row in zip(*(column.tolist() for column in flat.values())):
+                writer.writerow(["" if value != value else value for value in row])  # not a number: empty
+        os.replace(temporary, path)
+        return path
+
+    def to_pandas(self):
+        """A pandas.DataFrame; ``attrs["units"]`` holds the units."""
+        try:
+            import pandas
+        except ImportError as error:
+            from .errors import need
+            raise need("python3-pandas", error) from error
+        flat = self.flat()
+        frame = pandas.DataFrame(flat)
+        frame.attrs["units"] = {name: split_unit(name)[1] for name in flat}
+        return frame
+
+
+def as_frame(table):
+    """A pandas.DataFrame when pandas is installed, else the table itself."""
+    try:
+        import pandas  # noqa: F401
+    except ImportError:
+        return table
+    return table.to_pandas()
+
+
+def read_table(path):
+    """
+    A file like history.csv; fields that are empty are NaN.
+
+    A last row that is still being written is left out.
+    """
+    folder, name = os.path.split(path)
+    if not os.path.isdir(folder or "."):
+        raise InputError(f"there is no folder {folder}")
+    if not os.path.exists(path):
+        raise InputError(f"{folder} has no {name}")
+    with open(path, newline="", encoding="utf-8") as file:
+        text = file.read()
+    rows = list(csv.reader(text.splitlines()))
+    if not rows:
+        raise InputError(f"{path} is empty")
+    names = [name.strip() for name in rows[0]]
+    values = []
+    for line, row in enumerate(rows[1:], start=2):
+        if len(row) != len(names):
+            if line == len(rows):
+                break
+            raise InputError(f"{path} line {line} has {len(row)} fields where the first line names {len(names)}")
+        if line == len(rows) and not text.endswith("\n"):
+            break  # its last number may not be whole
+        try:
+            values.append([float(item) if item.strip() else np.nan for item in row])
+        except ValueError as error:
+            raise InputError(f"{path} line {line}: {error}") from error
+    data = np.array(values, dtype=float).reshape(-1, len(names))
+    return Table({name: data[:, column] for column, name in enumerate(names)}, name, path)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Names and units: the end of every name in softgrain's files says its unit."""
+
+import re
+
+UNITS = {  # longest first: the end of a name says its unit
+    "_kg_m_per_s": "kg m/s", "_kg_per_m3": "kg/m³", "_rad_per_s": "rad/s", "_J_per_m3": "J/m³", "_N_per_m2": "N/m²",
+    "_m_per_s2": "m/s²", "_kg_per_m": "kg/m", "_per_rad": "1/rad", "_N_per_m": "N/m", "_J_per_m": "J/m",
+    "_m_per_s": "m/s", "_per_s": "1/s", "_per_m": "1/m", "_bytes": "B", "_Pa": "Pa", "_kg": "kg", "_rad": "rad",
+    "_m2": "m²", "_N": "N", "_J": "J", "_m": "m", "_s": "s",
+}
+
+SYMBOLS = {
+    "von_mises": r"von Mises stress $\sigma_\mathrm{vM}$", "pressure": r"pressure $p$",
+    "stress_xx": r"stress $\sigma_{xx}$", "stress_yy": r"stress $\sigma_{yy}$",
+    "stress_xy": r"stress $\sigma_{xy}$", "stress_zz": r"stress $\sigma_{zz}$",
+    "velocity": r"velocity $|v|$", "axial_strain": r"axial strain $\varepsilon = \ln(h_0/h)$",
+    "packing_fraction": r"packing fraction $\Phi$", "coordination": r"coordination number $Z$", "time": r"time $t$",
+    "coordination_of_bodies": r"coordination number $Z$ of bodies alone",
+    "kinetic_energy": r"kinetic energy $E_\mathrm{k}$", "elastic_energy": r"elastic energy $E_\mathrm{e}$",
+    "dissipated_energy": r"dissipated energy $E_\mathrm{d}$", "width": r"width $L$",
+    "dt": r"time step $\Delta t$", "max_penetration": r"largest penetration $-g$",
+    "equivalent_strain": r"equivalent strain $\varepsilon_\mathrm{eq}$",
+    "shear_strain": r"largest shear strain $\frac{1}{2}(\ln\lambda_1 - \ln\lambda_2)$",
+    "volume_strain": r"volume strain $\ln J$", "mean_pressure": r"mean pressure of the grain $p$",
+}
+
+PREFIXES = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "N/m": ((1e6, "MN/m"), (1e3, "kN/m")),
+            "m": ((1, "m"), (1e-3, "mm"), (1e-6, "µm")), "s": ((1, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")),
+            "J/m": ((1e3, "kJ/m"), (1, "J/m"), (1e-3, "mJ/m"), (1e-6, "µJ/m"), (1e-9, "nJ/m")),
+            "m/s": ((1, "m/s"), (1e-3, "mm/s"), (1e-6, "µm/s")),
+            "J/m³": ((1e9, "GJ/m³"), (1e6, "MJ/m³"), (1e3, "kJ/m³")), "m²": ((1, "m²"), (1e-6, "mm²"))}
+
+
+def split_unit(name):
+    """
+    The name without its unit, and the unit, '' for a pure number.
+
+    >>> split_unit("von_mises_Pa"), split_unit("packing_fraction")
+    (('von_mises', 'Pa'), ('packing_fraction', ''))
+    """
+    for suffix, unit in UNITS.items():
+        if name.endswith(suffix) and len(name) > len(suffix):
+            return name[:-len(suffix)], unit
+    return name, ""
+
+
+def scaled_unit(unit, largest):
+    """
+    A prefix that leaves numbers of a few digits: (divisor, unit).
+
+    >>> scaled_unit("Pa", 2.5e6)
+    (1000000.0, 'MPa')
+    """
+    for scale, text in PREFIXES.get(unit, ()):
+        if largest >= 0.999 * scale:
+            return scale, text
+    choices = PREFIXES.get(unit, ())
+    if choices and choices[-1][0] < 1 and largest > 0:
+        return choices[-1]
+    return 1, unit
+
+
+def describe(name):
+    """Words and symbol for a column or field, first letter large."""
+    base, _ = split_unit(name)
+    match = re.match(r"(bottom|top|left|right)_(force|position)$", base)
+    if base in SYMBOLS:
+        text = SYMBOLS[base]
+    elif match:
+        text = f"{match.group(1)} wall {match.group(2)} ${'F' if match.group(2) == 'force' else 'y'}$"
+    else:
+        text = base.replace("_", " ")
+    return text[0].upper() + text[1:] if not text.startswith("von") else text
+
+
+def with_unit(text, unit):
+    """A text with its unit in brackets, as for an axis."""
+    return f"{text}  [{unit}]" if unit else text

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""States as meshes of VTK and pyvista."""
+
+import numpy as np
+
+from .errors import InputError, need, need_pip
+
+PARTS = ("points", "outlines", "contacts", "walls")
+
+
+def three(values):
+    """Vectors of the plane with a third component, as VTK wants them."""
+    return np.column_stack([values, np.zeros(len(values))]) if values.ndim == 2 and values.shape[1] == 2 else values
+
+
+def to_vtk(state, part):
+    """A vtkPolyData of a part of a state: points and contacts as vertices, outlines and walls as closed and open lines."""
+    if part not in PARTS:
+        raise InputError(f"there is no mesh of '{part}'; there are {', '.join(PARTS)}")
+    try:
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    except ImportError as error:
+        raise need("python3-vtk9", error) from error
+    places, lines, data = mesh_of(state, part)
+    mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(three(places), deep=1))
+    mesh.SetPoints(points)
+    offsets = np.concatenate([[0], np.cumsum([len(line) for line in lines])]) if lines else np.arange(len(places) + 1)
+    numbers = np.concatenate(lines) if lines else np.arange(len(places))
+    cells.SetData(*(numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, dtype=np.int64), deep=1)
+                    for a in (offsets, numbers)))
+    (mesh.SetLines if lines else mesh.SetVerts)(cells)
+    target = mesh.GetCellData() if lines else mesh.GetPointData()
+    for name, values in data.items():
+        if values.dtype.kind in "US" or values.ndim > 2:
+            continue
+        array = numpy_to_vtk(np.ascontiguousarray(three(values), dtype=float), deep=1)
+        array.SetName(name)
+        target.AddArray(array)
+    return mesh
+
+
+def mesh_of(state, part):
+    """(places, lines as numbers of places or nothing, data)."""
+    if part in ("points", "contacts"):
+        table = getattr(state, part)
+        key = "position_m" if part == "points" else "place_m"
+        return table[key], [], {name: values for name, values in table.items() if name != key}
+    if part == "walls":
+        ends = state.walls["ends_m"].reshape(-1, 2)
+        return ends, list(np.arange(len(ends)).reshape(-1, 2)), dict(state.walls.items())
+    places, lines, rows, start = [], [], [], 0
+    for body, rings in state.outlines.items():
+        for ring in rings:
+            places.append(ring)
+            lines.append(np.append(np.arange(start, start + len(ring)), start))
+            rows.append(body)
+            start += len(ring)
+    row_of = {int(body): row for row, body in enumerate(state.bodies["body"])}
+    chosen = np.array([row_of[body] for body in rows], dtype=int)
+    data = {name: values[chosen] for name, values in state.bodies.items()}
+    return (np.concatenate(places) if places else np.zeros((0, 2))), lines, data
+
+
+def to_pyvista(state, part):
+    """The same wrapped by pyvista."""
+    try:
+        import pyvista
+    except ImportError as error:
+        raise need_pip("pyvista", error) from error
+    return pyvista.wrap(to_vtk(state, part))

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/restart_check.h>
+#include <softgrain/base/exceptions.h>
+#include <softgrain/scene/state_file.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+namespace softgrain
+{
+namespace
+{
+const char *const parameters_name = "driver/parameters", *const names_name = "driver/bodies/names",
+                  *const bodies_name = "driver/bodies/numbers";
+
+/// More of them would hide the message.
+constexpr std::size_t max_changes_in_message = 4;
+
+using Parameters = std::map<std::string, std::string>;
+
+/// Path and value of every parameter in a text that print_prm() has made.
+Parameters parameters_of(const std::string &text)
+{
+  Parameters parameters;
+  std::vector<std::string> sections;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    line = dealii::Utilities::trim(line);
+    const auto equals = line.find('=');
+    if (line.compare(0, 11, "subsection ") == 0)
+      sections.push_back(line.substr(11));
+    else if (line == "end" && !sections.empty())
+      sections.pop_back();
+    else if (line.compare(0, 4, "set ") == 0 && equals != std::string::npos)
+    {
+      std::string path;
+      for (const std::string &section : sections)
+        path += section + "/";
+      parameters[path + dealii::Utilities::trim(line.substr(4, equals - 4))] =
+          dealii::Utilities::trim(line.substr(equals + 1));
+    }
+  }
+  return parameters;
+}
+
+/// Whether two values mean the same: 1e6 and 1000000, "0,1" and "0, 1".
+bool same_value(const std::string &a, const std::string &b)
+{
+  if (a == b)
+    return true;
+  const std::vector<std::string> first = dealii::Utilities::split_string_list(a, ","),
+                                 second = dealii::Utilities::split_string_list(b, ",");
+  const auto same = [](const std::string &x, const std::string &y)
+  {
+    char *end_x = nullptr, *end_y = nullptr;
+    const double number_x = std::strtod(x.c_str(), &end_x), number_y = std::strtod(y.c_str(), &end_y);
+    return x == y || (!x.empty() && !y.empty() && *end_x == '\0' && *end_y == '\0' && number_x == number_y);
+  };
+  return first.size() == second.size() && std::equal(first.begin(), first.end(), second.begin(), same);
+}
+
+bool matches(const std::string &path, const std::string &pattern)
+{
+  const std::vector<std::string> names = dealii::Utilities::split_string_list(path, "/"),
+                                 wanted = dealii::Utilities::split_string_list(pattern, "/");
+  const bool whole_section = pattern.back() == '/';
+  if (whole_section ? names.size() <= wanted.size() : names.size() != wanted.size())
+    return false;
+  return std::equal(wanted.begin(), wanted.end(), names.begin(),
+                    [](const std::string &w, const std::string &name) { return w == "*" || w == name; });
+}
+
+/// Every number that places or shapes a body, in a row.
+std::vector<double> numbers_of(const BodyDescription<2> &body)
+{
+  std::vector<double> numbers = {static_cast<double>(body.material),
+                                 static_cast<double>(body.shape),
+                                 body.center[0],
+                                 body.center[1],
+                                 body.radius,
+                                 body.inner_radius,
+                                 body.size[0],
+                                 body.size[1],
+                                 body.angle,
+                                 static_cast<double>(body.vertices.size())};
+  for (const dealii::Point<2> &vertex : body.vertices)
+    numbers.insert(numbers.end(), {vertex[0], vertex[1]});
+  return numbers;
+}
+
+std::vector<double> numbers_of(const std::vector<BodyDescription<2>> &bodies)
+{
+  std::vector<double> numbers;
+  for (const BodyDescription<2> &body : bodies)
+  {
+    const std::vector<double> more = numbers_of(body);
+    numbers.insert(numbers.end(), more.begin(), more.end());
+  }
+  return numbers;
+}
+
+std::string names_of(const std::vector<BodyDescription<2>> &bodies)
+{
+  std::string names;
+  for (const BodyDescription<2> &body : bodies)
+    names += body.name + "\n";
+  return names;
+}
+
+void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2>> &bodies)
+{
+  const std::string names = reader.read_text(names_name);
+  const std::size_t n_old = std::count(names.begin(), names.end(), '\n');
+  if (n_old != bodies.size())
+    throw InputError("the scene has " + std::to_string(bodies.size()) +
+                     " bodies and that of the checkpoint " + std::to_string(n_old) +
+                     "; see 'Packing' and 'Bodies/Names'");
+  if (names != names_of(bodies))
+    throw InputError("the bodies have other names than those of the checkpoint; see 'Bodies/Names'");
+  const std::vector<double> numbers = reader.read_doubles(bodies_name);
+  std::size_t at = 0;
+  for (const BodyDescription<2> &body : bodies)
+    for (const double number : numbers_of(body))
+      if (at >= numbers.size() || numbers[at++] != number)
+        throw InputError("body '" + body.name +
+                         "' has another place, shape or material than in the checkpoint; see 'Packing/File'");
+}
+} // namespace
+
+void save_description(StateWriter &writer, const std::string &effective_parameters, const Scene<2> &scene)
+{
+  writer.write(parameters_name, effective_parameters);
+  writer.write(names_name, names_of(scene.bodies));
+  writer.write(bodies_name, numbers_of(scene.bodies));
+}
+
+const std::vector<std::string> &changeable_in_every_model()
+{
+  // doc/output.md lists the same. A packing may come from elsewhere: its bodies are compared one by one.
+  static const std::vector<std::string> patterns = {"Output directory",
+                                                    "Threads",
+                                                    "Additional shared libraries",
+                                                    "Output/",
+                                                    "Stop/",
+                                                    "Packing/",
+                                                    "Walls/*/Velocity",
+                                                    "Walls/*/Pressure",
+                                                    "Walls/*/Drive",
+                                                    "Walls/*/Mass",
+                                                    "Walls/*/Damping"};
+  return patterns;
+}
+
+std::vector<std::string> check_description(const StateReader &reader,
+                                           const std::string &effective_parameters,
+                                           const Scene<2> &scene,
+                                           const std::vector<std::string> &changeable)
+{
+  const Parameters before = parameters_of(reader.read_text(parameters_name)),
+                   now = parameters_of(effective_parameters);
+  const auto value = [](const Parameters &parameters, const std::string &path)
+  {
+    const auto found = parameters.find(path);
+    return found == parameters.end() ? std::string("(not there)") : found->second;
+  };
+  Parameters all = before;
+  all.insert(now.begin(), now.end());
+  std::vector<std::string> changes;
+  std::string refused;
+  std::size_t n_refused = 0;
+  for (const auto &parameter : all)
+  {
+    const std::string &path = parameter.first, was = value(before, path), is = value(now, path);
+    if (same_value(was, is))
+      continue;
+    if (std::any_of(changeable.begin(), changeable.end(),
+                    [&path = path](const std::string &pattern) { return matches(path, pattern); }))
+      changes.push_back("'" + path + "': " + was + " -> " + is);
+    else if (++n_refused <= max_changes_in_message)
+      refused += (refused.empty() ? "'" : ", '") + path + "' was '" + was + "' and is '" + is + "'";
+  }
+  if (n_refused > max_changes_in_message)
+    refused += ", and " + std::to_string(n_refused - max_changes_in_message) + " more";
+  if (n_refused > 0)
+    throw InputError(refused + ": a run that goes on may not change this");
+  check_bodies(reader, scene.bodies);
+  return changes;
+}
+} // namespace softgrain

@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+The command line says what it can do in four places that must agree: help, man page, bash completion, and the answer to a
+mistake. What `parameters` prints can be read back. Arguments: PROGRAM REPOSITORY WORK.
+"""
+
+import functools
+import json
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+PROGRAM, REPOSITORY, WORK = map(os.path.abspath, sys.argv[1:4])
+os.makedirs(WORK, exist_ok=True)
+SCENE = os.path.join(REPOSITORY, "parameters/gallery/two_disks.prm")
+OWN_COMMANDS = ("run", "check", "parameters", "measure")  # whose options are those of the program, not of a script
+
+
+def softgrain(*words):
+    done = subprocess.run([PROGRAM, *words], cwd=WORK, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+@functools.lru_cache(maxsize=None)
+def help_of(*words):
+    status, text, errors = softgrain(*words, "--help")
+    assert (status, errors) == (0, ""), (words, errors)
+    return text
+
+
+def commands(*words):
+    """Names below 'Subcommands:' in the help."""
+    text = help_of(*words).partition("Subcommands:\n")[2].split("\n\n")[0]
+    return re.findall(r"^  ([a-z][\w-]*)", text, re.M)
+
+
+def options(command):
+    text = help_of(command).partition("Options:\n")[2].split("\n\n")[0]
+    return set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.M))
+
+
+class Help(unittest.TestCase):
+    def test_examples_are_understood(self):
+        """Every example of the help names a command and options that exist."""
+        seen = 0
+        for words in ([], *([name] for name in commands()[:-1] if name in OWN_COMMANDS), ["figures"]):
+            for example in re.findall(r"^  softgrain (.*)", help_of(*words).partition("Examples:")[2], re.M):
+                command, *rest = example.split()
+                self.assertIn(command, commands())
+                if command in OWN_COMMANDS:
+                    self.assertLessEqual({word for word in rest if word.startswith("--")}, options(command), example)
+                seen += 1
+        self.assertGreater(seen, 15)
+
+    def test_nearest_name(self):
+        for words, said in (
+                (["chek", SCENE], "'softgrain' has no command 'chek' (did you mean 'check'?); there are run, check,"),
+                (["parameter"], "did you mean 'parameters'?"),
+                (["figures", "thesis-5", "out"], "'figures' has no command 'thesis-5' (did you mean 'thesis-"),
+                (["run", SCENE, "--ouptut", "out"], "'run' has no option '--ouptut' (did you mean '--output'?)"),
+                (["check", SCENE, "--restart"], "'check' has no option '--restart'"),
+                (["parameters", "--fromat=md"], "did you mean '--format'?"),
+                (["figures"], "no command after 'figures'; there are thesis-3, thesis-4"),
+                ([], "no command after 'softgrain'; there are run, check")):
+            status, printed, errors = softgrain(*words)
+            self.assertEqual((status, printed), (2, ""), words)
+            self.assertRegex(errors, r"^softgrain: error: [^\n]+\n$")
+            self.assertIn(said, errors)
+        self.assertNotIn("did you mean", softgrain("dance")[2])
+
+
+class ManualPage(unittest.TestCase):
+    def test_commands_and_options(self):
+        with open(os.path.join(REPOSITORY, "doc/softgrain.1"), encoding="utf-8") as file:
+            page = re.sub(r"\\f[BIR]", "", file.read()).replace("\\-", "-")
+        described = page.partition(".SH COMMANDS")[2].partition(".SH OPTIONS")[0]
+        names = [name for name in commands() if name != "figures"] + [f"figures {name}" for name in commands("figures")]
+        self.assertEqual(re.findall(r"^\.TP\n\.B[IR]? \"?([a-z]+(?: thesis-\d)?)", described, re.M), names)
+        mentioned = set(re.findall(r"--[a-z]+", page.partition(".SH OPTIONS")[2].partition(".SH EXIT")[0]))
+        known = {"--version"}.union(*(options(name) for name in OWN_COMMANDS))
+        self.assertEqual(mentioned, known)
+
+
+class Completion(unittest.TestCase):
+    """What pressing Tab offers after some words, of which the last is not finished."""
+
+    CASES = [("",), ("c",), ("figures", ""), *((name, "--") for name in OWN_COMMANDS), ("render", "--"),
+             ("figures", "thesis-4", "--r"), ("parameters", "--format", ""), ("parameters", "--model", "b"),
+             ("measure", "--measures", ""), ("render", "out", "--contacts", ""), ("run", "x.prm", "--set", ""),
+             ("run", "files/"), ("render", "files/b")]
+
+    @classmethod
+    def setUpClass(cls):
+        os.makedirs(os.path.join(WORK, "files/below"), exist_ok=True)
+        for name in ("a.prm", "b.json", "c.png"):
+            open(os.path.join(WORK, "files", name), "w", encoding="utf-8").close()
+        # One shell for all: it asks the program once for every help.
+        script = ('source "$1"; while IFS= read -r line; do mapfile -t -d, COMP_WORDS < <(printf "%s," "$2,$line"); '
+                  'COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _softgrain; echo "${COMPREPLY[*]}"; done')
+        cls.done = subprocess.run(["bash", "-c", script, "bash", os.path.join(REPOSITORY, "contrib/softgrain.bash"),
+                                   PROGRAM], input="".join(",".join(case) + "\n" for case in cls.CASES),
+                                  cwd=WORK, capture_output=True, text=True, check=True)
+        cls.answers = dict(zip(cls.CASES, cls.done.stdout.split("\n")))
+
+    def offered(self, *words):
+        self.assertEqual(self.done.stderr, "")
+        return set(self.answers[words].split())
+
+    def test_commands(self):
+        self.assertEqual(self.offered(""), set(commands()))
+        self.assertEqual(self.offered("c"), {"check"})
+        self.assertEqual(self.offered("figures", ""), set(commands("figures")))
+
+    def test_options(self):
+        for name in OWN_COMMANDS:
+            self.assertEqual(self.offered(name, "--"), options(name))
+        self.assertLessEqual({"--frame", "--field", "--output"}, self.offered("render", "--"))
+        self.assertLessEqual({"--reference"}, self.offered("figures", "thesis-4", "--r"))
+
+    def test_values(self):
+        self.assertEqual(self.offered("parameters", "--format", ""), {"prm", "json", "md"})
+        self.assertEqual(self.offered("parameters", "--model", "b"), {"bpm"})
+        self.assertIn("stress", self.offered("measure", "--measures", ""))
+        self.assertIn("chains", self.offered("render", "out", "--contacts", ""))
+        self.assertEqual(self.offered("run", "x.prm", "--set", ""), set())
+
+    def test_files(self):
+        self.assertEqual(self.offered("run", "files/"), {"files/a.prm", "files/b.json", "files/below"})
+        self.assertEqual(self.offered("render", "files/b"), {"files/below"})
+
+
+class Listing(unittest.TestCase):
+    MESH = ["--set", "Mesh/Lower=-6e-3, -6e-3", "--set", "Mesh/Upper=6e-3, 6e-3", "--set", "Mesh/Cell size=1e-3"]
+    BODY = ["--set", "Bodies/NAME/Radius=5e-3", "--set", "Stop/End time=1e-3"]
+
+    def listing(self, model, form):
+        path = os.path.join(WORK, f"{model}.{form}")
+        status, text, errors = softgrain("parameters", "--model", model, "--format", form)
+        self.assertEqual((status, errors), (0, ""))
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def test_it_can_be_read(self):
+        for model, changes in (("mpm", self.MESH + self.BODY),
+                               ("bpm", self.BODY + ["--set", "Primaries/Smallest diameter=5e-4",
+                                                    "--set", "Primaries/Largest diameter=7e-4"])):
+            reports = []
+            for form in ("json", "prm"):
+                path = self.listing(model, form)
+                status, printed, errors = softgrain("check", path, *changes, "--output", "there")
+                self.assertEqual((status, errors), (0, ""), path)
+                reports.append(printed)
+                # What is missing is said of the scene, not of an entry that is not known.
+                status, _, errors = softgrain("check", path)
+                self.assertEqual(status, 2)
+                self.assertNotIn("unknown", errors)
+            self.assertEqual(*reports)
+
+    def test_described_parameters(self):
+        for text, said in (
+                ({"Threads": {"value": "2", "colour": "red"}}, "'Threads/colour' cannot stand beside a \"value\""),
+                ({"Threads": {"value": "2", "Deeper": {"value": "1"}}}, "cannot stand beside a \"value\""),
+                ({"Treads": {"value": "2"}}, "unknown parameter 'Treads' (did you mean 'Threads'?)"),
+                ({"Threads": {"value": "many", "default": "0"}}, ":2: 'Threads' = 'many' is not allowed")):
+            path = os.path.join(WORK, "described.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(text, file, indent=1)
+            status, _, errors = softgrain("check", path)
+            self.assertEqual(status, 2, errors)
+            self.assertIn(said, errors)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

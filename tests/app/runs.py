@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a run does on a full disk, under signals, beside another run, over old results: nothing is lost or silent."""
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+import whole_runs
+from whole_runs import LONG_STEPS, MANY_STEPS, PROGRAM, WORK, Runs, command, states, status
+
+
+def limit_files(n_bytes):
+    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (n_bytes, n_bytes))
+
+
+class FullDisk(Runs):
+    """A disk that takes no more ends the run with one line; what it held before is whole."""
+
+    def check(self, model, ends):
+        self.run_scene(model, settings=[*ends[0], "Output/History every=1000"])
+        old = states(self.folder)
+        limit = max(path.stat().st_size for path in old) // 2
+        for _ in range(2):
+            _, error = self.run_scene(model, "--restart", settings=[*ends[1], "Output/History every=1000"], expect=1,
+                                      preexec_fn=limit_files(limit))
+            self.assertIn("File too large", error)
+            self.assertIn(f"the newest checkpoint is {old[-1]}", error)
+            self.assertEqual(status(self.folder), "failed")
+            self.assertEqual(states(self.folder), old)
+            self.assertEqual(list(self.folder.glob("**/*.part")), [])
+        self.run_scene(model, "--restart", settings=ends[1])
+        self.assertEqual(status(self.folder), "completed")
+
+    def test_mpm(self):
+        self.check("mpm", (["Stop/End time=3e-4", "Output/Number of field outputs=0"],
+                           ["Stop/End time=1.2e-3", "Output/Number of field outputs=0"]))
+
+    def test_bpm(self):
+        self.check("bpm", (["Stop/End time=1e-3", "Output/Fields every=0"],
+                           ["Stop/End time=2e-3", "Output/Fields every=0"]))
+
+    def test_small_disk(self):
+        self.folder.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", self.folder]
+        if os.geteuid() != 0 or subprocess.run(mount, check=False).returncode != 0:
+            self.skipTest("cannot mount a small disk")
+        try:
+            small = ["Output/Checkpoint every=1e-9", "Output/Checkpoints kept=100"]
+            _, error = self.run_scene("mpm", settings=small, expect=1)
+            self.assertIn("No space left on device", error)
+            self.assertEqual(status(self.folder), "failed")
+            self.assertGreaterEqual(len(states(self.folder)), 1)
+        finally:
+            subprocess.run(["umount", self.folder], check=True)
+
+
+class OldResults(Runs):
+    """A new run replaces what an ended one has left, and nothing else."""
+
+    def test_unfinished(self):
+        with self.running("mpm", settings=MANY_STEPS) as process:
+            process.send_signal(signal.SIGINT)
+            process.wait(60)
+        self.assertEqual(status(self.folder), "interrupted")
+        before = {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
+        _, error = self.run_scene("mpm", expect=2)
+        self.assertRegex(error, r"holds a run that has not ended \('interrupted' at t = .*, step \d+\): "
+                                r"add --restart .* or --overwrite")
+        self.assertEqual(before, {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()})
+        self.run_scene("mpm", "--restart", settings=["Time/CFL multiple=2"])
+        self.run_scene("mpm")  # it has ended: no need to ask
+        (self.folder / "summary.json").write_text("{")
+        self.run_scene("mpm", expect=2)
+        self.run_scene("mpm", "--overwrite")
+        self.assertEqual(status(self.folder), "completed")
+
+    def test_killed_before_a_checkpoint(self):
+        with self.running("mpm", settings=MANY_STEPS) as process:
+            process.kill()
+            process.wait(60)
+        _, error = self.run_scene("mpm", expect=2)
+        self.assertIn("has no checkpoint: add --overwrite", error)
+        self.run_scene("mpm", "--restart", expect=2)
+        self.run_scene("mpm", "--overwrite")
+
+    def test_foreign_files(self):
+        self.run_scene("mpm")
+        foreign = [self.folder / name for name in ("state-of-the-art.h5", "letter.part", "fields/mine.vtu", "notes.txt",
+                                                   "history.csv.old")]
+        for path in foreign:
+            path.write_text("mine")
+        (self.folder / "history.csv.part").write_text("ours")
+        self.run_scene("mpm", settings=["Output/Number of field outputs=0"])
+        self.assertEqual([path.read_text() for path in foreign], ["mine"] * len(foreign))
+        self.assertEqual([path.name for path in (self.folder / "fields").iterdir()], ["mine.vtu"])
+        self.assertFalse((self.folder / "history.csv.part").exists())
+        # The name of a checkpoint, and none: a run would write over it.
+        mine = self.folder / "state-000000003.h5"
+        mine.write_text("mine")
+        for words in ((), ("--overwrite",)):
+            _, error = self.run_scene("mpm", *words, expect=2)
+            self.assertIn("holds state-000000003.h5, which has the name of a checkpoint and is none", error)
+        self.assertEqual(mine.read_text(), "mine")
+
+    def test_earlier_checkpoint(self):
+        """Going on from an older checkpoint gives up the later ones: they are not taken for newer ones afterwards."""
+        base = ["Output/Checkpoint every=1e-9", "Output/Checkpoints kept=100"]
+        self.run_scene("mpm", settings=base)
+        self.run_scene("mpm", "--restart", states(self.folder)[2], settings=[*base, "Stop/End time=5e-4"])
+        said, _ = self.run_scene("mpm", "--restart", settings=base)
+        self.assertIn("'Stop/End time': 5e-4 -> 1.2e-3", said)
+        # Into the results of another run it may not go.
+        other, self.folder = self.folder, WORK / "OldResults.other"
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.run_scene("mpm")
+        _, error = self.run_scene("mpm", "--restart", states(other)[-1], expect=2)
+        self.assertIn("holds the results of another run", error)
+
+
+class OneFolder(Runs):
+    """A folder belongs to one run at a time, and a run notices when it loses it."""
+
+    def test_two_runs(self):
+        with self.running("mpm", settings=MANY_STEPS) as first:
+            for words in ((), ("--overwrite",), ("--restart",)):
+                _, error = self.run_scene("mpm", *words, expect=2)
+                self.assertIn(f"is in use by another run (process {first.pid} on ", error)
+            first.kill()
+            first.wait(60)
+            # The file of the lock is still there; its owner is not.
+            self.assertTrue((self.folder / "run.lock").exists())
+            self.run_scene("mpm", "--overwrite")
+        self.assertFalse((self.folder / "run.lock").exists())
+
+    def test_mpirun(self):
+        mpirun = shutil.which("mpirun")
+        if mpirun is None:
+            self.skipTest("there is no mpirun")
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        done = subprocess.run([mpirun, "--oversubscribe", "-n", "2", *command("mpm", self.folder)], capture_output=True,
+                              text=True, check=False, env=environment)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertEqual(done.stderr.count("softgrain: error: started as several processes"), 1, done)
+        self.assertFalse(self.folder.exists())
+
+    def lost(self, lose):
+        with self.running("mpm", settings=MANY_STEPS) as process:
+            lose()
+            error = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, error)
+        self.assertRegex(error, r"\Asoftgrain: error: the output folder [^\n]+ is gone: it was removed, renamed or "
+                                r"replaced[^\n]+\n\Z")
+
+    def test_removed(self):
+        def remove():
+            # The lock first: a run that misses only its history saves its state, and the folder is not empty again.
+            (self.folder / "run.lock").unlink()
+            shutil.rmtree(self.folder, ignore_errors=True)  # the run removes it too once it is empty
+
+        self.lost(remove)
+        self.assertFalse(self.folder.exists())
+
+    def test_renamed(self):
+        moved = self.folder.with_suffix(".moved")
+        shutil.rmtree(moved, ignore_errors=True)
+        self.lost(lambda: self.folder.rename(moved))
+        self.assertTrue((moved / "history.csv").exists())
+
+    def test_history_removed(self):
+        with self.running("mpm", settings=MANY_STEPS) as process:
+            (self.folder / "history.csv").unlink()
+            error = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, error)
+        self.assertRegex(error, r"\Asoftgrain: error: [^\n]*history.csv was removed[^\n]*; the last good state is saved "
+                                r"in [^\n]+\n\Z")
+
+
+class Signals(Runs):
+    """A signal stops a run within its step; the state before the step is saved and the run goes on from it."""
+
+    def check(self, model, number, more=()):
+        with self.running(model, settings=LONG_STEPS[model]) as process:
+            begin = time.monotonic()
+            process.send_signal(number)
+            for repeated in more:  # as `timeout` and schedulers do: to the process and to its group
+                process.send_signal(repeated)
+            said, error = process.communicate(timeout=60)
+            seconds = time.monotonic() - begin
+        self.assertEqual((process.returncode, error), (3, ""), said)
+        self.assertLess(seconds, 5)  # one, on a machine that does nothing else
+        self.assertEqual(status(self.folder), "interrupted")
+        self.assertIn(f"the state is saved in {states(self.folder)[-1]}; the same command with --restart goes on", said)
+
+    def test_terminate_mpm(self):
+        self.check("mpm", signal.SIGTERM, [signal.SIGTERM])
+        # As if never stopped.
+        allowed = ["Mesh/Cell size=2.5e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
+        self.run_scene("mpm", "--restart", settings=allowed)
+        resumed = (self.folder / "history.csv").read_text()
+        self.run_scene("mpm", settings=allowed)
+        self.assertEqual(resumed, (self.folder / "history.csv").read_text())
+
+    def test_terminate_bpm(self):
+        self.check("bpm", signal.SIGTERM)
+
+    def test_as_if_never_stopped_bpm(self):
+        many = ["Time/Step fraction=0.01", "Output/Fields every=0"]
+        with self.running("bpm", settings=many, seconds=0.1) as process:
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(process.wait(60), 3)
+        self.run_scene("bpm", "--restart", settings=many)
+        resumed = (self.folder / "history.csv").read_text()
+        self.run_scene("bpm", settings=many)
+        self.assertEqual(resumed, (self.folder / "history.csv").read_text())
+
+    def test_hang_up(self):
+        self.check("mpm", signal.SIGHUP)
+
+    def test_processor_time(self):
+        self.check("mpm", signal.SIGXCPU)
+
+    def test_ignored(self):
+        """Under nohup a closed terminal stops nothing."""
+        old = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        try:
+            with self.running("mpm", settings=MANY_STEPS) as process:
+                process.send_signal(signal.SIGHUP)
+                time.sleep(1)
+                self.assertIsNone(process.poll())
+        finally:
+            signal.signal(signal.SIGHUP, old)
+
+    def test_help(self):
+        said = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("3 interrupted by a signal", said)
+
+
+whole_runs.main()

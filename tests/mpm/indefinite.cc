@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Matrices of a body that is pressed hard have one negative eigenvalue, against rotation; a rank-one term
+// makes them positive definite. Both factorisations against dense algebra: solution, Delassus operator, and
+// that more than the term can lift is refused.
+#include "scene_of.h"
+
+#include <softgrain/mpm/banded_solver.h>
+#include <softgrain/mpm/cholesky_solver.h>
+#include <softgrain/mpm/rank_one_solver.h>
+#include <softgrain/mpm/stiffness.h>
+#include <softgrain/mpm/stress.h>
+#include <softgrain/mpm/whole_rotation.h>
+
+#include <Eigen/Dense>
+
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+/// A disk squeezed evenly by 0.5 %, its stiffness with a little mass, and its rotation.
+struct Squeezed
+{
+  Squeezed()
+      : model(shipped_scene("verification/line_contact.prm",
+                            {"Mesh/Cell size=1.3e-3", "Mesh/Lower=-8e-3, -8e-3", "Mesh/Upper=8e-3, 8e-3"}))
+      , body(model->bodies()[0])
+  {
+    Eigen::VectorXd u(body.field.n_dofs());
+    for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        u[2 * i + d] = -0.005 * body.field.position(body.field.node_of_independent(i))[d];
+    body.displacement = u;
+    mpm::evaluate_stress(body, u, u, {0., true, 0.});
+    matrix.reinit(body.field);
+    matrix.set_zero();
+    mpm::add_stiffness(body, 1., matrix);
+    matrix.add_mass<2>(body.mass, 1e-3 * body.law->young_modulus() / body.mass.sum());
+    rotation = mpm::whole_rotation(body);
+  }
+
+  Eigen::MatrixXd dense(const double k) const
+  {
+    const Eigen::MatrixXd B = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
+    return B + k * rotation * rotation.transpose();
+  }
+
+  std::unique_ptr<mpm::MpmModel> model;
+  mpm::Body<2> body;
+  mpm::SystemMatrix matrix;
+  Eigen::VectorXd rotation;
+};
+
+template <class Solver>
+void check(const std::string &name)
+{
+  Squeezed at;
+  const double k = mpm::rotation_stiffness(at.body);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> bare(at.dense(0.)), held(at.dense(k));
+  mpm::RankOneSolver solver(std::make_unique<Solver>());
+  solver.set_update(at.rotation, k);
+  const bool fine = solver.factorize(at.matrix);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(at.body.field.n_dofs(), -1., 2.);
+  Eigen::VectorXd x;
+  solver.solve(b, x);
+  const Eigen::MatrixXd A = at.dense(k);
+  mpm::LinearSolver::Rows rows(b.size(), 3);
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int i = c; i < b.size(); i += 5)
+      rows.insert(i, c) = 1. + c;
+  rows.makeCompressed();
+  Eigen::MatrixXd W;
+  solver.condense(rows, W);
+  const Eigen::MatrixXd H = rows, exact = H.transpose() * A.ldlt().solve(H);
+  std::cout << name << ": negative eigenvalues " << (bare.eigenvalues().array() < 0.).count()
+            << " and with the term " << (held.eigenvalues().array() < 0.).count() << ", accepted "
+            << (fine ? "yes" : "no") << ", residual " << below(1e-9, (A * x - b).norm() / b.norm())
+            << ", Delassus operator " << below(1e-9, (W - exact).norm() / exact.norm());
+  // Half of what turns it is not enough.
+  solver.set_update(at.rotation, 0.3 * k);
+  std::cout << ", 0.3 of the term: accepted " << (solver.factorize(at.matrix) ? "yes" : "no");
+  solver.set_update(at.rotation, 0.);
+  std::cout << ", none: " << (solver.factorize(at.matrix) ? "yes" : "no") << '\n';
+}
+} // namespace
+
+int main()
+{
+  check<mpm::BandedSolver>("banded");
+  check<mpm::CholeskySolver>("sparse");
+}

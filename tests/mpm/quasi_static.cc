@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Thirty loose grains compacted without inertia until they carry the walls, without and with friction: every
+// step ends in balance, no step is rejected, no grain lies in another, opposite walls carry the same without
+// friction, and what walls put in is stored, or taken by contacts and by the regularising forces.
+#include "scene_of.h"
+
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+void compact(const std::string &what, const std::vector<std::string> &changes)
+{
+  std::vector<std::string> all = {"Time/Scheme=quasi_static", "Mesh/Cell size=4e-4", "Contact/Tolerance=1e-8",
+                                  "Contact/Algorithm=active_set"};
+  all.insert(all.end(), changes.begin(), changes.end());
+  const auto model = shipped_scene("gallery/thirty_grains_mpm.prm", all);
+  double unbalanced = 0., penetration = 0.;
+  unsigned int rejected = 0;
+  run_until(*model, 1.6e-4,
+            [&](const StepReport &report)
+            {
+              for (const auto &[name, value] : model->extra_history())
+                if (name == "unbalanced_force")
+                  unbalanced = std::max(unbalanced, value);
+              penetration = std::max(penetration, report.max_penetration);
+              rejected += report.attempts - 1;
+            });
+  const Energies energies = model->energies();
+  const auto walls = model->walls(); // bottom, top, left, right
+  const double width = walls[3].position - walls[2].position, height = walls[1].position - walls[0].position;
+  std::cout << what << ": packing fraction " << model->solid_area() / (width * height) << ", rejected steps "
+            << rejected << ", unbalanced force " << below(1.0001e-4, unbalanced) << ", penetration in cells "
+            << below(1e-6, penetration / 4e-4) << ", stress on top " << walls[1].normal_force / width
+            << " Pa, energy that is neither stored nor booked "
+            << below(0.03, (energies.external_work - energies.elastic - energies.dissipated) /
+                               energies.external_work)
+            << '\n';
+  if (walls[0].normal_force > 0. && changes.empty())
+    std::cout << "  top over bottom " << walls[1].normal_force / walls[0].normal_force << ", right over left "
+              << walls[3].normal_force / walls[2].normal_force << '\n';
+}
+} // namespace
+
+int main()
+{
+  compact("no friction", {});
+  std::vector<std::string> rough = {"Contact/Friction=0.5"};
+  for (const std::string wall : {"bottom", "top", "left", "right"})
+    rough.push_back("Walls/" + wall + "/Friction=0.5");
+  compact("friction 0.5", rough);
+}

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Films, zoom, fields of bodies and strains, chains with one scale, curves of measures. Arguments: see common.py."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import common
+import h5py
+import matplotlib.image
+import matplotlib.pyplot as plt
+import numpy as np
+import softgrain
+from softgrain import film
+from softgrain.picture import Options, Picture
+from tool_runs import run
+
+PNG = ("--dpi", "50")
+
+
+def shape(path):
+    return matplotlib.image.imread(path).shape[:2]
+
+
+class Pictures(unittest.TestCase):
+    def draw(self, tool, *arguments):
+        code, printed, errors = run(tool, *arguments)
+        self.assertEqual((code, errors), (0, ""), errors)
+        return printed.split()
+
+    def refused(self, words, tool, *arguments):
+        code, _, errors = run(tool, *arguments)
+        self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
+        self.assertIn(words, errors)
+
+    def test_frames_have_one_size(self):
+        frames = self.draw("render.py", common.EXAMPLE, "--frame", "all", "--output", "frame.png", *PNG)
+        self.assertEqual(len(frames), len(softgrain.open(common.EXAMPLE)))
+        self.assertEqual(len({shape(path) for path in frames}), 1)
+
+    def test_film(self):
+        n = len(softgrain.open(common.EXAMPLE))
+        gif, = self.draw("render.py", common.EXAMPLE, "--film", "film.gif", "--fps", "5", *PNG)
+        try:
+            from PIL import Image
+        except ImportError:
+            self.skipTest("Pillow is not there to look at the film")
+        # By whatever is there, then by Pillow: all frames, the right time.
+        for path in (gif, self.by_pillow()):
+            with Image.open(path) as image:
+                self.assertEqual((image.n_frames, image.info["duration"]), (n, 200))
+        if not shutil.which("ffmpeg"):
+            self.refused("apt install ffmpeg", "render.py", common.EXAMPLE, "--film", *PNG)
+            return
+        path, = self.draw("render.py", common.EXAMPLE, "--film", "film.mp4", "--field", "strain", *PNG)
+        done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                               "stream=nb_read_frames,width,height", "-of", "json", path], text=True, check=True,
+                              capture_output=True)
+        stream = json.loads(done.stdout)["streams"][0]
+        self.assertEqual((int(stream["nb_read_frames"]), stream["width"] % 2, stream["height"] % 2), (n, 0, 0))
+
+    def by_pillow(self):
+        search, os.environ["PATH"] = os.environ["PATH"], ""
+        try:
+            path, = self.draw("render.py", common.EXAMPLE, "--film", "pillow.gif", "--fps", "5", *PNG)
+            self.refused("apt install ffmpeg", "render.py", common.EXAMPLE, "--film", "film.mp4")
+        finally:
+            os.environ["PATH"] = search
+        return path
+
+    def test_film_before_the_folder(self):
+        shutil.copytree(common.EXAMPLE, "copy")
+        if shutil.which("ffmpeg"):
+            self.assertEqual(self.draw("render.py", *PNG, "--film", "copy"), ["copy/pictures/von_mises_Pa.mp4"])
+        # A power of ten below zero is no option.
+        self.draw("render.py", "copy", "--range", "-1e4", "1e4", "--field", "pressure", "--zoom", "-1e-3", "0", "2e-3", "3e-3",
+                  *PNG)
+
+    def test_film_is_refused(self):
+        self.refused("must be .mp4 or .gif", "render.py", common.EXAMPLE, "--film", "film.avi")
+        self.refused("--film and --output", "render.py", common.EXAMPLE, "--film", "--output", "a.png")
+        self.refused("leave --frame out", "render.py", common.EXAMPLE, "--film", "--frame", "2")
+        with self.assertRaisesRegex(softgrain.InputError, "must be .mp4 or .gif"):
+            film.require_maker("film.webm")
+
+    def test_fields(self):
+        for field in ("strain", "shear_strain", "velocity:y", "coordination", "mean_pressure", "bodies/velocity",
+                      "mean_stress:yy", "volume_strain"):
+            path, = self.draw("render.py", common.EXAMPLE, "--field", field, "--output", "field.png", *PNG)
+            image = matplotlib.image.imread(path)[..., :3]
+            self.assertGreater(np.ptp(image, axis=2).max(), 0.3, field)  # there is colour
+        self.refused("of whole bodies: area_m2, coordination", "render.py", common.EXAMPLE, "--field", "colour")
+        listed = " ".join(self.draw("render.py", common.EXAMPLE, "--list"))
+        self.assertIn("equivalent_strain", listed)
+        self.assertIn("coordination", listed)
+
+    def test_zoom(self):
+        run_ = softgrain.open(common.EXAMPLE)
+        for zoom, width in (((2,), None), ((0, 0, 2e-3, 1e-3), 2e-3)):
+            picture = Picture(Options(zoom=zoom), [run_[-1]])
+            axes = picture.figure(run_[-1]).axes[0]
+            full = Picture(Options(), [run_[-1]])
+            expected = width or (full.high[0] - full.low[0]) / 2
+            self.assertAlmostEqual(np.ptp(axes.get_xlim()), expected, places=9)
+        plt.close("all")
+        self.refused("shows nothing", "render.py", common.EXAMPLE, "--zoom", "1", "1", "2", "2")
+        self.refused("--zoom takes", "render.py", common.EXAMPLE, "--zoom", "1", "2")
+        self.refused("--zoom takes", "render.py", common.EXAMPLE, "--zoom", "0")
+
+    def test_chains_have_one_scale(self):
+        run_ = softgrain.open(common.EXAMPLE)
+        together = Picture(Options(contacts="chains"), run_[:])
+        last = Picture(Options(contacts="chains"), [run_[-1]])
+        self.assertGreaterEqual(together.full_force, last.full_force)
+        widths = {}
+        for number in (2, -1):
+            figure = together.figure(run_[number])
+            texts = [text.get_text() for text in figure.texts]
+            self.assertEqual(len([text for text in texts if text.startswith("force ")]), 1, texts)
+            force = run_[number].pairs["force_N_per_m"]
+            widths[number] = (max(max(line.get_linewidths()) for line in figure.axes[0].collections
+                                  if isinstance(line, matplotlib.collections.LineCollection)
+                                  and line.get_zorder() == 5.1), np.hypot(*force.T).max(), texts)
+        plt.close("all")
+        (early, early_force, legend), (late, late_force, same) = widths.values()
+        self.assertAlmostEqual(early / late, early_force / late_force, delta=1e-6)
+        self.assertEqual(legend, same)
+
+    def test_states_without_fields(self):
+        bare = os.path.join(common.WORK, "bare")
+        shutil.copytree(common.EXAMPLE, bare, ignore=shutil.ignore_patterns("fields*", "*.csv"))
+        self.draw("render.py", bare, "--output", "bare.png", *PNG)
+        figure = softgrain.open(bare)[-1].plot("pressure_Pa", contacts="none")
+        self.assertEqual(len(figure.axes), 2)
+        plt.close("all")
+
+    def test_curves(self):
+        listed = " ".join(self.draw("plot.py", common.EXAMPLE, "--list"))
+        self.assertIn("contact_anisotropy", listed)
+        self.draw("plot.py", common.EXAMPLE, "--y", "contact_anisotropy", "packing_fraction", "--output", "curves.png")
+        run_ = softgrain.open(common.EXAMPLE)
+        axes = run_.plot("specific_contact_surface", x="axial_strain")
+        x, y = axes.lines[0].get_data()
+        np.testing.assert_array_equal(y, run_.measures_table["specific_contact_surface"])
+        np.testing.assert_allclose(x, [state.strain for state in run_], atol=1e-12)
+        self.assertEqual(run_.plot("bottom_force").get_xlabel()[:12], "Axial strain")
+        plt.close("all")
+
+    def test_fits(self):
+        folder = os.path.join(common.WORK, "law")
+        os.makedirs(folder)
+        x = np.linspace(0.8, 0.98, 60)
+        with open(os.path.join(folder, "history.csv"), "w", encoding="utf-8") as file:
+            file.write("time_s,packing_fraction,coordination,noise\n")
+            for row in zip(1e-3 * np.arange(60), x, 3.5 + 4 * np.sqrt(x - 0.8), np.random.default_rng(1).normal(size=60)):
+                file.write(",".join(f"{value:.9g}" for value in row) + "\n")
+        columns = ("--x", "packing_fraction", "--dpi", "50", "--y")
+        _, *words = self.draw("plot.py", folder, *columns, "coordination", "--fit", "power")
+        found = " ".join(words)
+        for text in ("a = 3.5,", "b = 4,", "x0 = 0.8,", "c = 0.5,", "R² = 1.0000"):
+            self.assertIn(text, found)
+        code, _, errors = run("plot.py", folder, *columns, "noise", "--fit", "line")
+        self.assertEqual(code, 0)
+        self.assertRegex(errors, "plot: warning: the line of noise of .* fits poorly, R² = 0.0")
+        self.refused("fewer than 5 points", "plot.py", folder, *columns, "noise", "--fit", "line", "--fit-range", "0.97", "0.98")
+        self.refused("needs --fit", "plot.py", folder, "--fit-range", "0", "1")
+
+    def test_default_without_walls(self):
+        folder = os.path.join(common.WORK, "free")
+        os.makedirs(folder)
+        with open(os.path.join(folder, "history.csv"), "w", encoding="utf-8") as file:
+            file.write("time_s,step,axial_strain,kinetic_energy_J_per_m,elastic_energy_J_per_m\n0,0,,0,1\n1,1,,1,2\n")
+        path, = self.draw("plot.py", folder)
+        self.assertEqual(os.path.basename(path), "kinetic_energy_J_per_m-elastic_energy_J_per_m-against-time_s.png")
+
+    def test_damaged_snapshots(self):
+        broken = os.path.join(common.WORK, "broken")
+        shutil.copytree(common.EXAMPLE, broken, ignore=shutil.ignore_patterns("fields*"))
+        with open(os.path.join(broken, "snapshots/000005.h5"), "r+b") as file:
+            file.truncate(2000)
+        self.refused("is damaged", "render.py", broken)
+        with h5py.File(os.path.join(broken, "snapshots.h5"), "r+") as file:
+            del file["time_s"]
+        self.refused("is damaged", "render.py", broken)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs and sweeps started from Python, and the package installed by pip. Arguments: see common.py."""
+
+import glob
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import common
+import numpy as np
+import softgrain
+
+SHORT = {"Stop/Axial strain": 0.01, "Output/Snapshots every": 0, "Output/Fields every": 0, "Output/Measures": ""}
+
+
+class Programs(unittest.TestCase):
+    def test_run(self):
+        run = softgrain.run(common.SCENE, set={**SHORT, "Contact/Friction": 0.25}, output="one", threads=1)
+        self.assertTrue(run.finished)
+        self.assertIn("completed at t =", run.log)
+        self.assertEqual(run.parameters["Contact/Friction"], 0.25)
+        self.assertGreaterEqual(max(run.history_table["axial_strain"]), 0.01)
+        before = os.stat("one/history.csv").st_mtime_ns
+        self.assertTrue(softgrain.run(common.SCENE, output="one", again=False).finished)
+        self.assertEqual(os.stat("one/history.csv").st_mtime_ns, before)
+
+    def test_going_on_and_beginning_anew(self):
+        def stopped():
+            """A run that was told to stop before its end."""
+            process = subprocess.Popen([common.PROGRAM, "run", common.SCENE, "--output", "stopped", "--threads", "1", "--set",
+                                        "Output/Fields every=2e-5"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while process.poll() is None and not (os.path.exists("stopped/fields.pvd") and
+                                                  len(softgrain.open("stopped").fields) > 3):
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            process.wait()
+            self.assertEqual(softgrain.open("stopped").status, "interrupted")
+
+        stopped()
+        done = softgrain.run(common.SCENE, output="stopped", threads=1, restart=True,
+                             set={"Output/Fields every": 2e-5})
+        self.assertTrue(done.finished)
+        self.assertEqual(list(done.history_table["step"]), list(range(len(done.history_table))))
+        shutil.rmtree("stopped")
+        stopped()
+        self.assertTrue(softgrain.run(common.SCENE, output="stopped", threads=1, overwrite=True).finished)
+        with self.assertRaisesRegex(softgrain.InputError, "exclude each other"):
+            softgrain.run(common.SCENE, output="stopped", restart=True, overwrite=True)
+
+    def test_while_it_runs(self):
+        process = subprocess.Popen([common.PROGRAM, "run", common.SCENE, "--output", "live", "--threads", "1", "--set",
+                                    "Output/Snapshots every=1e-5", "--set", "Output/Fields every=1e-5"],
+                                   stdout=subprocess.DEVNULL)
+        while not os.path.exists("live/snapshots.h5") and process.poll() is None:
+            time.sleep(0.01)
+        run, states = softgrain.open("live"), set()
+        while process.poll() is None:
+            if len(run) == 0:
+                continue
+            state = run[-1]
+            states.add(state.number)
+            self.assertEqual(len(state.bodies["coordination"]), 2)
+            self.assertGreaterEqual(len(run.history_table), 1)
+            if len(run.fields):
+                self.assertTrue(np.isfinite(run.fields[-1].points["von_mises_Pa"]).all())
+        self.assertEqual(process.returncode, 0)
+        self.assertTrue(run.finished)
+        self.assertGreater(len(states), 1)
+        self.assertGreater(len(run), max(states) - 1)
+
+    def test_default_folder(self):
+        shutil.copy(common.SCENE, "small.prm")
+        self.assertEqual(softgrain.run("small.prm", set=SHORT, threads=1).directory, os.path.join("output", "small"))
+
+    def test_what_is_wrong_is_said(self):
+        with self.assertRaisesRegex(softgrain.InputError, "Friktion.*Friction"):
+            softgrain.run(common.SCENE, set={"Contact/Friktion": 1}, output="wrong")
+        with self.assertRaisesRegex(softgrain.InputError, "nothing.prm: there is no such file"):
+            softgrain.run("nothing.prm")
+        with self.assertRaisesRegex(softgrain.InputError, "no-such-program"):
+            softgrain.run(common.SCENE, program="no-such-program")
+        with self.assertRaisesRegex(softgrain.RunFailed, "over 0.01 s"):
+            softgrain.run(common.SCENE, output="late", timeout=0.01)
+
+    def test_sweep(self):
+        over = {"Contact/Friction": [0, 0.5], "Walls/top/Velocity": [0.5, 1.]}
+        runs = softgrain.sweep(common.SCENE, over, "sweep", set=SHORT, jobs=2)
+        self.assertEqual(sorted(os.listdir("sweep")), sorted(
+            f"Friction={f}_Velocity={v}" for f in (0, 0.5) for v in (0.5, 1.0)))
+        table = runs.collect(lambda run: {"steps": run.summary["steps"], "end_s": run.summary["simulated_time_s"]})
+        self.assertEqual(list(table["Contact/Friction"]), [0, 0, 0.5, 0.5])
+        np.testing.assert_allclose(table["end_s"] * table["Walls/top/Velocity"], 8e-5, rtol=0.5)
+        before = os.stat("sweep/Friction=0_Velocity=0.5/history.csv").st_mtime_ns
+        softgrain.sweep(common.SCENE, over, "sweep", set=SHORT)
+        self.assertEqual(os.stat("sweep/Friction=0_Velocity=0.5/history.csv").st_mtime_ns, before)
+        with self.assertRaisesRegex(softgrain.RunFailed, "1 of 2 runs failed; .*Friction=-1"):
+            softgrain.sweep(common.SCENE, {"Contact/Friction": [-1, 0.1]}, "failing", set=SHORT)
+        self.assertTrue(softgrain.open("failing/Friction=0.1").finished)
+
+    def test_measure(self):
+        table = softgrain.measure(common.EXAMPLE)
+        written = softgrain.open(common.EXAMPLE).measures_table
+        self.assertEqual(list(table), list(written))
+        np.testing.assert_allclose(table["coordination"], written["coordination"])
+
+    def test_installed_by_pip(self):
+        found = subprocess.run([sys.executable, "-c", "import setuptools, wheel, pip"], capture_output=True, check=False)
+        if found.returncode:
+            self.skipTest("pip, setuptools and wheel are not all there")
+        shutil.copytree(common.PYTHON, "source", ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
+        subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-build-isolation", "--no-deps", "--no-index",
+                        "--target", "site", "./source"], check=True, capture_output=True)
+        done = subprocess.run([sys.executable, "-c", "import softgrain, sys; print(softgrain.__file__); "
+                               "print(len(softgrain.open(sys.argv[1])))", common.EXAMPLE], check=True, text=True,
+                              capture_output=True, env=dict(os.environ, PYTHONPATH=os.path.abspath("site")))
+        place, n = done.stdout.split()
+        self.assertEqual(place, os.path.abspath("site/softgrain/__init__.py"))
+        self.assertEqual(int(n), len(softgrain.open(common.EXAMPLE)))
+
+    def test_installed_with_the_program(self):
+        build = os.path.dirname(os.path.dirname(common.PROGRAM))
+        subprocess.run(["cmake", "--install", build, "--prefix", os.path.abspath("prefix")], check=True,
+                       capture_output=True)
+        program = os.path.abspath("prefix/bin/softgrain")
+        done = subprocess.run([program, "render", common.EXAMPLE, "--dpi", "40", "--output", "installed.png"], text=True,
+                              check=True, capture_output=True)
+        self.assertEqual(done.stdout, "installed.png\n")
+        packages = glob.glob(os.path.abspath("prefix/lib/python3*/dist-packages"))
+        self.assertEqual(len(packages), 1)
+        environment = {**os.environ, "PYTHONPATH": packages[0]}
+        del environment["SOFTGRAIN"]
+        done = subprocess.run([sys.executable, "-c", "import softgrain; print(softgrain.__file__, softgrain.find_program())"],
+                              text=True, check=True, capture_output=True, env=environment)
+        self.assertEqual(done.stdout.split(), [os.path.join(packages[0], "softgrain/__init__.py"), program])
+
+    def test_version(self):
+        done = subprocess.run([common.PROGRAM, "--version"], check=True, text=True, capture_output=True)
+        self.assertEqual(re.search(r"\d+\.\d+\.\d+", done.stdout)[0], softgrain.__version__)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
