@@ -2,8 +2,8 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/random.h>
 #include <softgrain/bpm/aggregate.h>
+#include <softgrain/packing/packing.h>
 #include <softgrain/scene/body_geometry.h>
-#include <softgrain/scene/packing.h>
 
 #include <deal.II/base/numbers.h>
 

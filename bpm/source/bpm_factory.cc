@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/bpm_model.h>
-#include <softgrain/scene/model_factory.h>
+#include <softgrain/model/model_factory.h>
 
 #include <deal.II/base/parameter_handler.h>
 

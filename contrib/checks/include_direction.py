@@ -8,14 +8,18 @@ import common
 # doc/architecture: who may include whom. Every part may include itself.
 MAY_INCLUDE = {
     "base": set(),
+    "parameters": {"base"},
+    "linear": {"base"},
     "contact": {"base"},
     "constitutive": {"base"},
     "analysis": {"base"},
-    "scene": {"base", "analysis", "contact"},
-    "output": {"base", "scene", "analysis"},
-    "mpm": {"base", "contact", "constitutive", "scene", "analysis"},
-    "bpm": {"base", "contact", "scene", "analysis"},
-    "app": {"base", "contact", "constitutive", "analysis", "scene", "output", "mpm", "bpm"},
+    "packing": {"base", "parameters", "contact"},
+    "scene": {"base", "parameters", "packing"},
+    "model": {"base", "analysis", "scene"},
+    "output": {"base", "parameters", "scene", "analysis", "model"},
+    "mpm": {"base", "parameters", "linear", "contact", "constitutive", "scene", "analysis", "model"},
+    "bpm": {"base", "parameters", "contact", "packing", "scene", "analysis", "model"},
+    "app": {"base", "parameters", "contact", "constitutive", "analysis", "packing", "scene", "model", "output", "mpm", "bpm"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")')
 

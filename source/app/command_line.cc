@@ -11,9 +11,9 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/model/model_factory.h>
 #include <softgrain/output/checkpoint.h>
-#include <softgrain/scene/model_factory.h>
-#include <softgrain/scene/parameter_listing.h>
+#include <softgrain/parameters/parameter_listing.h>
 
 #include <CLI/CLI.hpp>
 

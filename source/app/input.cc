@@ -5,9 +5,9 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/constitutive/load_libraries.h>
-#include <softgrain/scene/model_factory.h>
-#include <softgrain/scene/parameter_listing.h>
-#include <softgrain/scene/parameter_tree.h>
+#include <softgrain/model/model_factory.h>
+#include <softgrain/parameters/parameter_listing.h>
+#include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <deal.II/base/utilities.h>

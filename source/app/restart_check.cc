@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/restart_check.h>
 #include <softgrain/base/exceptions.h>
-#include <softgrain/scene/state_file.h>
+#include <softgrain/model/state_file.h>
 
 #include <deal.II/base/utilities.h>
 

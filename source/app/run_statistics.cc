@@ -3,7 +3,7 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/scene/state_file.h>
+#include <softgrain/model/state_file.h>
 
 #include <algorithm>
 #include <cmath>

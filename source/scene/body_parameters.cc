@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/parameters/parameter_values.h>
 #include <softgrain/scene/body_parameters.h>
-#include <softgrain/scene/parameter_values.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/parameters/parameter_values.h>
 #include <softgrain/scene/packing_parameters.h>
-#include <softgrain/scene/parameter_values.h>
 #include <softgrain/scene/scene_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>

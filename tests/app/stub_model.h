@@ -7,10 +7,10 @@
 #include <softgrain/app/command_line.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/model/model_factory.h>
+#include <softgrain/model/state_file.h>
 #include <softgrain/scene/body_geometry.h>
-#include <softgrain/scene/model_factory.h>
 #include <softgrain/scene/polygon.h>
-#include <softgrain/scene/state_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fixed-point iterations x -> A x + b whose errors change by the factors 0.9, -1.3 and 0.5: plain iteration
 // diverges, mixed iteration is done after one iteration more than there are factors.
-#include <softgrain/mpm/anderson_mixing.h>
+#include <softgrain/mpm/stepping/anderson_mixing.h>
 
 #include <Eigen/LU>
 

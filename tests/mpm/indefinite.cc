@@ -4,12 +4,12 @@
 // that more than the term can lift is refused.
 #include "scene_of.h"
 
-#include <softgrain/mpm/banded_solver.h>
-#include <softgrain/mpm/cholesky_solver.h>
-#include <softgrain/mpm/rank_one_solver.h>
-#include <softgrain/mpm/stiffness.h>
-#include <softgrain/mpm/stress.h>
-#include <softgrain/mpm/whole_rotation.h>
+#include <softgrain/linear/banded_solver.h>
+#include <softgrain/linear/cholesky_solver.h>
+#include <softgrain/linear/rank_one_solver.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/stress.h>
 
 #include <Eigen/Dense>
 
@@ -33,7 +33,7 @@ struct Squeezed
         u[2 * i + d] = -0.005 * body.field.position(body.field.node_of_independent(i))[d];
     body.displacement = u;
     mpm::evaluate_stress(body, u, u, {0., true, 0.});
-    matrix.reinit(body.field);
+    lay_out_stiffness(body.field, matrix);
     matrix.set_zero();
     mpm::add_stiffness(body, 1., matrix);
     matrix.add_mass<2>(body.mass, 1e-3 * body.law->young_modulus() / body.mass.sum());
@@ -48,7 +48,7 @@ struct Squeezed
 
   std::unique_ptr<mpm::MpmModel> model;
   mpm::Body<2> body;
-  mpm::SystemMatrix matrix;
+  SystemMatrix matrix;
   Eigen::VectorXd rotation;
 };
 
@@ -58,14 +58,14 @@ void check(const std::string &name)
   Squeezed at;
   const double k = mpm::rotation_stiffness(at.body);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> bare(at.dense(0.)), held(at.dense(k));
-  mpm::RankOneSolver solver(std::make_unique<Solver>());
+  RankOneSolver solver(std::make_unique<Solver>());
   solver.set_update(at.rotation, k);
   const bool fine = solver.factorize(at.matrix);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(at.body.field.n_dofs(), -1., 2.);
   Eigen::VectorXd x;
   solver.solve(b, x);
   const Eigen::MatrixXd A = at.dense(k);
-  mpm::LinearSolver::Rows rows(b.size(), 3);
+  LinearSolver::Rows rows(b.size(), 3);
   for (unsigned int c = 0; c < 3; ++c)
     for (unsigned int i = c; i < b.size(); i += 5)
       rows.insert(i, c) = 1. + c;
@@ -87,6 +87,6 @@ void check(const std::string &name)
 
 int main()
 {
-  check<mpm::BandedSolver>("banded");
-  check<mpm::CholeskySolver>("sparse");
+  check<BandedSolver>("banded");
+  check<CholeskySolver>("sparse");
 }

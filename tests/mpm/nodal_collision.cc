@@ -3,7 +3,7 @@
 // friction. Known: momentum stays to rounding, energy is never created, and lumped contact has the solution
 // of condensed contact.
 #include <softgrain/constitutive/law_registry.h>
-#include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/model/mpm_model.h>
 
 #include <iostream>
 

@@ -4,8 +4,8 @@
 // for every pair.
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law_registry.h>
-#include <softgrain/mpm/body_builder.h>
-#include <softgrain/mpm/nodal_contact.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/contact/nodal_contact.h>
 
 #include <algorithm>
 #include <iostream>

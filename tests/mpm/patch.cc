@@ -3,9 +3,9 @@
 // neither its error nor the condition number of the system depends on how the mesh cuts the block.
 #include "scene_of.h"
 
-#include <softgrain/mpm/stiffness.h>
-#include <softgrain/mpm/stress.h>
-#include <softgrain/mpm/system_matrix.h>
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/stress.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -34,8 +34,8 @@ double exact_stress()
 double condition(const mpm::MpmModel &model)
 {
   mpm::Body<2> body = model.bodies()[0];
-  mpm::SystemMatrix matrix;
-  matrix.reinit(body.field);
+  SystemMatrix matrix;
+  lay_out_stiffness(body.field, matrix);
   matrix.set_zero();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(body.field.n_dofs());
   mpm::evaluate_stress(body, zero, zero, {0., true, 0.});

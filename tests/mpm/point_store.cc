@@ -3,8 +3,8 @@
 // faces and vertices of cells too and however far it went, in an order that does not depend on the way it
 // took.
 #include <softgrain/base/exceptions.h>
-#include <softgrain/mpm/lattice.h>
-#include <softgrain/mpm/point_store.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/field/lattice.h>
 
 #include <iostream>
 #include <random>

@@ -5,7 +5,7 @@
 // Tests of the method run the scenes that are shipped, made coarse or short by assignments as on the command
 // line.
 #include <softgrain/app/input.h>
-#include <softgrain/mpm/mpm_model.h>
+#include <softgrain/mpm/model/mpm_model.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 // with deformation carried from an earlier grid.
 #include "scene_of.h"
 
-#include <softgrain/mpm/stiffness.h>
-#include <softgrain/mpm/stress.h>
-#include <softgrain/mpm/system_matrix.h>
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/stress.h>
 
 #include <iostream>
 #include <random>
@@ -86,8 +86,8 @@ void check(const std::string &shape, const std::string &law, const std::string &
         body.points[p].gradient()[d][e] += 0.1 * uniform(generator);
   const Eigen::VectorXd u = random(0.08), d = random(1.);
   constexpr double step = 1e-5;
-  mpm::SystemMatrix matrix;
-  matrix.reinit(body.field);
+  SystemMatrix matrix;
+  lay_out_stiffness(body.field, matrix);
   const Evaluation at = evaluate(body, u);
   matrix.set_zero();
   mpm::add_stiffness(body, 1., matrix);

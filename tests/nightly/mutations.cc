@@ -5,9 +5,9 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
 #include <softgrain/base/registry.h>
+#include <softgrain/model/model_factory.h>
 #include <softgrain/output/checkpoint.h>
-#include <softgrain/scene/model_factory.h>
-#include <softgrain/scene/packing.h>
+#include <softgrain/packing/packing.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // Random packings: no overlaps, everything inside of the box, the same for the same seed, sizes as asked for;
 // what cannot be packed is refused; files come back as they were written.
 #include <softgrain/base/exceptions.h>
-#include <softgrain/scene/packing.h>
+#include <softgrain/packing/packing.h>
 
 #include <deal.II/base/numbers.h>
 

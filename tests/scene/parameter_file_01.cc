@@ -2,8 +2,8 @@
 // Values that reach the handler from .prm, include, JSON and --set, the listing that can be read back, and
 // the messages for what is wrong.
 #include <softgrain/base/exceptions.h>
-#include <softgrain/scene/parameter_file.h>
-#include <softgrain/scene/parameter_listing.h>
+#include <softgrain/parameters/parameter_file.h>
+#include <softgrain/parameters/parameter_listing.h>
 
 #include <deal.II/base/parameter_handler.h>
 

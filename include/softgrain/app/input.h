@@ -3,8 +3,8 @@
 #define softgrain_app_input_h
 
 #include <softgrain/app/run_parameters.h>
-#include <softgrain/scene/model.h>
-#include <softgrain/scene/parameter_file.h>
+#include <softgrain/model/model.h>
+#include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/scene_parameters.h>
 

@@ -2,7 +2,7 @@
 #ifndef softgrain_app_progress_h
 #define softgrain_app_progress_h
 
-#include <softgrain/scene/model.h>
+#include <softgrain/model/model.h>
 
 #include <chrono>
 #include <cstdint>

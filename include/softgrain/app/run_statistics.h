@@ -2,8 +2,8 @@
 #ifndef softgrain_app_run_statistics_h
 #define softgrain_app_run_statistics_h
 
+#include <softgrain/model/model.h>
 #include <softgrain/output/summary.h>
-#include <softgrain/scene/model.h>
 
 #include <chrono>
 

@@ -9,9 +9,9 @@
 #include <softgrain/app/run_lock.h>
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/app/run_statistics.h>
+#include <softgrain/model/model.h>
 #include <softgrain/output/history.h>
 #include <softgrain/output/snapshot_file.h>
-#include <softgrain/scene/model.h>
 #include <softgrain/scene/scene.h>
 
 #include <iosfwd>

@@ -2,8 +2,8 @@
 #ifndef softgrain_output_checkpoint_h
 #define softgrain_output_checkpoint_h
 
+#include <softgrain/model/state_file.h>
 #include <softgrain/output/atomic_file.h>
-#include <softgrain/scene/state_file.h>
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #ifndef softgrain_scene_packing_parameters_h
 #define softgrain_scene_packing_parameters_h
 
-#include <softgrain/scene/packing.h>
+#include <softgrain/packing/packing.h>
 #include <softgrain/scene/scene.h>
 
 #include <vector>

@@ -5,7 +5,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settings.h>
-#include <softgrain/scene/model.h>
+#include <softgrain/model/model.h>
 #include <softgrain/scene/scene.h>
 
 #include <memory>

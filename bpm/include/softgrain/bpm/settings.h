@@ -3,7 +3,7 @@
 #define softgrain_bpm_settings_h
 
 #include <softgrain/bpm/dynamics.h>
-#include <softgrain/scene/size_distribution.h>
+#include <softgrain/packing/size_distribution.h>
 
 #include <cstdint>
 #include <string>

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_linear_system_matrix_h
+#define softgrain_linear_system_matrix_h
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief Symmetric matrix of one body, lower triangle by columns, with its places looked up once per grid.
+ */
+class SystemMatrix
+{
+public:
+  using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+  /**
+   * @brief Lays out the pattern and where every cell adds to it.
+   * @param dim unknowns per node
+   * @param n_nodes number of nodes
+   * @param nodes_of_cell sorted nodes of every cell; none where nothing is added
+   */
+  void
+  reinit(unsigned int dim, unsigned int n_nodes, const std::vector<std::vector<unsigned int>> &nodes_of_cell);
+
+  void set_zero();
+
+  /**
+   * @brief Adds @p factor times the lower triangle of a cell's matrix over the independent nodes of that
+   * cell.
+   * @param value of (node a, direction e) in the row and (node b, direction d) in the column, nodes counted
+   * within the cell: value(a, e, b, d)
+   */
+  template <int dim, class Value>
+  void add_cell(const unsigned int cell, const Value &value, const double factor)
+  {
+    const unsigned int n = places[cell].n_nodes;
+    const int *start = places[cell].start.data();
+    double *values = matrix.valuePtr();
+    for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int a = b; a < n; ++a)
+        for (unsigned int d = 0; d < dim; ++d, ++start)
+          for (unsigned int e = (a == b ? d : 0), k = 0; e < dim; ++e, ++k)
+            values[*start + k] += factor * value(a, e, b, d);
+  }
+
+  /// Adds @p factor * @p mass to the diagonal, one mass per node.
+  template <int dim>
+  void add_mass(const Eigen::VectorXd &mass, double factor);
+
+  /// The matrix; only its lower triangle is stored.
+  const Sparse &lower() const { return matrix; }
+  /// Whether the pattern changed since the flag was last cleared, so that an analysis has to be made anew.
+  bool pattern_is_new() const { return new_pattern; }
+  void clear_pattern_flag() { new_pattern = false; }
+
+private:
+  /// Where the values of a cell go.
+  struct Places
+  {
+    unsigned int n_nodes = 0;
+    std::vector<int> start; ///< of its blocks from the diagonal down, column by column, one per direction
+  };
+
+  Sparse matrix;
+  std::vector<Places> places; ///< by cell
+  bool new_pattern = true;
+};
+} // namespace softgrain
+
+#endif

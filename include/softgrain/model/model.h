@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_model_model_h
+#define softgrain_model_model_h
+
+#include <softgrain/analysis/snapshot.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace softgrain
+{
+class StateReader;
+class StateWriter;
+
+/// What one accepted step took; rejected attempts are counted in it.
+struct StepReport
+{
+  double dt = 0;             ///< of the accepted step [s]
+  unsigned int attempts = 1; ///< 1 + number of times the step was cut
+  unsigned int newton_iterations = 0;
+  unsigned int contact_sweeps = 0;
+  double newton_residual = 0;  ///< relative
+  double contact_residual = 0; ///< relative, of the solution (natural map)
+  double max_penetration = 0;  ///< [m]
+  unsigned int n_contacts = 0; ///< rows that carry force
+};
+
+/// A line of `softgrain check` and of the log's head: name and value with unit.
+using SizeReport = std::vector<std::pair<std::string, std::string>>;
+
+/**
+ * @brief A way to compute a scene: what the driver, the writers and the command line see of MPM and BPM.
+ */
+template <int dim>
+class Model
+{
+public:
+  virtual ~Model() = default;
+
+  /// "mpm" or "bpm".
+  virtual std::string name() const = 0;
+
+  /**
+   * @brief Advances by one step of at most @p dt_limit (the way to the next output or to the end) [s].
+   * @throw ComputationError when no acceptable step is found; the state is then that before the call.
+   * @throw Interrupted when the program is to stop (base/interruption.h); the state is that before the call
+   * too.
+   */
+  virtual StepReport advance(double dt_limit) = 0;
+
+  virtual double time() const = 0; ///< [s]
+  virtual std::size_t step() const = 0;
+
+  /// The neutral state: what pictures and measures are made of. Costs a pass over the points.
+  virtual Snapshot<dim> snapshot() const = 0;
+
+  /// Walls alone, cheap enough for every step.
+  virtual std::vector<WallState<dim>> walls() const = 0;
+  /// May cost a pass over the points.
+  virtual Energies energies() const = 0;
+
+  /// Sum of the areas that the outlines of the bodies enclose now [m^2], for the packing fraction.
+  virtual double solid_area() const = 0;
+  /// Mean number of bodies and walls a body touches.
+  virtual double coordination() const = 0;
+  /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term;
+  /// rounding only.
+  virtual double momentum_error() const = 0;
+
+  virtual std::size_t n_points() const = 0; ///< material points or primaries
+  virtual std::size_t n_bodies() const = 0;
+
+  /// Sizes, CFL step, ratio of the time step to it, estimate of cost: printed before step 0.
+  virtual SizeReport size_report() const = 0;
+  /// Names of the columns that this model adds to history.csv, and their values.
+  virtual std::vector<std::pair<std::string, double>> extra_history() const { return {}; }
+  /// Seconds spent per phase since the start.
+  virtual std::map<std::string, double> phases() const = 0;
+
+  /// Everything needed to go on as if never stopped.
+  virtual void save(StateWriter &) const = 0;
+  virtual void load(StateReader &) = 0;
+};
+} // namespace softgrain
+
+#endif

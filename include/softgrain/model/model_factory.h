@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_model_model_factory_h
+#define softgrain_model_model_factory_h
+
+#include <softgrain/base/registry.h>
+#include <softgrain/model/model.h>
+#include <softgrain/scene/law_catalogue.h>
+#include <softgrain/scene/scene.h>
+
+#include <memory>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+/**
+ * @brief How a model enters the program: it registers one of these under the name users write in `Model`.
+ *
+ * @code
+ * const bool registered = Registry<ModelFactory>::instance().add("mpm", "Material point method …",
+ *   [] { return std::make_unique<MpmModelFactory>(); });
+ * @endcode
+ */
+class ModelFactory
+{
+public:
+  virtual ~ModelFactory() = default;
+
+  /// Declares the model's own sections; the handler stands at its top and is left there. A section may be
+  /// shared with the scene (`Contact` is).
+  virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
+
+  /// Parameters of the model that a run may change when it goes on from a checkpoint: "Section/Key", or
+  /// "Section/" with all that is in it. What the state of a run means must not depend on them.
+  virtual std::vector<std::string> changeable_on_restart() const = 0;
+
+  /// What `Materials/NAME/Law` may say.
+  virtual LawCatalogue laws() const = 0;
+
+  /**
+   * @brief The model of @p scene at time zero.
+   *
+   * @p prm stands at its top, filled; the laws of `Materials/NAME` are the model's to read.
+   * @throw InputError when scene and parameters do not fit together.
+   */
+  virtual std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const = 0;
+};
+
+template <>
+Registry<ModelFactory> &Registry<ModelFactory>::instance();
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_body_h
+#define softgrain_mpm_body_body_h
+
+#include <softgrain/base/expression.h>
+#include <softgrain/constitutive/law.h>
+#include <softgrain/mpm/body/body_points.h>
+#include <softgrain/mpm/field/body_field.h>
+#include <softgrain/scene/scene.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What one step works on; sized once per grid, overwritten by every trial.
+template <int dim>
+struct StepState
+{
+  std::vector<dealii::Tensor<2, dim>>
+      grid_gradient;                             ///< I + grad U, from the grid's configuration to the trial
+  std::vector<dealii::Tensor<2, dim>> gradient;  ///< F of the trial
+  std::vector<dealii::Tensor<2, dim>> increment; ///< displacement gradient over the step
+  std::vector<double> volume;                    ///< that multiplies the stress: at rest, or (3.17) [m^dim]
+  std::vector<dealii::SymmetricTensor<2, dim>> stress;  ///< [Pa]
+  std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
+  std::vector<double> energy, out_of_plane_stress;      ///< of measures only: per rest volume [J/m^dim], [Pa]
+  std::vector<double> dissipation;                      ///< of laws with history, per rest volume [J/m^dim]
+  std::vector<double> history_old, history; ///< rows of Law::n_history() values, start and end of the step
+  Eigen::VectorXd nodal, nodal_increment;   ///< scratch, all nodes
+  std::vector<double> of_cells;             ///< scratch, dim per node of every cell
+};
+
+/**
+ * @brief The boundary of a body: closed polylines of markers that move with the field.
+ *
+ * Every `contact_stride`-th marker is a place where contact is looked for; those between make the polyline
+ * smooth, so that what touches this body meets its true shape.
+ */
+template <int dim>
+struct Boundary
+{
+  std::vector<dealii::Point<dim>> grid_position; ///< in the configuration of the grid [m]
+  std::vector<dealii::Point<dim>> position;      ///< now [m]
+  std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
+  unsigned int contact_stride = 1;
+  std::vector<char> corner; ///< of every marker: whether the outline at rest has a corner there
+  /// One loop around the centre without corners: rows may stand anywhere on it.
+  bool smooth = false;
+
+  unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
+  /// Marker after @p m in its loop.
+  unsigned int next(unsigned int m) const;
+  /// Marker before @p m in its loop.
+  unsigned int previous(unsigned int m) const;
+};
+
+/**
+ * @brief One body: its law, its points, its boundary and its nodal field.
+ *
+ * Nodal vectors hold dim components per independent node of the field. `displacement` runs from the
+ * configuration in which the grid was built, so that a grid may serve for one step (updated Lagrangian) or
+ * for ever (total Lagrangian).
+ */
+template <int dim>
+struct Body
+{
+  std::string name;
+  unsigned int index = 0;
+  std::shared_ptr<const constitutive::Law<dim>> law;
+  double density = 0;                                ///< at rest [kg/m^3]
+  double rest_area = 0;                              ///< [m^dim]
+  bool driven = false;                               ///< moves rigidly with `drive`
+  dealii::Tensor<1, dim> drive;                      ///< velocity of a driven body [m/s]
+  unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
+  std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
+  std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
+
+  BodyPoints<dim> points;
+  StepState<dim> step;
+  Boundary<dim> boundary;
+  BodyField<dim> field;
+
+  Eigen::VectorXd mass;               ///< per independent node, lumped (3.10) [kg]
+  Eigen::VectorXd displacement;       ///< since the grid was built [m]
+  Eigen::VectorXd velocity;           ///< [m/s]
+  Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]
+  Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
+  Eigen::VectorXd internal_force;     ///< end of the last step [N]
+
+  bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
+
+  bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
+  /// Momentum of the nodal field [kg m/s].
+  dealii::Tensor<1, dim> momentum() const;
+  double kinetic_energy() const;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_body_builder_h
+#define softgrain_mpm_body_body_builder_h
+
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/field/lattice.h>
+#include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/model/settings.h>
+#include <softgrain/scene/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What all bodies of a scene share when they are built.
+struct BuildContext
+{
+  const Lattice<2> &lattice;
+  const ShapeFunction &shape;
+  const Settings &settings;
+  PointStore<2> &points; ///< of all bodies
+};
+
+/**
+ * @brief A body at rest in its place: points and boundary. The points are to be sorted, then follows
+ * start_body().
+ * @throw InputError when it holds no point or reaches out of the mesh
+ */
+Body<2> make_body(const BodyDescription<2> &description,
+                  unsigned int index,
+                  std::shared_ptr<const constitutive::Law<2>> law,
+                  double density,
+                  const BuildContext &context);
+
+/// Lays the first grid and gives nodes and points their initial velocity. @throw InputError
+void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context);
+
+/// The slab of material points, three cells thick, that stands for a wall; it is driven and has no law of its
+/// own use.
+/// @throw InputError when the wall is not parallel to an axis or the slab leaves the mesh
+BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context);
+
+/**
+ * @brief Lays the grid under the points of a body, sorted before: numbering, shape values, lumped mass (3.10)
+ * and what the points bring to the nodes (3.13).
+ */
+void lay_grid(Body<2> &body, const BuildContext &context);
+
+/// Where the grid has taken the points of a body [m]. @throw ComputationError when one has left the mesh, or
+/// a marker has
+std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice);
+
+/**
+ * @brief Gives what the nodes have reached to the points, before they are sorted and the grid is laid anew:
+ * places, deformation, velocities.
+ */
+void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context);
+
+/// Places of the boundary markers for the present displacement of the nodes.
+void move_boundary(Body<2> &body);
+
+/// Largest over smallest stretch of the grid at any point since it was laid.
+double grid_distortion(const Body<2> &body);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_point_store_h
+#define softgrain_mpm_body_point_store_h
+
+#include <softgrain/mpm/body/point_layout.h>
+#include <softgrain/mpm/body/point_view.h>
+#include <softgrain/mpm/field/lattice.h>
+
+#include <deal.II/fe/mapping_cartesian.h>
+
+#include <deal.II/particles/particle_handler.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief The material points of all bodies: particles of deal.II on the background mesh, with the state that
+ * travels with a point as their properties.
+ *
+ * The location of a particle is where it was when the grid under its body was laid, and its cell is that of
+ * this place; its id is its number in the order of generation. Handles name points until the next sort().
+ */
+template <int dim>
+class PointStore
+{
+public:
+  using Handle = typename PointView<dim>::Handle;
+
+  PointStore(const Lattice<dim> &lattice, const PointLayout<dim> &layout);
+  PointStore(const PointStore &) = delete;
+  PointStore &operator=(const PointStore &) = delete;
+
+  const PointLayout<dim> &layout() const { return the_layout; }
+  std::size_t size() const { return n_points; }
+
+  /// Makes room for @p n points in all.
+  void reserve(std::size_t n);
+  /// Removes all points.
+  void clear();
+
+  /**
+   * @brief Adds a point of @p body with zeros in all other slots; its id is the number of points so far.
+   * @pre @p place lies in the mesh
+   */
+  Handle add(const dealii::Point<dim> &place, unsigned int body);
+
+  PointView<dim> operator()(const Handle handle) const
+  {
+    return PointView<dim>(particles.get_property_pool(), the_layout, handle);
+  }
+  unsigned int id(const Handle handle) const { return particles.get_property_pool().get_id(handle); }
+
+  /**
+   * @brief Finds the cells of all points after their places have changed.
+   * @throw ComputationError when a point has left the mesh
+   */
+  void sort();
+
+  /// Handles of the points of every body, by cell in the order of the lattice, in a cell by id.
+  std::vector<std::vector<Handle>> by_body(unsigned int n_bodies) const;
+  /// Handles of all points by id.
+  std::vector<Handle> by_id() const;
+
+  const dealii::Particles::ParticleHandler<dim> &handler() const { return particles; }
+
+private:
+  const Lattice<dim> &lattice;
+  const PointLayout<dim> the_layout;
+  dealii::MappingCartesian<dim> mapping;
+  dealii::Particles::ParticleHandler<dim> particles;
+  unsigned int n_points = 0;
+  std::vector<dealii::Point<dim>> lost; ///< places of points that the last sort() found outside of the mesh
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_whole_rotation_h
+#define softgrain_mpm_body_whole_rotation_h
+
+#include <softgrain/mpm/body/body.h>
+
+#include <Eigen/Core>
+
+namespace softgrain::mpm
+{
+/// Vector z over the dofs of a body whose product with a nodal velocity is the mean angular velocity [1/s] of
+/// the whole body, mass by mass; force z times a torque turns the body and does nothing else.
+Eigen::VectorXd whole_rotation(const Body<2> &body);
+
+/**
+ * @brief Stiffness against rotation of a whole body that the matrix of Newton's method gets beside that of
+ * its material [N m/m].
+ *
+ * Linearised, a body under forces that keep their place and direction has -2 p A, with p the mean pressure
+ * and A the area: rows are frozen within an iteration of Newton's method. They are found again in the next,
+ * and then a round body turns at no cost. 2.5 p A in the matrix stands for that. It is not part of the
+ * equations, so nothing resists.
+ */
+double rotation_stiffness(const Body<2> &body);
+
+/**
+ * @brief Makes the rotation of a whole body in a step of Newton's method a true one.
+ *
+ * A step u that turns a body by φ = r·u moves its nodes along tangents, which stretches it by φ²/2: more than
+ * a light contact bears. Nodes go along circles in place of tangents; the change is of second order, so
+ * Newton's method converges as before.
+ * @param r    whole_rotation()
+ * @param from displacement of the nodes since the grid was laid, before the step [m]
+ * @param step displacement, changed [m]
+ */
+void turn_along_circles(const Body<2> &body,
+                        const Eigen::VectorXd &r,
+                        const Eigen::VectorXd &from,
+                        Eigen::VectorXd &step);
+
+/// Adds the sum of nodal impulses [N s/m] over the mass of the body to every nodal velocity [m/s]: what
+/// Newton left unbalanced on the body as a whole, so that momentum is exact.
+void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity);
+} // namespace softgrain::mpm
+
+#endif

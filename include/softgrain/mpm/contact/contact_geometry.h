@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_contact_geometry_h
+#define softgrain_mpm_contact_contact_geometry_h
+
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What a search for contact rows looks at.
+template <int dim>
+struct ContactScene
+{
+  const std::vector<Body<dim>> &bodies;
+  const std::vector<WallMotion<dim>> &walls;
+  double friction;  ///< between bodies
+  double dt;        ///< of the step to come [s]
+  double cell_size; ///< [m]
+  /// Displacement of the nodes of every body over the step, as far as it is known [m]; null: that of the
+  /// velocities at its start.
+  const std::vector<Eigen::VectorXd> *increment = nullptr;
+  /// Where in the step places and normals are taken: 0 its start, 1 its end.
+  double share = 0.5;
+  bool frictionless = false; ///< no row of the scene has friction
+};
+
+/**
+ * @brief Finds the rows at which bodies and walls may touch during a step.
+ */
+template <int dim>
+class ContactGeometry
+{
+public:
+  virtual ~ContactGeometry() = default;
+
+  /// Rows with the gaps that they have at the start of the step, in an order that does not depend on the
+  /// number of threads.
+  virtual void find(const ContactScene<dim> &scene, std::vector<ContactRow<dim>> &rows) const = 0;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_contact_rows_h
+#define softgrain_mpm_contact_contact_rows_h
+
+#include <softgrain/mpm/field/body_field.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// One place where a body may touch another body or a wall: w = H v, one normal and dim - 1 tangential
+/// components.
+template <int dim>
+struct ContactRow
+{
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  unsigned int body = none;    ///< feels +impulse
+  unsigned int partner = none; ///< feels -impulse; none when it is a plane wall
+  unsigned int wall = none;    ///< the wall on the other side, plane or made of points
+  NodeWeights body_weights, partner_weights;
+  dealii::Point<dim> place;      ///< [m]
+  dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
+  double gap = 0;                ///< at the start of the step [m]
+  double length = 0;             ///< of the boundary it stands for [m]
+  double friction = 0;
+  std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
+
+  /// Tangent of a 2D row: the normal turned by -90 degrees.
+  dealii::Tensor<1, dim> direction(const unsigned int component) const
+  {
+    if (component == 0)
+      return normal;
+    dealii::Tensor<1, dim> t;
+    if constexpr (dim == 2)
+    {
+      t[0] = normal[1];
+      t[1] = -normal[0];
+    }
+    else
+    {
+      // Any pair of unit vectors will do, as long as it is the same at every call.
+      dealii::Tensor<1, dim> axis;
+      axis[std::abs(normal[0]) < 0.7 ? 0 : 1] = 1.;
+      t = dealii::cross_product_3d(normal, axis);
+      t /= t.norm();
+      if (component == 2)
+        t = dealii::cross_product_3d(normal, t);
+    }
+    return t;
+  }
+};
+
+/// Where a wall stands and moves during one step.
+template <int dim>
+struct WallMotion
+{
+  dealii::Point<dim> point;      ///< at the start of the step [m]
+  dealii::Tensor<1, dim> normal; ///< unit, into the domain
+  double velocity;               ///< mean over the step, along the normal [m/s]
+  double friction = 0;
+  bool plane = true; ///< false: it is made of material points
+};
+} // namespace softgrain::mpm
+
+#endif

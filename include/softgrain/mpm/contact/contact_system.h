@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_contact_system_h
+#define softgrain_mpm_contact_contact_system_h
+
+#include <softgrain/contact/gauss_seidel.h>
+#include <softgrain/linear/rank_one_solver.h>
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/subgrid_compliance.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief The contact problem of one step: rows of all bodies, the Delassus operator, the impulses.
+ *
+ * Component c of row r has index r * n_components + c: the normal first, then the tangent when any row has
+ * friction.
+ */
+template <int dim>
+class ContactSystem
+{
+public:
+  /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
+  /// step before or, when @p again, the impulses that such rows have now.
+  void reinit(std::vector<ContactRow<dim>> rows, const std::vector<Body<dim>> &bodies, double dt, bool again);
+
+  bool empty() const { return rows.empty(); }
+  const std::vector<ContactRow<dim>> &contact_rows() const { return rows; }
+  unsigned int n_components() const { return problem.n_components; }
+  /// Impulses of the last solve [N s].
+  const std::vector<double> &impulses() const { return impulse; }
+  /// Relative velocities w of the last solve, gap terms included [m/s].
+  const std::vector<double> &velocities() const { return velocity; }
+
+  /// H v for the given nodal velocities, one value per component; driven bodies move as they are driven
+  /// [m/s].
+  std::vector<double> relative_velocity(const std::vector<Body<dim>> &bodies,
+                                        const std::vector<Eigen::VectorXd> &nodal) const;
+
+  /// Adds H^T P of body @p b to @p nodal.
+  void add_impulses(unsigned int b, const std::vector<double> &P, Eigen::VectorXd &nodal) const;
+
+  /**
+   * @brief W from the bodies' factorised matrices, and from the sub-grid compliance of every pair under the
+   * present impulses.
+   * @param subgrid what the grid misses
+   * @param dt      of the step [s]
+   * @param theta   of the time scheme: a compliance C [m^2/N] adds C / (theta dt^2) to W
+   */
+  void condense(const std::vector<Body<dim>> &bodies,
+                std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+                const SubgridCompliance &subgrid,
+                double dt,
+                double theta);
+
+  /// Overlap of every row that stands for a dent which the grid misses, under the present impulses of a step
+  /// of length @p dt; as last condensed [m].
+  std::vector<double> subgrid_overlap(double dt) const;
+  /// Energy in these dents [J/m].
+  double
+  subgrid_energy(const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid, double dt) const;
+  /// W from nodal masses: H M^-1 H^T.
+  void lump(const std::vector<Body<dim>> &bodies);
+
+  /**
+   * @brief Solves Signorini and Coulomb for the given free relative velocity, starting from the present
+   * impulses.
+   * @param relative whether @p free_velocity already holds the effect of the present impulses (the result is
+   * then the change from them, as the lumped coupling needs it)
+   */
+  contact::SolverReport
+  solve(std::vector<double> free_velocity, const contact::SolverSettings &settings, bool relative = false);
+
+  /// Calls of solve() so far in which momentum was given up for plain sweeps.
+  std::uint64_t plain_solves = 0;
+
+  /// Keeps the impulses of a step of length @p dt for the next one.
+  void remember(double dt);
+
+  /// Saves the problem last given to solve(), for replay.
+  void save_problem(const std::string &file,
+                    const std::string &description,
+                    const contact::SolverSettings &settings) const;
+
+  /// Impulses by key of the row.
+  using Memory = std::unordered_map<std::uint64_t, std::array<double, dim>>;
+  /// Those kept for the next step, of a step of length memory_step.
+  Memory &memory() { return remembered; }
+  const Memory &memory() const { return remembered; }
+  double memory_step = 0; ///< [s]
+
+private:
+  struct Operator;
+
+  /// Rows of one pair of bodies, or of a body and a wall: they follow each other.
+  struct Pair
+  {
+    unsigned int first, end;
+    double compliance = 0; ///< sub-grid, as last condensed [m^2/N]
+  };
+
+  double normal_force(const Pair &pair, double dt) const;
+
+  Memory memory_of_now() const;
+  void color_pairs(const std::vector<Body<dim>> &bodies);
+
+  std::vector<ContactRow<dim>> rows;
+  std::vector<Pair> pairs;
+  contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
+  std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
+  std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
+  std::vector<double> impulse, velocity, last_start;
+  std::shared_ptr<Operator> delassus;
+  Memory remembered;
+};
+} // namespace softgrain::mpm
+
+#endif

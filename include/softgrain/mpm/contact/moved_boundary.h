@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_moved_boundary_h
+#define softgrain_mpm_contact_moved_boundary_h
+
+#include <softgrain/mpm/contact/contact_geometry.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// `a` and `b` blended: (1 - share) a + share b; both are in the order of their nodes.
+NodeWeights blend(const NodeWeights &a, const NodeWeights &b, double share);
+
+/**
+ * @brief The boundary of a body at some share of a step, as a curve.
+ *
+ * Between two markers the curve is the parabola whose ends have the normals of the markers, so that bodies
+ * touch where round outlines are and not where chords are; at a corner it is straight. A place on a loop is
+ * told by a parameter: the number of a marker plus the share of the way to the next one.
+ */
+class MovedBoundary
+{
+public:
+  using Point = dealii::Point<2>;
+  using Vector = dealii::Tensor<1, 2>;
+
+  MovedBoundary() = default;
+  MovedBoundary(const Body<2> &body, const ContactScene<2> &scene);
+
+  /// A place on the curve.
+  struct Place
+  {
+    Point position;      ///< [m]
+    Vector normal;       ///< unit, outward
+    Vector displacement; ///< over the whole step [m]
+    NodeWeights weights; ///< empty for a driven body
+  };
+
+  const Boundary<2> &boundary() const { return body->boundary; }
+  unsigned int n_markers() const { return position.size(); }
+  const Point &marker(const unsigned int m) const { return position[m]; }
+  const Vector &normal(const unsigned int m) const { return normals[m]; }
+
+  /// The place @p share of the way from marker @p m to the next.
+  Place place(unsigned int m, double share, bool with_weights) const;
+  /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
+  Place place(double parameter, bool with_weights) const;
+  Point position_at(unsigned int m, double share) const;
+
+  /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
+  double facing(const Vector &direction) const;
+
+  /// Length of boundary that the contact marker @p m stands for: half the way to those on both sides [m].
+  double tributary_length(unsigned int m) const;
+
+  dealii::BoundingBox<2> box() const { return {{lower, upper}}; }
+  bool near(const Point &x, const double margin) const
+  {
+    return x[0] > lower[0] - margin && x[0] < upper[0] + margin && x[1] > lower[1] - margin &&
+           x[1] < upper[1] + margin;
+  }
+  bool near(const MovedBoundary &other, const double margin) const
+  {
+    return other.upper[0] > lower[0] - margin && other.lower[0] < upper[0] + margin &&
+           other.upper[1] > lower[1] - margin && other.lower[1] < upper[1] + margin;
+  }
+
+  /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].
+  double distance_from(const Point &point, const Vector &normal) const;
+
+  /// Whether places that look for contact may stand in space: round, smooth, and nothing sticks to it.
+  bool is_free = false;
+  Point center;      ///< of mass [m]
+  Vector travel;     ///< of the centre over the whole step [m]
+  double spread = 0; ///< largest displacement of a contact marker against that of the centre [m]
+
+private:
+  void find_center(const ContactScene<2> &scene);
+
+  const Body<2> *body = nullptr;
+  std::vector<Point> position;
+  std::vector<Vector> displacement, normals;
+  Point lower, upper;
+};
+} // namespace softgrain::mpm
+
+#endif

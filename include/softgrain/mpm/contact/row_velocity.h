@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_row_velocity_h
+#define softgrain_mpm_contact_row_velocity_h
+
+#include <softgrain/mpm/model/world.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
+ * [m/s].
+ *
+ * The displacement of a step has a known part, from the velocities at its start, and an unknown one. As long
+ * as a gap is open after the known part, the contact condition is posed for the gap at the end of the step,
+ * so that nothing touches early. When the known part closes the gap, the condition is posed for the velocity.
+ * @param start_relative H v at the start of the step; empty when theta is 1 [m/s]
+ * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
+ */
+std::vector<double> row_velocity(const World &world,
+                                 const std::vector<Eigen::VectorXd> &v,
+                                 const std::vector<WallMotion<2>> &motion,
+                                 const std::vector<double> &start_relative,
+                                 double theta,
+                                 double dt,
+                                 bool reopen);
+} // namespace softgrain::mpm
+
+#endif

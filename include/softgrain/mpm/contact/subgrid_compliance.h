@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_subgrid_compliance_h
+#define softgrain_mpm_contact_subgrid_compliance_h
+
+#include <softgrain/mpm/body/body.h>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief What a grid cannot resolve of the dent of a light contact.
+ *
+ * Two round bodies that touch on a width 2a dent each other by an amount that grows with the logarithm of R/a
+ * (Johnson, Contact Mechanics, 1985, section 5.6). A grid of cells h sees the dent from about a = h on; of a
+ * narrower contact it misses, per body, the approach
+ *
+ *     δ = F 2/(π E*) g(a/h),    E* = E/(1-ν²),    a² = 4 F R/(π E*)
+ *
+ * with the force F per length of the contact [N/m], and in a² the sums 1/R and 1/E* of both sides. g is one
+ * function for all h and every body, g = ln(0.62 h/a) where that is positive: the grid puts a line force on a
+ * width of about a cell. The constant is measured (doc/results/quasi-static.md), like that of a law of the
+ * wall for turbulence. It belongs to quadratic B-splines and to round bodies that touch as soon as their
+ * outlines do, which is without friction; other bodies have none.
+ */
+struct SubgridCompliance
+{
+  bool on = false;
+  double cell_size = 0; ///< [m]
+  /// The function g for the half width a in cells.
+  static double missing_share(double half_width);
+
+  /// Approach per force of the contact of @p body with @p partner, or with a rigid plane when that is null,
+  /// that the grid misses under @p force [N/m]; [m^2/N]
+  double operator()(const Body<2> &body, const Body<2> *partner, double force) const;
+
+  /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it
+  /// [J/m].
+  double energy(const Body<2> &body, const Body<2> *partner, double force) const;
+};
+} // namespace softgrain::mpm
+
+#endif

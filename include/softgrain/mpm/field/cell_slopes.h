@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_field_cell_slopes_h
+#define softgrain_mpm_field_cell_slopes_h
+
+#include <softgrain/mpm/body/body.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// Slopes in the trial configuration at point @p p; small-strain laws stay with those of the grid.
+template <int dim>
+void current_slopes(const Body<dim> &body, const unsigned int p, std::vector<dealii::Tensor<1, dim>> &slopes)
+{
+  const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
+  slopes.resize(body.field.nodes_per_cell());
+  if (body.small_strain())
+    std::copy(slope, slope + slopes.size(), slopes.begin());
+  else
+  {
+    const dealii::Tensor<2, dim> inverse = invert(body.step.grid_gradient[p]);
+    for (unsigned int k = 0; k < slopes.size(); ++k)
+      slopes[k] = slope[k] * inverse;
+  }
+}
+
+/// Mean over a cell of the current slopes, weighted with current volume, and that volume: F-bar's dilatation.
+template <int dim>
+double mean_slopes(const Body<dim> &body, const unsigned int cell, std::vector<dealii::Tensor<1, dim>> &mean)
+{
+  mean.assign(body.field.nodes_per_cell(), dealii::Tensor<1, dim>());
+  std::vector<dealii::Tensor<1, dim>> slopes;
+  double total = 0.;
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    current_slopes(body, p, slopes);
+    const auto point = body.points[p];
+    // F holds the mean dilatation here, so the weight needs the determinant of what really happened.
+    const double weight =
+        body.small_strain()
+            ? body.step.volume[p]
+            : point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient());
+    total += weight;
+    for (unsigned int k = 0; k < mean.size(); ++k)
+      mean[k] += weight * slopes[k];
+  }
+  for (auto &slope : mean)
+    slope /= total;
+  return total;
+}
+} // namespace softgrain::mpm
+
+#endif

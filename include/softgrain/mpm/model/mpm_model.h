@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_model_mpm_model_h
+#define softgrain_mpm_model_mpm_model_h
+
+#include <softgrain/model/model.h>
+#include <softgrain/mpm/model/world.h>
+
+#include <memory>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief The material point model of a scene: one field per body on a shared lattice, bodies and walls meet
+ * at rows.
+ */
+class MpmModel final : public Model<2>
+{
+public:
+  /**
+   * @param laws one per material of the scene
+   * @throw InputError when scene and settings do not fit together
+   */
+  MpmModel(const Scene<2> &scene,
+           const Settings &settings,
+           std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
+  ~MpmModel() override;
+
+  std::string name() const override { return "mpm"; }
+  StepReport advance(double dt_limit) override;
+  double time() const override { return world.time; }
+  std::size_t step() const override { return steps; }
+  Snapshot<2> snapshot() const override;
+  std::vector<WallState<2>> walls() const override;
+  Energies energies() const override;
+  double solid_area() const override;
+  double coordination() const override;
+  double momentum_error() const override;
+  std::size_t n_points() const override;
+  std::size_t n_bodies() const override;
+  SizeReport size_report() const override;
+  std::vector<std::pair<std::string, double>> extra_history() const override;
+  std::map<std::string, double> phases() const override;
+  void save(StateWriter &) const override;
+  void load(StateReader &) override;
+
+  /// Cell size over the speed of pressure waves, the smallest of all bodies [s].
+  double cfl_step() const;
+  /// The step that the settings ask for [s].
+  double wanted_step() const;
+
+  const std::vector<Body<2>> &bodies() const { return world.bodies; }
+
+private:
+  double rotational_energy() const;
+  StepOutcome attempt(double dt, double wanted);
+  void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
+  void renew_grids();
+  void check_energy() const;
+  void update_momentum_scale();
+  void refresh_forces(Body<2> &body);
+  dealii::Tensor<1, 2> momentum() const;
+  BodyState<2> body_state(const Body<2> &body) const;
+
+  World world;
+  std::unique_ptr<dealii::TimerOutput> timer;
+  std::size_t steps = 0;
+  double step_scale = 1.; ///< of the wanted step, after cuts
+  std::uint64_t held_steps = 0;
+  double last_unbalanced = 0.;
+  double last_dt = 0.;
+  double initial_energy = 0.; ///< [J/m]
+};
+} // namespace softgrain::mpm
+
+#endif

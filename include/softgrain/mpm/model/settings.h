@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_model_settings_h
+#define softgrain_mpm_model_settings_h
+
+#include <softgrain/contact/gauss_seidel.h>
+#include <softgrain/linear/linear_solver.h>
+#include <softgrain/mpm/stepping/time_scheme.h>
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain::mpm
+{
+/// When the background grid is laid anew under the points.
+enum class GridUpdate
+{
+  never,      ///< the grid moves with the body for ever: total Lagrangian
+  every_step, ///< updated Lagrangian, the usual MPM and the thesis
+  distortion  ///< when the grid under some point is more distorted than a limit
+};
+
+/// Where rows are looked for.
+enum class ContactKind
+{
+  surface, ///< boundary polylines
+  nodes    ///< grid nodes that two bodies share (thesis, 3.23-3.26)
+};
+
+/// How contact and bulk are brought together.
+enum class ContactCoupling
+{
+  condensed, ///< W = H A^-1 H^T, one solve per Newton iteration
+  lumped     ///< W = H M^-1 H^T, iterated with Newton (thesis, 3.27-3.30)
+};
+
+/// Everything that says how MPM solves a scene, as read from a parameter file.
+struct Settings
+{
+  dealii::Point<2> mesh_lower, mesh_upper; ///< [m]
+  double cell_size = 0;                    ///< [m]
+
+  std::string shape = "bspline";
+  unsigned int points_per_direction = 2;
+  double fill_limit = 0.6;
+  GridUpdate grid_update = GridUpdate::never;
+  double distortion_limit = 3.; ///< ratio of the largest to the smallest stretch of the grid
+  bool affine_transfer = false; ///< APIC
+  double pic_fraction = 0.;
+  std::string f_bar = "automatic";
+
+  TimeScheme scheme;
+  double time_step = 0; ///< [s], 0: cfl_multiple times the CFL step
+  double cfl_multiple = 20.;
+  double smallest_step = 1e-4; ///< relative to the wanted step; below it the run gives up
+
+  double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
+  double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
+  double residual_tolerance = 1e-5;
+  unsigned int max_newton = 25;
+  double max_strain = 0.3; ///< of any material point in one implicit step
+
+  LinearSolverSettings linear_solver;
+
+  ContactKind contact_kind = ContactKind::surface;
+  ContactCoupling coupling = ContactCoupling::condensed;
+  bool nodal_gap = true;
+  double marker_spacing = 0.5;   ///< [cells]
+  bool subgrid = true;           ///< see SubgridCompliance
+  unsigned int max_searches = 8; ///< for contact rows within a step
+  contact::SolverSettings contact_solver;
+  std::string failed_problem_directory; ///< where contact problems that do not converge are kept
+
+  double regularisation = 1e-3;      ///< of quasi_static, see StepPlan
+  double unbalanced_force = 1e-4;    ///< net force on a body over the mean contact force, in balance
+  double held_motion = 1e-2;         ///< of a held step, in balance [cells]
+  unsigned int max_held_steps = 200; ///< after one that moves
+
+  /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
+  bool subgrid_compliance() const
+  {
+    return subgrid && !scheme.inertia && rows_follow() && shape == "bspline";
+  }
+
+  /// Whether contact rows are found again as Newton goes.
+  bool rows_follow() const
+  {
+    return scheme.rows_follow && contact_kind == ContactKind::surface &&
+           coupling == ContactCoupling::condensed;
+  }
+
+  /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  /// @throw InputError for values that do not fit together
+  void parse_parameters(dealii::ParameterHandler &prm);
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_model_world_h
+#define softgrain_mpm_model_world_h
+
+#include <softgrain/base/expression.h>
+#include <softgrain/linear/linear_solver.h>
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_geometry.h>
+#include <softgrain/mpm/contact/contact_system.h>
+#include <softgrain/mpm/field/lattice.h>
+#include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/model/settings.h>
+#include <softgrain/scene/scene.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/timer.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+template <int dim>
+class PointStore;
+struct StressOutcome;
+
+/// What a step is to do.
+struct StepPlan
+{
+  double dt = 0;             ///< [s]
+  bool held = false;         ///< walls and loads stand still and no time passes: the bodies come to balance
+  double regularisation = 0; ///< of quasi_static: stiffness against motion per body, over Young's modulus
+  /// First guess for the displacements over the step of a scheme without inertia [m]; null: none.
+  const std::vector<Eigen::VectorXd> *guess = nullptr;
+};
+
+/// A wall with its formula of motion and what it has felt.
+struct Wall
+{
+  WallDescription<2> description;
+  std::vector<Expression> velocity;        ///< one formula of t [m/s]
+  unsigned int body = ContactRow<2>::none; ///< slab of material points, if it is made of one
+  double travel = 0;                       ///< along the normal since the start [m]
+  double speed = 0;                        ///< mean over the last step [m/s]
+  dealii::Tensor<1, 2> force;              ///< on the wall, mean over the last step [N/m]
+  dealii::Tensor<1, 2> impulse;            ///< given to the bodies since the start [N s/m]
+  dealii::Tensor<1, 2>
+      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
+
+  dealii::Point<2> point() const { return description.point + travel * description.normal; }
+};
+
+/// Sums that balances are made of, since the start; per metre of thickness.
+struct Balance
+{
+  dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
+  double largest_momentum = 0; ///< scale of the momentum error [N s/m]
+  double wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
+  double scheme_damping = 0;                                                 ///< taken by theta > 1/2 [J/m]
+  double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
+  double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
+  dealii::Tensor<1, 2>
+      carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
+};
+
+/**
+ * @brief Everything an MPM computation holds: what a step reads and, once accepted, changes.
+ */
+struct World
+{
+  World();
+  ~World();
+
+  Scene<2> scene;
+  Settings settings;
+  std::unique_ptr<Lattice<2>> lattice;
+  std::unique_ptr<ShapeFunction> shape;
+  std::unique_ptr<PointStore<2>> points; ///< of all bodies
+  std::vector<Body<2>> bodies;
+  std::vector<Wall> walls;
+  std::vector<SystemMatrix> matrices;                  ///< one per body, implicit schemes
+  std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
+  std::unique_ptr<ContactGeometry<2>> geometry;
+  ContactSystem<2> contact;
+  Balance balance;
+  double time = 0; ///< [s]
+  dealii::TimerOutput *timer = nullptr;
+
+  /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
+  void sort_points();
+
+  /// What the grid misses of light contacts.
+  SubgridCompliance subgrid() const;
+
+  /// Whether no body can meet anything with friction.
+  bool frictionless() const;
+
+  /// How walls move in a step, slabs among them.
+  std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
+
+  /// Finds the contact rows of a step.
+  /// @param increment displacement of the nodes over the step as far as it is known, null: by their
+  /// velocities
+  /// @param share     where in the step places and normals are taken
+  /// @param again     whether rows of this step are replaced; they hand their impulses on
+  void find_rows(const std::vector<WallMotion<2>> &motion,
+                 double dt,
+                 const std::vector<Eigen::VectorXd> *increment,
+                 double share,
+                 bool again);
+
+  /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
+  /// body's.
+  void for_moving_bodies(const std::function<void(Body<2> &)> &work);
+
+  /// Why a step is no good in which the points of body @p body came out as @p outcome tells.
+  std::string why_not(unsigned int body, const StressOutcome &outcome) const;
+};
+
+/// What a step tried and found; only an accepted one is written into the world.
+struct StepOutcome
+{
+  bool accepted = false;
+  std::string reason; ///< why not: names body, place and what happened
+  unsigned int newton_iterations = 0, contact_sweeps = 0;
+  double newton_residual = 0, contact_residual = 0, max_penetration = 0;
+  bool rows_settled = true;    ///< the contact rows are those of the step as it came out
+  double largest_move = 0;     ///< of a node over the step [m]
+  unsigned int held_steps = 0; ///< of quasi_static, after the step itself
+  double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
+};
+
+/// One implicit step (moreau_jean, newmark, quasi_static); the world changes only if it is accepted.
+StepOutcome implicit_step(World &world, const StepPlan &plan);
+
+/// One step of symplectic Euler.
+StepOutcome explicit_step(World &world, double dt);
+
+/**
+ * @brief Writes an accepted step into the world: nodes, points, boundary, walls and balances.
+ * @param end_velocity of the nodes of every body [m/s]
+ * @param increment    their displacement over the step [m]
+ * @param rate         mean velocity over the step, with which impulses do their work [m/s]
+ */
+void accept_step(World &world,
+                 const StepPlan &plan,
+                 std::vector<Eigen::VectorXd> &end_velocity,
+                 const std::vector<Eigen::VectorXd> &increment,
+                 const std::vector<Eigen::VectorXd> &rate,
+                 const std::vector<WallMotion<2>> &motion,
+                 const std::vector<Eigen::VectorXd> &external);
+
+/// Gap of every row at the end of the step, to first order in the increments [m].
+std::vector<double> end_gaps(const World &world,
+                             const std::vector<Eigen::VectorXd> &increment,
+                             const std::vector<WallMotion<2>> &motion,
+                             double dt);
+} // namespace softgrain::mpm
+
+#endif

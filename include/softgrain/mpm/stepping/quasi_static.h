@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_quasi_static_h
+#define softgrain_mpm_stepping_quasi_static_h
+
+#include <softgrain/mpm/model/world.h>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief One step of `quasi_static`: walls and loads go on by @p dt, then held steps until the bodies are in
+ * balance. See doc/theory.md, "Without inertia".
+ *
+ * @param wanted length of an uncut step [s]; a shorter one resists motion more, in proportion
+ * @return not accepted, and nothing changed, when the bodies cannot follow the walls
+ * @throw ComputationError when no balance is found after they did; the bodies have then moved
+ */
+StepOutcome quasi_static_step(World &world, double dt, double wanted);
+
+/// How far the bodies are from balance under the impulses of a step of length @p dt: the largest net force of
+/// contacts and loads on a body, over the mean force of a contact, of a pair of bodies or a body and a wall
+/// (dimensionless; 0 when there are no forces).
+double unbalanced_force(World &world, double dt);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_step_equations_h
+#define softgrain_mpm_stepping_step_equations_h
+
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief The equations of one implicit step for the velocities at its end, body by body: unbalanced impulse
+ * for a trial, and the matrix of Newton's method. See doc/theory.md, "One step".
+ *
+ * Vectors hold one nodal vector per body; those of driven bodies are not used.
+ */
+class StepEquations
+{
+public:
+  using Vectors = std::vector<Eigen::VectorXd>;
+
+  /// Takes forces and loads at the start of the step from @p world.
+  StepEquations(World &world, const StepPlan &plan);
+
+  bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
+
+  /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
+  /// or deforms by too much over the step.
+  bool evaluate(const Vectors &v);
+  /// Why the last evaluate() failed.
+  std::string why_not() const { return world.why_not(bad_body, trouble); }
+
+  /// Impulse that is missing for balance at every node of a body, those of the contacts counted [N s/m].
+  Eigen::VectorXd unbalanced(unsigned int b) const;
+  /// Norm of unbalanced() of all bodies [N s/m].
+  double unbalanced_norm() const;
+  /// The largest such norm of a body over the largest impulse of the step on a body.
+  double residual() const;
+  /// Takes new contact rows into account.
+  void rows_changed();
+
+  /// A = M + theta^2 dt^2 K of every body, factorised; shifted when it is not positive definite.
+  /// @return why not, empty when it went well
+  std::string factorise();
+
+  /// Whether all bodies are kept from turning, because turned they would be the same.
+  bool rotation_is_gauge() const;
+
+  /// Trial x for @p fraction of a direction from a trial for which increments were @p from; bodies turn along
+  /// circles.
+  Eigen::VectorXd go(unsigned int b,
+                     const Eigen::VectorXd &x,
+                     double fraction,
+                     const Eigen::VectorXd &direction,
+                     const Eigen::VectorXd &from) const;
+
+  /// What the scheme itself takes from body @p b in a step to the velocities @p v, to second order in the
+  /// step; 0 for schemes that are not a choice of theta alone [J/m].
+  double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
+
+  /// Work that the regularising forces of quasi_static take in the step as last evaluated [J/m].
+  double regularisation_work() const;
+  /// A x = the missing impulse, or what is unbalanced with contact, for every body [m/s].
+  void solve(bool with_contact, Vectors &x) const;
+
+  /// Displacements over the step for the velocities last evaluated [m].
+  Vectors increment;
+  /// Internal forces for them [N].
+  Vectors internal;
+  /// Loads of the bodies, empty where there are none [N].
+  Vectors external;
+  /// H v at the start of the step, empty when theta is 1 [m/s].
+  std::vector<double> start_relative;
+
+private:
+  World &world;
+  const TimeScheme &scheme;
+  const StepPlan plan;
+  const double dt;
+  Vectors old_force, missing_impulse, rotation;
+  std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
+  std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
+  std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
+  unsigned int bad_body = 0;
+  StressOutcome trouble;
+};
+} // namespace softgrain::mpm
+
+#endif

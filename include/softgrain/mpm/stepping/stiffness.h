@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_stiffness_h
+#define softgrain_mpm_stepping_stiffness_h
+
+#include <softgrain/mpm/body/body.h>
+
+namespace softgrain
+{
+class SystemMatrix;
+}
+
+namespace softgrain::mpm
+{
+/// Lays out @p matrix for the independent nodes of @p field and its cells.
+template <int dim>
+void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix);
+
+/**
+ * @brief Stiffness -d(internal force)/d(displacement) for the stress and tangent last evaluated, times @p
+ * factor, added.
+ * A compressed free body has a negative stiffness against rotation: what holds it are its contacts, which
+ * this matrix does not know; see RankOneSolver.
+ */
+template <int dim>
+void add_stiffness(const Body<dim> &body, double factor, SystemMatrix &matrix);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_stress_h
+#define softgrain_mpm_stepping_stress_h
+
+#include <softgrain/mpm/body/body.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// How evaluate_stress() came out.
+struct StressOutcome
+{
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::size_t bad_point = none; ///< first point whose trial deformation is no good
+  bool leaps = false;           ///< it is not inside out, but deforms by more than was allowed
+  bool good() const { return bad_point == none; }
+};
+
+/// What evaluate_stress() is to do beside the stress.
+struct Trial
+{
+  double half_dt =
+      0; ///< dt/2 when volumes of small-strain laws follow (3.17) within the step, 0: they stay [s]
+  bool tangent = false;  ///< add_stiffness() is to follow
+  double max_strain = 0; ///< largest strain of any point over the step, see leaps(); 0: any
+};
+
+/**
+ * @brief Deformation and stress at all points for a trial displacement of the nodes, and what the law keeps
+ * as history and dissipates on the way; a law without history dissipates nothing and is not asked.
+ *
+ * @param body         its step state is filled
+ * @param displacement of the independent nodes since the grid was laid [m]
+ * @param increment    the part of it that belongs to this step [m]
+ * @param trial        how far to go
+ */
+template <int dim>
+StressOutcome evaluate_stress(Body<dim> &body,
+                              const Eigen::VectorXd &displacement,
+                              const Eigen::VectorXd &increment,
+                              const Trial &trial);
+
+/// What the state of a body tells beside its stress.
+struct PointMeasures
+{
+  double energy = 0;                       ///< stored in all points [J/m]
+  std::vector<double> out_of_plane_stress; ///< per point, as the law returns it [Pa]
+};
+
+/**
+ * @brief Measures of a body for a displacement of its nodes, the step state apart: no step needs them, so
+ * they are computed when they are asked for. @p increment as in evaluate_stress(); zero for the present
+ * state.
+ */
+template <int dim>
+PointMeasures
+measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment);
+
+/// Internal force (3.11) on the independent nodes for the stress last evaluated [N].
+template <int dim>
+void internal_force(Body<dim> &body, Eigen::VectorXd &force);
+} // namespace softgrain::mpm
+
+#endif

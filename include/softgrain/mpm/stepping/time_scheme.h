@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_time_scheme_h
+#define softgrain_mpm_stepping_time_scheme_h
+
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief A time scheme as a choice of terms in one equation for the velocity v+ at the end of the step:
+ *
+ *     M (v+ - v) = dt [(1 - theta) f_old + theta f(x + u)] + H^T P,   u = dt [(1 - theta) v + theta v+]
+ *
+ * | name         | theta | inertia | f_old                                     |
+ * |--------------|-------|---------|-------------------------------------------|
+ * | moreau_jean  | 0.55  | yes     | f(t)                                      |
+ * | newmark      | 1/2   | yes     | M a(t), a carried by the points (3.14)-(3.16) |
+ * | explicit     | -     | yes     | f(t) alone, u = dt v+ (symplectic Euler)  |
+ * | quasi_static | 1     | no      | none                                      |
+ */
+struct TimeScheme
+{
+  std::string name = "moreau_jean";
+  double theta = 0.55;
+  bool inertia = true;
+  bool implicit = true;
+  bool stored_acceleration = false;
+  /// Where in the step the contact rows are taken, 0 its start, 1 its end: in the middle contact does no work
+  /// of its own, at the end the step ends in balance.
+  double row_share = 0.5;
+  /// Whether rows are found again as Newton goes, so that they are those of the step as it comes out.
+  bool rows_follow = false;
+
+  /// @throw InputError when the name is unknown or theta is outside of [1/2, 1]
+  static TimeScheme create(const std::string &name, double theta);
+  static std::vector<std::string> names();
+};
+} // namespace softgrain::mpm
+
+#endif

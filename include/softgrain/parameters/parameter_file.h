@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_parameters_parameter_file_h
+#define softgrain_parameters_parameter_file_h
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+struct ParameterSection;
+
+/// "Section/Sub/Key = value" as a user wrote it somewhere.
+struct ParameterAssignment
+{
+  std::vector<std::string> sections;
+  std::string key; ///< empty when only the section is named
+  std::string value;
+  std::string where; ///< "FILE:LINE" or "--set"
+};
+
+/**
+ * @brief What a parameter file says, before anyone knows which parameters exist.
+ *
+ * Reading checks the form; apply() checks every name and value against what has been declared. In between,
+ * value() and names() let the reader find out which bodies, walls and materials to declare. Files ending in
+ * .json are JSON, all others deal.II's .prm format with `include FILE`.
+ */
+class ParameterFile
+{
+public:
+  /// @throw InputError "FILE:LINE: …" when the file cannot be read or is not well formed.
+  explicit ParameterFile(const std::string &file_name);
+
+  /// Adds a later word, from the command line: "Section/Sub/Key=value".
+  void set(const std::string &assignment);
+
+  /// What the file says last of a parameter, or @p otherwise.
+  std::string
+  value(const std::vector<std::string> &sections, const std::string &key, const std::string &otherwise) const;
+
+  /// Where value() comes from, for messages; the file's name when it says nothing.
+  std::string where(const std::vector<std::string> &sections, const std::string &key) const;
+
+  /**
+   * @brief The list "Names" of a section: what its subsections are called.
+   * @throw InputError for a name given twice or with characters that are not letters, digits, '_', '-'.
+   */
+  std::vector<std::string> names(const std::string &section) const;
+
+  /**
+   * @brief Sets everything in @p prm, where it must be declared.
+   *
+   * @throw InputError "FILE:LINE: 'Section/Key' = 'value' is not allowed: …", or with the nearest known name.
+   */
+  void apply(dealii::ParameterHandler &prm) const;
+
+  /// A later message about the parameter it quotes first, 'Section/Key', with the place in front; with the
+  /// file's name alone when the file does not set it.
+  std::string located(const std::string &message) const;
+
+  const std::string &file_name() const { return name; }
+
+private:
+  const ParameterAssignment *find(const std::vector<std::string> &sections, const std::string &key) const;
+
+  std::string name;
+  std::vector<ParameterAssignment> assignments;
+};
+
+/// Sections within sections that a file may open; none of softgrain's goes deeper than five.
+constexpr unsigned int max_section_depth = 16;
+
+/// Without the byte-order mark that some editors write. @throw InputError when @p file_name is missing, a
+/// folder, unreadable or not text.
+std::string read_text_file(const std::string &file_name);
+
+/// The assignments of a .prm file, includes followed; @p including are the files on the way to this one.
+std::vector<ParameterAssignment> read_prm_file(const std::string &file_name,
+                                               const std::vector<std::string> &including = {});
+
+/// The assignments of a JSON file: objects are sections, lists become "a, b" and lists of lists "a, b; c, d".
+std::vector<ParameterAssignment> read_json_file(const std::string &file_name);
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_parameters_parameter_values_h
+#define softgrain_parameters_parameter_values_h
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+/// "a, b" as numbers; the pattern of the parameter has checked the form.
+dealii::Tensor<1, 2> pair_of_numbers(const std::string &text);
+
+/// "a, b; c, d; …" as numbers; the pattern of the parameter has checked the form.
+std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text);
+
+/// 'Relaxation' of the section that @p prm is in, the contact solver's of any model.
+/// @throw InputError when it is not 1 and 'Algorithm' is another than 'gauss_seidel', which would ignore it.
+double relaxation_of_plain_sweeps(const dealii::ParameterHandler &prm);
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/linear/system_matrix.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace softgrain
+{
+void SystemMatrix::reinit(const unsigned int dim,
+                          const unsigned int n_nodes,
+                          const std::vector<std::vector<unsigned int>> &nodes_of_cell)
+{
+  const unsigned int n = n_nodes;
+  std::vector<std::vector<unsigned int>> rows(n); // of the lower blocks of each block column
+  for (const std::vector<unsigned int> &nodes : nodes_of_cell)
+    for (const unsigned int i : nodes)
+      for (const unsigned int j : nodes)
+        if (i >= j)
+          rows[j].push_back(i);
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    rows[j].push_back(j);
+    std::sort(rows[j].begin(), rows[j].end());
+    rows[j].erase(std::unique(rows[j].begin(), rows[j].end()), rows[j].end());
+  }
+
+  matrix.resize(dim * n, dim * n);
+  Eigen::VectorXi sizes(dim * n);
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int d = 0; d < dim; ++d)
+      sizes[dim * j + d] = dim * rows[j].size() - d;
+  matrix.reserve(sizes);
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const unsigned int i : rows[j])
+        for (unsigned int e = (i == j ? d : 0); e < dim; ++e)
+          matrix.insert(dim * i + e, dim * j + d) = 0.;
+  matrix.makeCompressed();
+
+  places.assign(nodes_of_cell.size(), {});
+  for (unsigned int c = 0; c < nodes_of_cell.size(); ++c)
+  {
+    const std::vector<unsigned int> &nodes = nodes_of_cell[c];
+    places[c].n_nodes = nodes.size();
+    AssertThrow(std::is_sorted(nodes.begin(), nodes.end()), dealii::ExcInternalError());
+    for (unsigned int b = 0; b < nodes.size(); ++b)
+      for (unsigned int a = b; a < nodes.size(); ++a)
+      {
+        const std::vector<unsigned int> &column = rows[nodes[b]];
+        const int rank = std::lower_bound(column.begin(), column.end(), nodes[a]) - column.begin();
+        // In the column of direction d the diagonal block holds dim - d entries, every other block dim.
+        for (unsigned int d = 0; d < dim; ++d)
+          places[c].start.push_back(matrix.outerIndexPtr()[dim * nodes[b] + d] +
+                                    (rank == 0 ? 0 : rank * dim - static_cast<int>(d)));
+      }
+  }
+  new_pattern = true;
+}
+
+void SystemMatrix::set_zero()
+{
+  std::fill(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), 0.);
+}
+
+template <int dim>
+void SystemMatrix::add_mass(const Eigen::VectorXd &mass, const double factor)
+{
+  double *values = matrix.valuePtr();
+  const int *start = matrix.outerIndexPtr();
+  for (unsigned int i = 0; i < mass.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      values[start[dim * i + d]] += factor * mass[i];
+}
+
+template void SystemMatrix::add_mass<2>(const Eigen::VectorXd &, double);
+template void SystemMatrix::add_mass<3>(const Eigen::VectorXd &, double);
+} // namespace softgrain

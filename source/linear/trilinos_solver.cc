@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/linear/trilinos_solver.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <vector>
+
+namespace softgrain
+{
+namespace
+{
+namespace Wrappers = dealii::TrilinosWrappers;
+
+/// The lower triangle of a body's matrix as a full Trilinos matrix of this process alone.
+class TrilinosBase : public LinearSolver
+{
+public:
+  bool factorize(SystemMatrix &source) override
+  {
+    const SystemMatrix::Sparse &lower = source.lower();
+    if (source.pattern_is_new())
+    {
+      dealii::DynamicSparsityPattern pattern(lower.rows(), lower.rows());
+      for (int j = 0; j < lower.outerSize(); ++j)
+        for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
+        {
+          pattern.add(entry.row(), j);
+          pattern.add(j, entry.row());
+        }
+      all = dealii::complete_index_set(lower.rows());
+      matrix.reinit(all, pattern, MPI_COMM_SELF, false);
+      right.reinit(all, MPI_COMM_SELF);
+      solution.reinit(all, MPI_COMM_SELF);
+      source.clear_pattern_flag();
+    }
+    matrix = 0.;
+    for (int j = 0; j < lower.outerSize(); ++j)
+      for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
+      {
+        // A Cholesky solver would stop here too.
+        if (entry.row() == j && !(entry.value() > 0.))
+          return false;
+        matrix.add(entry.row(), j, entry.value());
+        if (entry.row() != j)
+          matrix.add(j, entry.row(), entry.value());
+      }
+    matrix.compress(dealii::VectorOperation::add);
+    prepare();
+    return true;
+  }
+
+  void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
+  {
+    for (int i = 0; i < b.size(); ++i)
+      right(i) = b[i];
+    right.compress(dealii::VectorOperation::insert);
+    solution = 0.;
+    if (right.l2_norm() > 0.)
+      apply();
+    x.resize(b.size());
+    for (int i = 0; i < b.size(); ++i)
+      x[i] = solution(i);
+  }
+
+  void condense(const Rows &rows, Eigen::MatrixXd &W) override
+  {
+    W.resize(rows.cols(), rows.cols());
+    Eigen::VectorXd x;
+    for (int c = 0; c < rows.cols(); ++c)
+    {
+      solve(Eigen::VectorXd(rows.col(c)), x);
+      W.col(c) = rows.transpose() * x;
+    }
+    W = 0.5 * (W + W.transpose()).eval();
+  }
+
+protected:
+  virtual void prepare() = 0;
+  virtual void apply() = 0;
+
+  dealii::IndexSet all;
+  Wrappers::SparseMatrix matrix;
+  Wrappers::MPI::Vector right, solution;
+};
+
+class TrilinosDirect final : public TrilinosBase
+{
+  void prepare() override
+  {
+    solver = std::make_unique<Wrappers::SolverDirect>(control);
+    solver->initialize(matrix);
+  }
+  void apply() override { solver->solve(solution, right); }
+
+  dealii::SolverControl control;
+  std::unique_ptr<Wrappers::SolverDirect> solver;
+};
+
+class TrilinosCg final : public TrilinosBase
+{
+public:
+  TrilinosCg(const LinearSolverSettings &settings, const bool amg, const unsigned int dim)
+      : settings(settings), use_amg(amg), dim(dim)
+  {
+  }
+
+private:
+  void prepare() override
+  {
+    if (use_amg)
+    {
+      Wrappers::PreconditionAMG::AdditionalData data;
+      data.elliptic = true;
+      data.higher_order_elements = true;
+      data.smoother_sweeps = 2;
+      data.aggregation_threshold = 0.02;
+      data.constant_modes.assign(dim, std::vector<bool>(matrix.m(), false));
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        data.constant_modes[i % dim][i] = true;
+      amg.initialize(matrix, data);
+    }
+    else
+      ilu.initialize(matrix, Wrappers::PreconditionILU::AdditionalData(1, 0., 1., 0));
+  }
+
+  void apply() override
+  {
+    dealii::SolverControl control(settings.max_iterations, settings.tolerance * right.l2_norm());
+    dealii::SolverCG<Wrappers::MPI::Vector> cg(control);
+    try
+    {
+      if (use_amg)
+        cg.solve(matrix, solution, right, amg);
+      else
+        cg.solve(matrix, solution, right, ilu);
+    }
+    catch (const dealii::SolverControl::NoConvergence &)
+    {
+      throw ComputationError(
+          "conjugate gradients did not converge in " + std::to_string(settings.max_iterations) +
+          " iterations ('Linear solver/Maximum iterations'); 'Linear solver/Type' = 'cholesky' always does");
+    }
+  }
+
+  const LinearSolverSettings settings;
+  const bool use_amg;
+  const unsigned int dim;
+  Wrappers::PreconditionAMG amg;
+  Wrappers::PreconditionILU ilu;
+};
+} // namespace
+
+std::unique_ptr<LinearSolver>
+create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, const unsigned int dim)
+{
+  if (type == "trilinos_direct")
+    return std::make_unique<TrilinosDirect>();
+  if (type == "cg_ilu" || type == "cg_amg")
+    return std::make_unique<TrilinosCg>(settings, type == "cg_amg", dim);
+  throw InputError("'Linear solver/Type' = '" + type + "' is not known");
+}
+} // namespace softgrain

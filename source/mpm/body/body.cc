@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/body.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+template <int dim>
+unsigned int Boundary<dim>::next(const unsigned int m) const
+{
+  const auto end = std::upper_bound(loop_start.begin(), loop_start.end(), m);
+  return m + 1 == *end ? *(end - 1) : m + 1;
+}
+
+template <int dim>
+unsigned int Boundary<dim>::previous(const unsigned int m) const
+{
+  const auto end = std::upper_bound(loop_start.begin(), loop_start.end(), m);
+  return m == *(end - 1) ? *end - 1 : m - 1;
+}
+
+template <int dim>
+dealii::Tensor<1, dim> Body<dim>::momentum() const
+{
+  dealii::Tensor<1, dim> sum;
+  for (unsigned int i = 0; i < mass.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      sum[d] += mass[i] * velocity[dim * i + d];
+  return sum;
+}
+
+template <int dim>
+double Body<dim>::kinetic_energy() const
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < mass.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      sum += 0.5 * mass[i] * velocity[dim * i + d] * velocity[dim * i + d];
+  return sum;
+}
+
+template struct Boundary<2>;
+template struct Boundary<3>;
+template struct Body<2>;
+template struct Body<3>;
+} // namespace softgrain::mpm

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/whole_rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Places of the independent nodes for a displacement since the grid was laid, and their centre of mass.
+std::vector<dealii::Point<2>>
+places(const Body<2> &body, const Eigen::VectorXd &displacement, dealii::Point<2> &center)
+{
+  dealii::Tensor<1, 2> moment;
+  std::vector<dealii::Point<2>> place(body.mass.size());
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    place[i] = body.field.position(body.field.node_of_independent(i));
+    for (unsigned int d = 0; d < 2; ++d)
+      place[i][d] += displacement[2 * i + d];
+    moment += body.mass[i] * (place[i] - dealii::Point<2>());
+  }
+  center = dealii::Point<2>(moment / body.mass.sum());
+  return place;
+}
+} // namespace
+
+Eigen::VectorXd whole_rotation(const Body<2> &body)
+{
+  dealii::Point<2> center;
+  const std::vector<dealii::Point<2>> place = places(body, body.displacement, center);
+  Eigen::VectorXd rotation(body.field.n_dofs());
+  double inertia = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    const dealii::Tensor<1, 2> arm = place[i] - center;
+    rotation[2 * i] = -body.mass[i] * arm[1];
+    rotation[2 * i + 1] = body.mass[i] * arm[0];
+    inertia += body.mass[i] * arm.norm_square();
+  }
+  return rotation / inertia;
+}
+
+void turn_along_circles(const Body<2> &body,
+                        const Eigen::VectorXd &r,
+                        const Eigen::VectorXd &from,
+                        Eigen::VectorXd &step)
+{
+  const double angle = r.dot(step);
+  if (angle == 0.)
+    return;
+  dealii::Point<2> center;
+  const std::vector<dealii::Point<2>> place = places(body, from, center);
+  const double along = std::cos(angle) - 1., across = std::sin(angle) - angle;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    const dealii::Tensor<1, 2> arm = place[i] - center;
+    step[2 * i] += along * arm[0] - across * arm[1];
+    step[2 * i + 1] += along * arm[1] + across * arm[0];
+  }
+}
+
+double rotation_stiffness(const Body<2> &body)
+{
+  double pressure_area = 0.;
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    pressure_area -= 0.5 * body.step.volume[p] * trace(body.step.stress[p]);
+  return 2.5 * std::max(0., pressure_area);
+}
+
+void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity)
+{
+  dealii::Tensor<1, 2> sum;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      sum[d] += impulse[2 * i + d];
+  sum /= body.mass.sum();
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      velocity[2 * i + d] += sum[d];
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/contact/active_set.h>
+#include <softgrain/contact/block_delassus.h>
+#include <softgrain/contact/mass_delassus.h>
+#include <softgrain/contact/problem_io.h>
+#include <softgrain/mpm/contact/contact_system.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace softgrain::mpm
+{
+template <int dim>
+struct ContactSystem<dim>::Operator
+{
+  std::variant<contact::BlockDelassus, contact::MassDelassus> kind;
+};
+
+namespace
+{
+/// Weights of one row on one body's dofs for a unit impulse along @p direction, as the next column of @p
+/// matrix.
+template <int dim>
+void add_column(const NodeWeights &weights,
+                const dealii::Tensor<1, dim> &direction,
+                const double sign,
+                const unsigned int column,
+                LinearSolver::Rows &matrix)
+{
+  matrix.startVec(column);
+  for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+      if (direction[d] != 0.)
+        matrix.insertBack(dim * weights.node[k] + d, column) = sign * weights.weight[k] * direction[d];
+}
+} // namespace
+
+template <int dim>
+void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
+                                const std::vector<Body<dim>> &bodies,
+                                const double dt,
+                                const bool again)
+{
+  const Memory now = again ? memory_of_now() : Memory();
+  const Memory &first_guess = again ? now : remembered;
+  const double scale = again || memory_step == 0. ? 1. : dt / memory_step;
+  rows = std::move(new_rows);
+  const bool friction =
+      std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
+  const unsigned int components = friction ? dim : 1;
+  problem.n_components = components;
+  problem.friction.clear();
+  if (friction)
+    for (const auto &row : rows)
+      problem.friction.push_back(row.friction);
+  body_components.assign(bodies.size(), {});
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    for (const unsigned int b : {rows[r].body, rows[r].partner})
+      if (b != ContactRow<dim>::none && !bodies[b].driven)
+        for (unsigned int c = 0; c < components; ++c)
+          body_components[b].push_back(r * components + c);
+  body_rows.resize(bodies.size());
+  parallel_for(bodies.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                 {
+                   LinearSolver::Rows &matrix = body_rows[b];
+                   matrix.resize(bodies[b].field.n_dofs(), body_components[b].size());
+                   for (unsigned int k = 0; k < body_components[b].size(); ++k)
+                   {
+                     const ContactRow<dim> &row = rows[body_components[b][k] / components];
+                     const bool own = row.body == b;
+                     add_column<dim>(own ? row.body_weights : row.partner_weights,
+                                     row.direction(body_components[b][k] % components), own ? 1. : -1., k,
+                                     matrix);
+                   }
+                   matrix.finalize();
+                 }
+               });
+  impulse.assign(rows.size() * components, 0.);
+  velocity.assign(rows.size() * components, 0.);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    const auto old = first_guess.find(rows[r].key);
+    if (old != first_guess.end())
+      for (unsigned int c = 0; c < components; ++c)
+        impulse[r * components + c] = scale * old->second[c];
+  }
+  delassus.reset();
+  color_pairs(bodies);
+}
+
+template <int dim>
+void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
+{
+  // Each pair gets the first colour that neither of its bodies has yet.
+  problem.colors.clear();
+  pairs.clear();
+  std::vector<std::vector<char>> taken(bodies.size());
+  for (unsigned int first = 0, end; first < rows.size(); first = end)
+  {
+    end = first + 1;
+    while (end < rows.size() && rows[end].body == rows[first].body &&
+           rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall)
+      ++end;
+    pairs.push_back({first, end});
+    std::vector<unsigned int> pair = {rows[first].body};
+    if (rows[first].partner != ContactRow<dim>::none)
+      pair.push_back(rows[first].partner);
+    unsigned int color = 0;
+    while (std::any_of(pair.begin(), pair.end(),
+                       [&](const unsigned int b)
+                       { return !bodies[b].driven && color < taken[b].size() && taken[b][color]; }))
+      ++color;
+    for (const unsigned int b : pair)
+    {
+      taken[b].resize(std::max<std::size_t>(taken[b].size(), color + 1), 0);
+      taken[b][color] = 1;
+    }
+    if (color == problem.colors.size())
+      problem.colors.emplace_back();
+    problem.colors[color].push_back({first, end});
+  }
+}
+
+template <int dim>
+typename ContactSystem<dim>::Memory ContactSystem<dim>::memory_of_now() const
+{
+  Memory now;
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (impulse[r * n_components()] > 0.)
+    {
+      std::array<double, dim> value{};
+      for (unsigned int c = 0; c < n_components(); ++c)
+        value[c] = impulse[r * n_components() + c];
+      now[rows[r].key] = value;
+    }
+  return now;
+}
+
+template <int dim>
+void ContactSystem<dim>::remember(const double dt)
+{
+  remembered = memory_of_now();
+  memory_step = dt;
+}
+
+template <int dim>
+std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>> &bodies,
+                                                          const std::vector<Eigen::VectorXd> &nodal) const
+{
+  std::vector<double> w(rows.size() * n_components(), 0.);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].driven && !body_components[b].empty())
+    {
+      const Eigen::VectorXd own = body_rows[b].transpose() * nodal[b];
+      for (unsigned int k = 0; k < body_components[b].size(); ++k)
+        w[body_components[b][k]] += own[k];
+    }
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
+      for (unsigned int c = 0; c < n_components(); ++c)
+        w[r * n_components() + c] -= bodies[rows[r].partner].drive * rows[r].direction(c);
+  return w;
+}
+
+template <int dim>
+void ContactSystem<dim>::add_impulses(const unsigned int b,
+                                      const std::vector<double> &P,
+                                      Eigen::VectorXd &nodal) const
+{
+  if (body_components.size() <= b || body_components[b].empty())
+    return;
+  Eigen::VectorXd own(body_components[b].size());
+  for (unsigned int k = 0; k < own.size(); ++k)
+    own[k] = P[body_components[b][k]];
+  nodal += body_rows[b] * own;
+}
+
+template <int dim>
+void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
+                                  std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+                                  const SubgridCompliance &subgrid,
+                                  const double dt,
+                                  const double theta)
+{
+  std::vector<Eigen::MatrixXd> blocks(bodies.size());
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!bodies[b].driven && !body_components[b].empty())
+                     solvers[b]->condense(body_rows[b], blocks[b]);
+               });
+  contact::BlockDelassus W(rows.size(), n_components());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (blocks[b].size() > 0)
+      W.add_block(body_components[b], blocks[b]);
+  if constexpr (dim == 2)
+    for (Pair &pair : pairs)
+    {
+      const ContactRow<dim> &row = rows[pair.first];
+      pair.compliance =
+          subgrid(bodies[row.body], row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                  normal_force(pair, dt));
+      if (pair.compliance == 0.)
+        continue;
+      std::vector<unsigned int> normals;
+      for (unsigned int r = pair.first; r < pair.end; ++r)
+        normals.push_back(r * n_components());
+      W.add_block(normals, Eigen::MatrixXd::Constant(normals.size(), normals.size(),
+                                                     pair.compliance / (theta * dt * dt)));
+    }
+  delassus = std::make_shared<Operator>(Operator{std::move(W)});
+}
+
+template <int dim>
+double ContactSystem<dim>::normal_force(const Pair &pair, const double dt) const
+{
+  double sum = 0.;
+  for (unsigned int r = pair.first; r < pair.end; ++r)
+    sum += impulse[r * n_components()];
+  return sum / dt;
+}
+
+template <int dim>
+std::vector<double> ContactSystem<dim>::subgrid_overlap(const double dt) const
+{
+  std::vector<double> overlap(rows.size(), 0.);
+  for (const Pair &pair : pairs)
+    std::fill(overlap.begin() + pair.first, overlap.begin() + pair.end,
+              pair.compliance * normal_force(pair, dt));
+  return overlap;
+}
+
+template <int dim>
+double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
+                                          const SubgridCompliance &subgrid,
+                                          const double dt) const
+{
+  double energy = 0.;
+  if constexpr (dim == 2)
+    for (const Pair &pair : pairs)
+    {
+      const ContactRow<dim> &row = rows[pair.first];
+      if (pair.compliance > 0.)
+        energy += subgrid.energy(bodies[row.body],
+                                 row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                                 normal_force(pair, dt));
+    }
+  else
+    (void) bodies, (void) subgrid, (void) dt;
+  return energy;
+}
+
+template <int dim>
+void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
+{
+  std::vector<unsigned int> offset(bodies.size() + 1, 0);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    offset[b + 1] = offset[b] + bodies[b].field.n_dofs();
+  std::vector<double> inverse_mass(offset.back(), 0.);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].driven)
+      for (unsigned int i = 0; i < bodies[b].field.n_dofs(); ++i)
+        inverse_mass[offset[b] + i] = 1. / bodies[b].mass[i / dim];
+
+  std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * n_components());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    for (unsigned int k = 0; k < body_components[b].size(); ++k)
+      for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
+        list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());
+  std::vector<unsigned int> start(1, 0), dofs;
+  std::vector<double> weights;
+  for (const auto &row : list)
+  {
+    for (const auto &[dof, weight] : row)
+    {
+      dofs.push_back(dof);
+      weights.push_back(weight);
+    }
+    start.push_back(dofs.size());
+  }
+  delassus = std::make_shared<Operator>(Operator{contact::MassDelassus(
+      n_components(), std::move(start), std::move(dofs), std::move(weights), std::move(inverse_mass))});
+}
+
+template <int dim>
+contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocity,
+                                                const contact::SolverSettings &settings,
+                                                const bool relative)
+{
+  return std::visit(
+      [&](auto &W)
+      {
+        if (relative)
+        {
+          // free velocity = (velocity with the present impulses) - W (present impulses)
+          problem.free_velocity.assign(free_velocity.size(), 0.);
+          std::vector<double> effect;
+          contact::compute_velocities(W, problem, impulse, effect);
+          for (unsigned int k = 0; k < effect.size(); ++k)
+            free_velocity[k] -= effect[k];
+        }
+        problem.free_velocity = std::move(free_velocity);
+        last_start = impulse;
+        const contact::SolverReport report = contact::solve(W, problem, settings, impulse, velocity);
+        plain_solves += report.fell_back;
+        return report;
+      },
+      delassus->kind);
+}
+
+template <int dim>
+void ContactSystem<dim>::save_problem(const std::string &file,
+                                      const std::string &description,
+                                      const contact::SolverSettings &settings) const
+{
+  std::visit([&](const auto &W)
+             { contact::save_problem(file, W, problem, settings, last_start, description); },
+             delassus->kind);
+}
+
+template class ContactSystem<2>;
+} // namespace softgrain::mpm

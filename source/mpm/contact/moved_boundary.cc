@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/moved_boundary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Point = MovedBoundary::Point;
+using Vector = MovedBoundary::Vector;
+
+/// Unit outward normal of the edge from @p a to @p b; the solid lies to the left.
+Vector edge_normal(const Point &a, const Point &b)
+{
+  const Vector edge = b - a;
+  const double norm = edge.norm();
+  return norm > 0. ? Vector({edge[1] / norm, -edge[0] / norm}) : Vector();
+}
+
+Vector at_marker(const NodeWeights &weights, const Eigen::VectorXd &nodal)
+{
+  Vector value;
+  for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int d = 0; d < 2; ++d)
+      value[d] += weights.weight[k] * nodal[2 * weights.node[k] + d];
+  return value;
+}
+} // namespace
+
+NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
+{
+  NodeWeights result;
+  result.node.reserve(a.node.size() + b.node.size());
+  result.weight.reserve(a.node.size() + b.node.size());
+  for (unsigned int i = 0, j = 0; i < a.node.size() || j < b.node.size();)
+  {
+    const unsigned int node =
+        std::min(i < a.node.size() ? a.node[i] : b.node[j], j < b.node.size() ? b.node[j] : a.node[i]);
+    double weight = 0.;
+    if (i < a.node.size() && a.node[i] == node)
+      weight += (1. - share) * a.weight[i++];
+    if (j < b.node.size() && b.node[j] == node)
+      weight += share * b.weight[j++];
+    result.node.push_back(node);
+    result.weight.push_back(weight);
+  }
+  return result;
+}
+
+MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
+    : is_free(body.boundary.smooth && scene.frictionless)
+    , body(&body)
+    , position(body.boundary.position)
+    , lower(std::numeric_limits<double>::max(), std::numeric_limits<double>::max())
+    , upper(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest())
+{
+  find_center(scene);
+  displacement.reserve(position.size());
+  for (unsigned int m = 0; m < position.size(); ++m)
+  {
+    const Vector moved = body.driven ? scene.dt * body.drive
+                         : scene.increment == nullptr
+                             ? scene.dt * at_marker(body.field.marker_weights(m), body.velocity)
+                             : at_marker(body.field.marker_weights(m), (*scene.increment)[body.index]);
+    displacement.push_back(moved);
+    position[m] += scene.share * moved;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      lower[d] = std::min(lower[d], position[m][d]);
+      upper[d] = std::max(upper[d], position[m][d]);
+    }
+    // Not of the nodes: those on the rim may be fast and move nothing.
+    if (m % body.boundary.contact_stride == 0)
+      spread = std::max(spread, (moved - travel).norm());
+  }
+  normals.reserve(position.size());
+  for (unsigned int m = 0; m < position.size(); ++m)
+  {
+    const Vector sum = edge_normal(position[body.boundary.previous(m)], position[m]) +
+                       edge_normal(position[m], position[body.boundary.next(m)]);
+    const double norm = sum.norm();
+    normals.push_back(norm > 0. ? sum / norm : sum);
+  }
+}
+
+void MovedBoundary::find_center(const ContactScene<2> &scene)
+{
+  if (body->driven)
+  {
+    travel = scene.dt * body->drive;
+    return; // nobody asks where the centre of such a body is
+  }
+  Vector moment, way;
+  for (unsigned int i = 0; i < body->mass.size(); ++i)
+  {
+    const Point &at = body->field.position(body->field.node_of_independent(i));
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      moment[d] += body->mass[i] * (at[d] + body->displacement[2 * i + d]);
+      way[d] += body->mass[i] * (scene.increment == nullptr ? scene.dt * body->velocity[2 * i + d]
+                                                            : (*scene.increment)[body->index][2 * i + d]);
+    }
+  }
+  const double mass = body->mass.sum();
+  travel = way / mass;
+  center = Point(moment / mass + scene.share * travel);
+}
+
+MovedBoundary::Point MovedBoundary::position_at(const unsigned int m, const double share) const
+{
+  const unsigned int next = body->boundary.next(m);
+  const Vector chord = position[next] - position[m];
+  Point x = position[m] + share * chord;
+  if (!body->boundary.corner[m] && !body->boundary.corner[next])
+    // With normals turning by φ along a chord of length L the parabola rises by L φ t (1 - t) / 2.
+    x += 0.5 * share * (1. - share) * ((normals[next] - normals[m]) * chord) *
+         edge_normal(position[m], position[next]);
+  return x;
+}
+
+MovedBoundary::Place
+MovedBoundary::place(const unsigned int m, const double share, const bool with_weights) const
+{
+  const unsigned int next = body->boundary.next(m);
+  Place at;
+  at.position = position_at(m, share);
+  const Vector sum = (1. - share) * normals[m] + share * normals[next];
+  at.normal = sum / sum.norm();
+  at.displacement = (1. - share) * displacement[m] + share * displacement[next];
+  if (with_weights && !body->driven)
+    at.weights = share == 0. ? body->field.marker_weights(m)
+                             : blend(body->field.marker_weights(m), body->field.marker_weights(next), share);
+  return at;
+}
+
+MovedBoundary::Place MovedBoundary::place(const double parameter, const bool with_weights) const
+{
+  const double n = n_markers();
+  const double inside = parameter - n * std::floor(parameter / n);
+  const unsigned int m = std::min(static_cast<unsigned int>(inside), n_markers() - 1);
+  return place(m, std::min(inside - m, 1.), with_weights);
+}
+
+double MovedBoundary::facing(const Vector &direction) const
+{
+  const auto side = [&](const unsigned int m)
+  {
+    const Vector arm = position[m] - center;
+    return direction[0] * arm[1] - direction[1] * arm[0];
+  };
+  double before = side(0);
+  for (unsigned int m = 0; m < n_markers(); ++m)
+  {
+    const double after = side(body->boundary.next(m));
+    // Markers run counterclockwise: the ray is crossed from right to left.
+    if (before <= 0. && after > 0. && (position[m] - center) * direction > 0.)
+      return m + before / (before - after);
+    before = after;
+  }
+  return 0.; // only when the centre is outside of the outline
+}
+
+double MovedBoundary::distance_from(const Point &point, const Vector &normal) const
+{
+  // The corner of the box that lies furthest against the normal.
+  const Point corner(normal[0] > 0. ? lower[0] : upper[0], normal[1] > 0. ? lower[1] : upper[1]);
+  return (corner - point) * normal;
+}
+
+double MovedBoundary::tributary_length(const unsigned int m) const
+{
+  double length = 0.;
+  unsigned int forward = m, backward = m;
+  for (unsigned int k = 0; k < body->boundary.contact_stride; ++k)
+  {
+    const unsigned int f = body->boundary.next(forward), b = body->boundary.previous(backward);
+    length += 0.5 * (position[f].distance(position[forward]) + position[b].distance(position[backward]));
+    forward = f;
+    backward = b;
+  }
+  return length;
+}
+} // namespace softgrain::mpm

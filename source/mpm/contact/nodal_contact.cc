@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/nodal_contact.h>
+
+#include <softgrain/base/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Point = dealii::Point<2>;
+using Vector = dealii::Tensor<1, 2>;
+using Row = ContactRow<2>;
+
+/// A node of one body, by its number on the lattice.
+struct Visit
+{
+  std::int64_t lattice;
+  unsigned int body, node;
+
+  bool operator<(const Visit &other) const
+  {
+    return lattice != other.lattice ? lattice < other.lattice : body < other.body;
+  }
+};
+
+/// What one body shows at a node where it may touch something.
+struct View
+{
+  double mass = 0.;                 ///< not moved to independent nodes [kg]
+  Vector gradient;                  ///< of the mass (3.24); points out of the body [kg/m]
+  std::vector<unsigned int> points; ///< that reach the node
+};
+
+/// Views of one body at the nodes asked for.
+struct BodyViews
+{
+  std::vector<unsigned int> slot; ///< by local node, Row::none where nothing was asked
+  std::vector<View> views;
+  double uncut = 0.; ///< half the edge of a point's domain that no boundary has cut [m]
+
+  void ask(const unsigned int node)
+  {
+    if (slot[node] == Row::none)
+    {
+      slot[node] = views.size();
+      views.emplace_back();
+    }
+  }
+  const View &operator()(const unsigned int node) const { return views[slot[node]]; }
+};
+
+void look(const Body<2> &body, BodyViews &at)
+{
+  const BodyField<2> &field = body.field;
+  const unsigned int n = field.nodes_per_cell();
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    at.uncut = std::max(at.uncut, body.points[p].half_extent());
+  for (unsigned int c = 0; c < field.n_cells(); ++c)
+  {
+    const unsigned int *nodes = field.nodes_of_cell(c);
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      if (at.slot[nodes[k]] == Row::none)
+        continue;
+      View &view = at.views[at.slot[nodes[k]]];
+      for (unsigned int p = field.first_point(c); p < field.first_point(c + 1); ++p)
+        if (field.values(p)[k] > 0.)
+        {
+          const double mass = body.points[p].mass();
+          view.mass += mass * field.values(p)[k];
+          view.gradient += mass * field.slopes(p)[k];
+          view.points.push_back(p);
+        }
+    }
+  }
+}
+
+/// Unit normal (3.24) out of the body, or zero when the body lies all around the node.
+Vector outward(const View &view, const double cell_size)
+{
+  // A half space that ends at the node has a gradient of 2 m/h. What is left of it inside of a body is the
+  // unevenness of its points, whose direction means nothing.
+  constexpr double least = 0.2;
+  const double size = view.gradient.norm();
+  return size * cell_size > least * view.mass ? view.gradient / size : Vector();
+}
+
+/// How far the points that reach @p node stand out of the body along @p direction [m].
+double extent(const Body<2> &body,
+              const BodyViews &at,
+              const unsigned int node,
+              const Vector &direction,
+              const double cell_size)
+{
+  // Points reach a node from two cells, over which a curved boundary rises or falls: those beside the node
+  // count, and the others only where there are none.
+  const Vector tangent({direction[1], -direction[0]});
+  double beside = std::numeric_limits<double>::lowest(), anywhere = beside;
+  for (const unsigned int p : at(node).points)
+  {
+    // Half the thickness along the normal of the ellipse that the circle in the domain of the point has
+    // become. The boundary has cut the domains of its points to a thickness V / edge; half_extent is sqrt(V)
+    // / 2.
+    const auto point = body.points[p];
+    const double cut = point.half_extent() / at.uncut;
+    const double r = cut * point.half_extent() * (transpose(point.gradient()) * direction).norm();
+    const double furthest = point.position() * direction + r;
+    anywhere = std::max(anywhere, furthest);
+    if (std::abs((point.position() - body.field.position(node)) * tangent) <= 0.5 * cell_size)
+      beside = std::max(beside, furthest);
+  }
+  return beside > std::numeric_limits<double>::lowest() ? beside : anywhere;
+}
+
+std::uint64_t
+row_key(const std::int64_t lattice, const unsigned int body, const unsigned int partner, const bool wall)
+{
+  // 27 bits for the node, 18 for each side: beyond that warm starts mix, results do not.
+  return (static_cast<std::uint64_t>(lattice) << 37) | (static_cast<std::uint64_t>(wall) << 36) |
+         (static_cast<std::uint64_t>(body & 0x3ffff) << 18) | (partner & 0x3ffff);
+}
+
+/// Fields of a row that do not depend on what is on the other side.
+Row start_row(const Body<2> &body, const unsigned int node, const double cell_size)
+{
+  Row row;
+  row.body = body.index;
+  row.body_weights = body.field.extension(node);
+  row.place = body.field.position(node);
+  row.length = cell_size;
+  return row;
+}
+
+/// Runs of visits to the same node by two and more bodies.
+template <typename F>
+void for_shared_nodes(const std::vector<Visit> &visits, const F &f)
+{
+  for (std::size_t begin = 0; begin < visits.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < visits.size() && visits[end].lattice == visits[begin].lattice)
+      ++end;
+    for (std::size_t a = begin; a < end; ++a)
+      for (std::size_t b = a + 1; b < end; ++b)
+        f(visits[a], visits[b]);
+    begin = end;
+  }
+}
+} // namespace
+
+NodalContact::NodalContact(const ShapeFunction &shape, const bool gap)
+    // B-splines end one and a half cells from their node, hats one; GIMP adds the extent of a point, a
+    // quarter of a cell.
+    : reach(shape.degree() > 1    ? 1.5
+            : shape.uses_extent() ? 1.25
+                                  : 1.)
+    , with_gap(gap)
+{
+}
+
+void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
+{
+  rows.clear();
+  const double h = scene.cell_size;
+  const std::vector<Body<2>> &bodies = scene.bodies;
+
+  // Sorted by node: the cost is that of the nodes, however many bodies there are, and the order is always the
+  // same.
+  std::vector<Visit> visits;
+  for (const Body<2> &body : bodies)
+    for (unsigned int i = 0; i < body.field.n_nodes(); ++i)
+      visits.push_back({body.field.lattice_node(i), body.index, i});
+  std::sort(visits.begin(), visits.end());
+
+  std::vector<BodyViews> views(bodies.size());
+  for (const Body<2> &body : bodies)
+    views[body.index].slot.assign(body.field.n_nodes(), Row::none);
+  const auto near_wall = [&](const WallMotion<2> &wall, const Point &x)
+  { return (x - wall.point) * wall.normal < (reach - 1e-9) * h; };
+  for (const Body<2> &body : bodies)
+    if (!body.driven)
+      for (const WallMotion<2> &wall : scene.walls)
+        for (unsigned int i = 0; wall.plane && i < body.field.n_nodes(); ++i)
+          if (near_wall(wall, body.field.position(i)))
+            views[body.index].ask(i);
+  for_shared_nodes(visits,
+                   [&](const Visit &a, const Visit &b)
+                   {
+                     if (bodies[a.body].driven && bodies[b.body].driven)
+                       return;
+                     views[a.body].ask(a.node);
+                     views[b.body].ask(b.node);
+                   });
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!views[b].views.empty())
+                     look(bodies[b], views[b]);
+               });
+
+  for (const Body<2> &body : bodies)
+    if (!body.driven)
+      for (unsigned int w = 0; w < scene.walls.size(); ++w)
+        for (unsigned int i = 0; scene.walls[w].plane && i < body.field.n_nodes(); ++i)
+        {
+          const WallMotion<2> &wall = scene.walls[w];
+          // Nodes that only boundary markers or empty corners of a stencil reach carry no mass: nothing is
+          // there yet.
+          if (!near_wall(wall, body.field.position(i)) || views[body.index](i).points.empty())
+            continue;
+          Row row = start_row(body, i, h);
+          row.wall = w;
+          row.normal = wall.normal;
+          row.gap =
+              with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
+          row.friction = wall.friction;
+          row.key = row_key(body.field.lattice_node(i), body.index, w, true);
+          rows.push_back(std::move(row));
+        }
+
+  for_shared_nodes(
+      visits,
+      [&](Visit first, Visit second)
+      {
+        if (bodies[first.body].driven)
+          std::swap(first, second); // what is driven can only be the partner
+        const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
+        if (body.driven)
+          return;
+        const View &own = views[first.body](first.node), &other = views[second.body](second.node);
+        if (own.points.empty() || other.points.empty())
+          return;
+        const Vector normal = outward(other, h) - outward(own, h); // (3.23)
+        // Both look the same way, or neither shows a surface here: the nodes around tell them
+        // apart.
+        if (normal.norm() < 0.2)
+          return;
+        Row row = start_row(body, first.node, h);
+        row.partner = partner.index;
+        row.wall = partner.wall;
+        row.partner_weights = partner.field.extension(second.node);
+        row.normal = normal / normal.norm();
+        row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
+                                 extent(partner, views[partner.index], second.node, row.normal, h)
+                           : 0.;
+        row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+        row.key = row_key(first.lattice, body.index, partner.index, false);
+        rows.push_back(std::move(row));
+      });
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/contact/surface_contact.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Point = MovedBoundary::Point;
+using Vector = MovedBoundary::Vector;
+using Place = MovedBoundary::Place;
+using Row = ContactRow<2>;
+
+/// Gap up to which a row is needed where things come nearer by @p approach over the step: twice that way, and
+/// what the walls may add when they hit what was at rest.
+class Reach
+{
+public:
+  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size)
+  {
+    double drive = 0.;
+    for (const WallMotion<2> &wall : scene.walls)
+      drive = std::max(drive, std::abs(wall.velocity));
+    rest += 2. * scene.dt * drive;
+  }
+
+  double operator()(const double approach) const { return rest + 2. * approach; }
+
+private:
+  double rest;
+};
+
+std::uint64_t
+row_key(const unsigned int body, const unsigned int marker, const unsigned int partner, const bool wall)
+{
+  // 24 bits for bodies, 16 for the marker, 23 for the partner: beyond that warm starts mix, results do not.
+  return (static_cast<std::uint64_t>(body) << 40) | (static_cast<std::uint64_t>(marker & 0xffff) << 24) |
+         (static_cast<std::uint64_t>(wall) << 23) | (partner & 0x7fffff);
+}
+
+/// A place that looks for contact.
+struct Seeker
+{
+  Place at;            ///< without weights
+  double parameter;    ///< on its boundary
+  unsigned int number; ///< names it from search to search
+};
+
+/**
+ * Calls work(seeker) for the places of a body that look for contact with what lies along @p direction from
+ * its centre, as long as it says that there is something near.
+ *
+ * On a smooth boundary without friction they stand in space: the first where the ray along @p direction
+ * leaves the body, the others a contact marker's distance apart on both sides. So a disk that turns under its
+ * outline is the same disk, and touches as soon as its outline does. With friction, where material sticks,
+ * and with corners, where corners must look, a boundary looks with its own markers, all of them.
+ */
+template <typename Work>
+void for_places(const MovedBoundary &own, const Vector &direction, const Work &work)
+{
+  const int stride = own.boundary().contact_stride, n = own.n_markers();
+  if (!own.is_free)
+  {
+    for (int m = 0; m < n; m += stride)
+      work({own.place(m, 0., false), static_cast<double>(m), static_cast<unsigned int>(m)});
+    return;
+  }
+  const double first = own.facing(direction);
+  const int side = n / (2 * stride);
+  const auto look = [&](const int k)
+  {
+    const double parameter = first + k * stride;
+    return work({own.place(parameter, false), parameter, static_cast<unsigned int>(k + 0x8000)});
+  };
+  for (int k = 0; k < side && look(k); ++k)
+    ;
+  for (int k = -1; k >= -side && look(k); --k)
+    ;
+}
+
+/// Half the way to the neighbouring seekers on both sides.
+double tributary_length(const MovedBoundary &own, const Seeker &seeker)
+{
+  if (!own.is_free)
+    return own.tributary_length(seeker.number);
+  const double stride = own.boundary().contact_stride;
+  return 0.5 * (own.place(seeker.parameter + stride, false).position.distance(seeker.at.position) +
+                own.place(seeker.parameter - stride, false).position.distance(seeker.at.position));
+}
+
+NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
+{
+  return boundary.place(parameter, true).weights;
+}
+
+void find_wall_rows(const ContactScene<2> &scene,
+                    const Reach &reach,
+                    const Body<2> &body,
+                    const MovedBoundary &own,
+                    std::vector<Row> &rows)
+{
+  for (unsigned int w = 0; w < scene.walls.size(); ++w)
+  {
+    const WallMotion<2> &wall = scene.walls[w];
+    if (!wall.plane)
+      continue;
+    const double way = scene.dt * wall.velocity;
+    const double margin = reach(std::abs(own.travel * wall.normal - way) + own.spread);
+    if (own.distance_from(wall.point, wall.normal) - scene.share * way > margin)
+      continue;
+    for_places(own, -wall.normal,
+               [&](const Seeker &seeker)
+               {
+                 const Place &at = seeker.at;
+                 const double gap = (at.position - wall.point) * wall.normal - scene.share * way;
+                 const double start = gap - scene.share * (at.displacement * wall.normal - way);
+                 if (std::min(gap, start) > margin)
+                   return gap < margin + scene.cell_size;
+                 Row row;
+                 row.body = body.index;
+                 row.wall = w;
+                 row.body_weights = weights_at(own, seeker.parameter);
+                 row.place = at.position;
+                 row.normal = wall.normal;
+                 row.gap = start;
+                 row.length = tributary_length(own, seeker);
+                 row.friction = wall.friction;
+                 row.key = row_key(body.index, seeker.number, w, true);
+                 rows.push_back(row);
+                 return true;
+               });
+  }
+}
+
+/// Place on a boundary nearest to a point.
+struct Projection
+{
+  double distance = std::numeric_limits<double>::max();
+  unsigned int first = 0; ///< marker at the start of the segment
+  double share = 0;       ///< of the way to the next one
+};
+
+/// Takes segment @p s for @p best when it is nearer to @p x; @return its distance.
+double look_at_segment(const Point &x,
+                       const Vector &own_normal,
+                       const MovedBoundary &other,
+                       const unsigned int s,
+                       Projection &best)
+{
+  const Point &a = other.marker(s), &b = other.marker(other.boundary().next(s));
+  const Vector edge = b - a;
+  const double square = edge.norm_square();
+  if (square == 0.)
+    return best.distance;
+  const double share = std::clamp((x - a) * edge / square, 0., 1.);
+  const double distance = x.distance(a + share * edge);
+  if (distance < best.distance &&
+      edge[1] * own_normal[0] - edge[0] * own_normal[1] <= 0.2 * std::sqrt(square))
+    best = {distance, s, share};
+  return distance;
+}
+
+/// Rows of one pair of bodies.
+class PairSearch
+{
+public:
+  PairSearch(const ContactScene<2> &scene,
+             const double margin,
+             const Body<2> &body,
+             const MovedBoundary &own,
+             const Body<2> &partner,
+             const MovedBoundary &other)
+      : scene(scene), margin(margin), body(body), own(own), partner(partner), other(other)
+  {
+    // Segments one cell further than the margin: the nearest point of a place within it lies on one of them.
+    const double wide = margin + scene.cell_size;
+    for (unsigned int s = 0; s < other.n_markers(); ++s)
+      if (own.near(other.marker(s), wide) || own.near(other.marker(other.boundary().next(s)), wide) ||
+          partner.driven)
+        segments.push_back(s);
+  }
+
+  /// All places of the body that look for contact.
+  void look_everywhere(std::vector<Row> &rows) const
+  {
+    if (!segments.empty())
+      for_places(own, direction(), [&](const Seeker &seeker) { return look(seeker, rows); });
+  }
+
+  /// Corners alone: what lies between them is looked for by the partner.
+  void look_with_corners(std::vector<Row> &rows) const
+  {
+    if (!segments.empty())
+      for (unsigned int m = 0; m < own.n_markers(); ++m)
+        if (own.boundary().corner[m])
+          look({own.place(m, 0., false), static_cast<double>(m), m}, rows);
+  }
+
+private:
+  /// From the centre of a smooth body towards its partner.
+  Vector direction() const
+  {
+    if (other.boundary().smooth)
+      return other.center - own.center;
+    double nearest = std::numeric_limits<double>::max();
+    Vector to;
+    for (const unsigned int s : segments)
+    {
+      const Point &a = other.marker(s), &b = other.marker(other.boundary().next(s));
+      const Vector edge = b - a;
+      const double share =
+          edge.norm_square() > 0. ? std::clamp((own.center - a) * edge / edge.norm_square(), 0., 1.) : 0.;
+      const Vector way = a + share * edge - own.center;
+      if (way.norm() < nearest)
+      {
+        nearest = way.norm();
+        to = way;
+      }
+    }
+    return to;
+  }
+
+  /// The segment that is nearest to a place, among those that look at it.
+  Projection project(const Seeker &seeker) const
+  {
+    const Point &x = seeker.at.position;
+    Projection best;
+    for (const unsigned int s : segments)
+      look_at_segment(x, seeker.at.normal, other, s, best);
+    return best;
+  }
+
+  /// @return whether the partner is near
+  bool look(const Seeker &seeker, std::vector<Row> &rows) const
+  {
+    const Place &at = seeker.at;
+    if (!other.near(at.position, margin))
+      return false;
+    const Projection found = project(seeker);
+    // Deeper than two cells is the far side of a thin partner, not a contact.
+    if (found.distance > margin + 2. * scene.cell_size)
+      return false;
+    const Place opposite = other.place(found.first, found.share, false);
+    const double gap = (at.position - opposite.position) * opposite.normal;
+    const double start = gap - scene.share * ((at.displacement - opposite.displacement) * opposite.normal);
+    if (std::min(gap, start) > margin)
+      return true;
+    // Far to the side of what it faces: the true nearest place looks the other way, and there is no contact.
+    if (std::abs(gap) < 0.7 * found.distance && found.distance > 0.1 * scene.cell_size)
+      return true;
+    Row row;
+    row.body = body.index;
+    row.partner = partner.index;
+    row.wall = partner.wall;
+    row.body_weights = weights_at(own, seeker.parameter);
+    row.partner_weights = other.place(found.first, found.share, true).weights;
+    row.place = at.position;
+    row.normal = opposite.normal;
+    row.gap = start;
+    row.length = tributary_length(own, seeker);
+    row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+    row.key = row_key(body.index, seeker.number, partner.index, false);
+    rows.push_back(row);
+    return true;
+  }
+
+  const ContactScene<2> &scene;
+  const double margin;
+  const Body<2> &body;
+  const MovedBoundary &own;
+  const Body<2> &partner;
+  const MovedBoundary &other;
+  std::vector<unsigned int> segments;
+};
+
+/// What one of a pair of bodies does: the pair stands in the list of the one that looks.
+struct Task
+{
+  unsigned int partner;
+  bool corners_only;
+
+  bool operator<(const Task &task) const { return partner < task.partner; }
+};
+
+/// Who looks for contact with whom, by the body that looks.
+void share_out(const ContactScene<2> &scene,
+               const unsigned int a,
+               const unsigned int b,
+               std::vector<std::vector<Task>> &tasks)
+{
+  const auto smooth = [&](const unsigned int i) { return scene.bodies[i].boundary.smooth; };
+  const auto add = [&](const unsigned int i, const unsigned int partner, const bool corners_only)
+  {
+    // What is driven needs no rows of its own.
+    if (!scene.bodies[i].driven)
+      tasks[i].push_back({partner, corners_only});
+  };
+  if (scene.bodies[a].driven && scene.bodies[b].driven)
+    return;
+  // A smooth body looks at one with corners, which looks back with these; else the first looks, unless it is
+  // driven.
+  const bool second = scene.bodies[a].driven || (!scene.bodies[b].driven && smooth(b) && !smooth(a));
+  const unsigned int looks = second ? b : a, other = second ? a : b;
+  add(looks, other, false);
+  if (!smooth(other))
+    add(other, looks, true);
+}
+
+std::vector<std::vector<Task>>
+find_tasks(const ContactScene<2> &scene, const Reach &reach, const std::vector<MovedBoundary> &boundaries)
+{
+  // Grown by this each, boxes overlap whenever a row may be found.
+  std::vector<dealii::BoundingBox<2>> boxes;
+  for (const MovedBoundary &boundary : boundaries)
+  {
+    dealii::BoundingBox<2> box = boundary.box();
+    box.extend(0.5 * reach(2. * (boundary.travel.norm() + boundary.spread)));
+    boxes.push_back(box);
+  }
+  const auto tree = dealii::pack_rtree_of_indices(boxes);
+  std::vector<std::vector<Task>> tasks(boxes.size());
+  for (unsigned int b = 0; b < boxes.size(); ++b)
+    for (const std::size_t a :
+         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
+      if (a < b)
+        share_out(scene, a, b, tasks);
+  for (std::vector<Task> &list : tasks)
+    std::sort(list.begin(), list.end());
+  return tasks;
+}
+} // namespace
+
+void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
+{
+  const std::size_t n = scene.bodies.size();
+  const Reach reach(scene);
+  std::vector<MovedBoundary> boundaries(n);
+  parallel_for(n, 8,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   boundaries[b] = MovedBoundary(scene.bodies[b], scene);
+               });
+  const std::vector<std::vector<Task>> tasks = find_tasks(scene, reach, boundaries);
+  std::vector<std::vector<Row>> of_body(n);
+  parallel_for(n, 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                 {
+                   const Body<2> &body = scene.bodies[b];
+                   const MovedBoundary &own = boundaries[b];
+                   if (!body.driven)
+                     find_wall_rows(scene, reach, body, own, of_body[b]);
+                   for (const Task &task : tasks[b])
+                   {
+                     const MovedBoundary &other = boundaries[task.partner];
+                     const double margin =
+                         reach((own.travel - other.travel).norm() + own.spread + other.spread);
+                     if (!own.near(other, margin))
+                       continue;
+                     const PairSearch search(scene, margin, body, own, scene.bodies[task.partner], other);
+                     if (task.corners_only)
+                       search.look_with_corners(of_body[b]);
+                     else
+                       search.look_everywhere(of_body[b]);
+                   }
+                 }
+               });
+  rows.clear();
+  for (std::vector<Row> &found : of_body)
+    rows.insert(rows.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+}
+} // namespace softgrain::mpm

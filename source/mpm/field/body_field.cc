@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/field/body_field.h>
+#include <softgrain/mpm/field/lattice_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+} // namespace
+
+template <int dim>
+void BodyField<dim>::Box::resize(const Index &lower_corner,
+                                 const Index &upper_corner,
+                                 const unsigned int fill)
+{
+  lower = lower_corner;
+  std::size_t total = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    size[d] = upper_corner[d] - lower_corner[d] + 1;
+    total *= size[d];
+  }
+  id.assign(total, fill);
+}
+
+template <int dim>
+bool BodyField<dim>::Box::contains(const Index &i) const
+{
+  for (unsigned int d = 0; d < dim; ++d)
+    if (i[d] < lower[d] || i[d] >= lower[d] + size[d])
+      return false;
+  return true;
+}
+
+template <int dim>
+unsigned int &BodyField<dim>::Box::operator()(const Index &i)
+{
+  std::size_t offset = 0;
+  for (int d = dim - 1; d >= 0; --d)
+    offset = offset * size[d] + (i[d] - lower[d]);
+  return id[offset];
+}
+
+template <int dim>
+unsigned int BodyField<dim>::Box::operator()(const Index &i) const
+{
+  return const_cast<Box &>(*this)(i);
+}
+
+template <int dim>
+typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, const unsigned int k) const
+{
+  Index i;
+  unsigned int rest = k;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    i[d] = cell[d] + shape->first_node() + static_cast<int>(rest % shape->n_nodes());
+    rest /= shape->n_nodes();
+  }
+  return i;
+}
+
+template <int dim>
+void BodyField<dim>::build(const Lattice<dim> &the_lattice,
+                           const ShapeFunction &the_shape,
+                           const Places &places,
+                           const double fill_limit)
+{
+  lattice = &the_lattice;
+  shape = &the_shape;
+  n_cell_nodes = power(shape->n_nodes(), dim);
+  collect_cells(places);
+  number_nodes();
+  evaluate_points(places);
+  build_extension(places.volumes, fill_limit);
+  build_cell_dependence();
+  color_cells();
+  marker_rows.resize(places.markers.size());
+  for (unsigned int m = 0; m < places.markers.size(); ++m)
+    marker_rows[m] = weights_at(places.markers[m]);
+}
+
+template <int dim>
+void BodyField<dim>::collect_cells(const Places &places)
+{
+  std::vector<Index> of_point, of_marker;
+  Index lower, upper;
+  lower.fill(std::numeric_limits<int>::max());
+  upper.fill(std::numeric_limits<int>::min());
+  const auto find =
+      [&](const std::vector<dealii::Point<dim>> &places_of_kind, std::vector<Index> &cells, const char *kind)
+  {
+    cells.reserve(places_of_kind.size());
+    for (const dealii::Point<dim> &x : places_of_kind)
+    {
+      lattice->check_inside(x, kind);
+      const Index c = lattice->cell_of(x);
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::min(lower[d], c[d]);
+        upper[d] = std::max(upper[d], c[d]);
+      }
+      cells.push_back(c);
+    }
+  };
+  find(places.points, of_point, "material point");
+  find(places.markers, of_marker, "boundary marker");
+
+  // Cells in the order of the lattice, whatever the order of the points: neighbours stay near in memory.
+  cell_box.resize(lower, upper, none);
+  for (const auto *list : {&of_point, &of_marker})
+    for (const Index &c : *list)
+      cell_box(c) = 0;
+  cell_index.clear();
+  for_box<dim>(lower, upper,
+               [&](const Index &c)
+               {
+                 if (cell_box(c) != none)
+                 {
+                   cell_box(c) = cell_index.size();
+                   cell_index.push_back(c);
+                 }
+               });
+
+  point_cell.resize(of_point.size());
+  cell_point_start.assign(cell_index.size() + 1, 0);
+  for (unsigned int p = 0; p < of_point.size(); ++p)
+  {
+    point_cell[p] = cell_box(of_point[p]);
+    ++cell_point_start[point_cell[p] + 1];
+  }
+  for (unsigned int c = 0; c < cell_index.size(); ++c)
+    cell_point_start[c + 1] += cell_point_start[c];
+}
+
+template <int dim>
+void BodyField<dim>::number_nodes()
+{
+  Index lower = cell_box.lower, upper = cell_box.lower;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    lower[d] += shape->first_node();
+    upper[d] += cell_box.size[d] - 1 + shape->first_node() + static_cast<int>(shape->n_nodes()) - 1;
+  }
+  node_box.resize(lower, upper, none);
+  for (const Index &c : cell_index)
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      node_box(node_index(c, k)) = 0;
+  node_lattice_index.clear();
+  node_position.clear();
+  lattice_number.clear();
+  for_box<dim>(lower, upper,
+               [&](const Index &i)
+               {
+                 if (node_box(i) == none)
+                   return;
+                 node_box(i) = node_position.size();
+                 dealii::Point<dim> x;
+                 std::int64_t number = 0;
+                 for (int d = dim - 1; d >= 0; --d)
+                 {
+                   x[d] = lattice->lower()[d] + lattice->cell_size() * (i[d] + shape->node_shift());
+                   number = number * (lattice->n_cells()[d] + 8) + (i[d] + 4);
+                 }
+                 node_position.push_back(x);
+                 node_lattice_index.push_back(i);
+                 lattice_number.push_back(number);
+               });
+  cell_nodes.resize(cell_index.size() * n_cell_nodes);
+  for (unsigned int c = 0; c < cell_index.size(); ++c)
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      cell_nodes[c * n_cell_nodes + k] = node_box(node_index(cell_index[c], k));
+
+  node_cell_start.assign(node_position.size() + 1, 0);
+  for (const unsigned int i : cell_nodes)
+    ++node_cell_start[i + 1];
+  for (unsigned int i = 0; i < node_position.size(); ++i)
+    node_cell_start[i + 1] += node_cell_start[i];
+  std::vector<unsigned int> next(node_cell_start.begin(), node_cell_start.end() - 1);
+  node_cell.resize(cell_nodes.size());
+  for (unsigned int e = 0; e < cell_nodes.size(); ++e)
+    node_cell[next[cell_nodes[e]]++] = e;
+}
+
+template <int dim>
+void BodyField<dim>::evaluate(const dealii::Point<dim> &x,
+                              const Index &cell,
+                              const double half_extent,
+                              double *values,
+                              dealii::Tensor<1, dim> *slopes) const
+{
+  const dealii::Point<dim> xi = lattice->unit_position(x, cell);
+  const double h = lattice->cell_size();
+  std::array<ShapeFunction::Values, dim> n, dn;
+  for (unsigned int d = 0; d < dim; ++d)
+    shape->evaluate(xi[d], half_extent / h, n[d], dn[d]);
+  for (unsigned int k = 0; k < n_cell_nodes; ++k)
+  {
+    unsigned int rest = k;
+    double value = 1.;
+    unsigned int j[dim];
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      j[d] = rest % shape->n_nodes();
+      rest /= shape->n_nodes();
+      value *= n[d][j[d]];
+    }
+    values[k] = value;
+    if (slopes == nullptr)
+      continue;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      double slope = dn[d][j[d]] / h;
+      for (unsigned int e = 0; e < dim; ++e)
+        if (e != d)
+          slope *= n[e][j[e]];
+      slopes[k][d] = slope;
+    }
+  }
+}
+
+template <int dim>
+void BodyField<dim>::evaluate_points(const Places &places)
+{
+  const std::size_t n = places.points.size();
+  point_values.resize(n * n_cell_nodes);
+  point_slopes.resize(n * n_cell_nodes);
+  for (unsigned int p = 0; p < n; ++p)
+    evaluate(places.points[p], cell_index[point_cell[p]],
+             places.half_extent.empty() ? 0. : places.half_extent[p], &point_values[p * n_cell_nodes],
+             &point_slopes[p * n_cell_nodes]);
+}
+
+template <int dim>
+void BodyField<dim>::gather(const std::vector<double> &of_cells, Eigen::VectorXd &all) const
+{
+  all.resize(dim * n_nodes());
+  parallel_for(n_nodes(), 1024,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   double sum[dim] = {};
+                   for (unsigned int e = node_cell_start[i]; e < node_cell_start[i + 1]; ++e)
+                     for (unsigned int d = 0; d < dim; ++d)
+                       sum[d] += of_cells[dim * node_cell[e] + d];
+                   for (unsigned int d = 0; d < dim; ++d)
+                     all[dim * i + d] = sum[d];
+                 }
+               });
+}
+
+template <int dim>
+void BodyField<dim>::prolongate(const Eigen::VectorXd &independent, Eigen::VectorXd &all) const
+{
+  all.resize(dim * n_nodes());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+  {
+    Eigen::Matrix<double, dim, 1> value = Eigen::Matrix<double, dim, 1>::Zero();
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      value += extension_weight[e] * independent.template segment<dim>(dim * extension_node[e]);
+    all.template segment<dim>(dim * i) = value;
+  }
+}
+
+template <int dim>
+void BodyField<dim>::restrict(const Eigen::VectorXd &all, Eigen::VectorXd &independent) const
+{
+  independent.setZero(n_dofs());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      independent.template segment<dim>(dim * extension_node[e]) +=
+          extension_weight[e] * all.template segment<dim>(dim * i);
+}
+
+template <int dim>
+Eigen::VectorXd BodyField<dim>::restrict_scalar(const std::vector<double> &all) const
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_independent());
+  for (unsigned int i = 0; i < n_nodes(); ++i)
+    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
+      result[extension_node[e]] += extension_weight[e] * all[i];
+  return result;
+}
+
+template <int dim>
+NodeWeights
+BodyField<dim>::combine(const unsigned int *nodes, const double *weights, const unsigned int n) const
+{
+  std::map<unsigned int, double> sum;
+  for (unsigned int k = 0; k < n; ++k)
+    if (weights[k] != 0.)
+      for (unsigned int e = extension_start[nodes[k]]; e < extension_start[nodes[k] + 1]; ++e)
+        sum[extension_node[e]] += weights[k] * extension_weight[e];
+  NodeWeights result;
+  for (const auto &[node, weight] : sum)
+  {
+    result.node.push_back(node);
+    result.weight.push_back(weight);
+  }
+  return result;
+}
+
+template <int dim>
+NodeWeights BodyField<dim>::extension(const unsigned int node) const
+{
+  const double one = 1.;
+  return combine(&node, &one, 1);
+}
+
+template <int dim>
+NodeWeights BodyField<dim>::weights_at(const dealii::Point<dim> &x) const
+{
+  const Index c = lattice->cell_of(x);
+  if (!cell_box.contains(c) || cell_box(c) == none)
+    return {};
+  std::vector<double> weights(n_cell_nodes);
+  evaluate(x, c, 0., weights.data(), nullptr);
+  return combine(&cell_nodes[cell_box(c) * n_cell_nodes], weights.data(), n_cell_nodes);
+}
+
+template class BodyField<2>;
+template class BodyField<3>;
+} // namespace softgrain::mpm

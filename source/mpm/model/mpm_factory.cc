@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/constitutive/law_registry.h>
+#include <softgrain/model/model_factory.h>
+#include <softgrain/mpm/model/mpm_model.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+class MpmFactory final : public ModelFactory
+{
+public:
+  void declare_parameters(dealii::ParameterHandler &prm) const override { Settings::declare_parameters(prm); }
+
+  std::vector<std::string> changeable_on_restart() const override
+  {
+    return {"Time/Time step",         "Time/CFL multiple",
+            "Time/Smallest step",     "Newton/",
+            "Linear solver/",         "Contact/Tolerance",
+            "Contact/Algorithm",      "Contact/Relaxation",
+            "Contact/Maximum sweeps", "Contact/Keep failed problems in"};
+  }
+
+  LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
+
+  std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
+  {
+    Settings settings;
+    settings.parse_parameters(prm);
+    for (const WallDescription<2> &wall : scene.walls)
+      if (!wall.pressure.empty())
+        throw InputError("'Walls/" + wall.name +
+                         "/Drive' = 'pressure' is not allowed with 'Model' = 'mpm': choose 'velocity'");
+    std::vector<std::shared_ptr<const constitutive::Law<2>>> laws;
+    for (const MaterialDescription &material : scene.materials)
+    {
+      prm.enter_subsection("Materials");
+      prm.enter_subsection(material.name);
+      try
+      {
+        laws.push_back(constitutive::create_law<2>(material.law, prm));
+      }
+      catch (const InputError &error)
+      {
+        throw InputError("'Materials/" + material.name + "': " + error.what());
+      }
+      prm.leave_subsection();
+      prm.leave_subsection();
+    }
+    return std::make_unique<MpmModel>(scene, settings, std::move(laws));
+  }
+};
+
+[[maybe_unused]] const bool registered = Registry<ModelFactory>::instance().add(
+    "mpm",
+    "Implicit or explicit material point method with contact dynamics.",
+    [] { return std::make_unique<MpmFactory>(); });
+} // namespace
+} // namespace softgrain::mpm

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/contact/nodal_contact.h>
+#include <softgrain/mpm/contact/surface_contact.h>
+#include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+MpmModel::MpmModel(const Scene<2> &scene,
+                   const Settings &settings,
+                   std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
+    : timer(std::make_unique<dealii::TimerOutput>(
+          std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
+{
+  world.scene = scene;
+  world.settings = settings;
+  world.timer = timer.get();
+  build(std::move(laws));
+}
+
+MpmModel::~MpmModel() = default;
+
+void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
+{
+  const Settings &settings = world.settings;
+  world.lattice = std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
+  world.shape = create_shape_function(settings.shape);
+  PointNeeds needs;
+  needs.acceleration = settings.scheme.stored_acceleration;
+  needs.affine = settings.affine_transfer;
+  for (const auto &law : laws)
+  {
+    needs.volume = needs.volume || law->kinematics() == constitutive::Kinematics::small_strain;
+    needs.n_history = std::max(needs.n_history, law->n_history());
+  }
+  world.points = std::make_unique<PointStore<2>>(*world.lattice, PointLayout<2>(needs));
+  const BuildContext context{*world.lattice, *world.shape, settings, *world.points};
+  std::vector<BodyDescription<2>> descriptions = world.scene.bodies;
+  for (const BodyDescription<2> &body : descriptions)
+    world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
+                                     world.scene.materials[body.material].density, context));
+  for (const WallDescription<2> &description : world.scene.walls)
+  {
+    Wall wall;
+    wall.description = description;
+    if (!description.velocity.empty())
+      wall.velocity = vector_expression(description.velocity, {"t"}, 1);
+    if (description.type == WallDescription<2>::Type::material_points)
+    {
+      wall.body = world.bodies.size();
+      descriptions.push_back(wall_slab(description, context));
+      world.bodies.push_back(
+          make_body(descriptions.back(), wall.body, laws[0], world.scene.materials[0].density, context));
+      world.bodies.back().wall = world.walls.size();
+    }
+    world.walls.push_back(std::move(wall));
+  }
+  world.sort_points();
+  for (Body<2> &body : world.bodies)
+    start_body(body, descriptions[body.index], context);
+  if (settings.scheme.implicit)
+  {
+    world.matrices.resize(world.bodies.size());
+    const bool condensed =
+        settings.coupling == ContactCoupling::condensed && world.bodies.size() + world.scene.walls.size() > 1;
+    for (const Body<2> &body : world.bodies)
+    {
+      world.solvers.emplace_back();
+      if (body.driven)
+        continue;
+      lay_out_stiffness(body.field, world.matrices[body.index]);
+      world.solvers.back() = std::make_unique<RankOneSolver>(
+          create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
+    }
+  }
+  if (settings.contact_kind == ContactKind::nodes)
+    world.geometry = std::make_unique<NodalContact>(*world.shape, settings.nodal_gap);
+  else
+    world.geometry = std::make_unique<SurfaceContact>();
+  if (!settings.scheme.implicit && wanted_step() > cfl_step())
+  {
+    std::ostringstream message;
+    message << "'Time/Time step' = " << settings.time_step
+            << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
+            << cfl_step() << " s";
+    throw InputError(message.str());
+  }
+  if (settings.scheme.stored_acceleration)
+    for (Body<2> &body : world.bodies)
+      if (!body.driven && external_force(body, world.scene.gravity, world.time, body.acceleration))
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            // Bodies start without stress: their loads alone accelerate them.
+            world.balance.carried_load[d] += body.acceleration[2 * i + d];
+            body.acceleration[2 * i + d] /= body.mass[i];
+          }
+  world.balance.initial_momentum = momentum();
+  initial_energy = energies().kinetic;
+  update_momentum_scale();
+}
+
+double MpmModel::cfl_step() const
+{
+  double step = std::numeric_limits<double>::max();
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      step = std::min(step, world.lattice->cell_size() * std::sqrt(body.density / body.law->wave_modulus()));
+  return step;
+}
+
+double MpmModel::wanted_step() const
+{
+  const Settings &settings = world.settings;
+  if (settings.time_step > 0.)
+    return settings.time_step;
+  // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
+  return (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) *
+         cfl_step();
+}
+
+StepOutcome MpmModel::attempt(const double dt, const double wanted)
+{
+  const TimeScheme &scheme = world.settings.scheme;
+  if (!scheme.implicit)
+    return explicit_step(world, dt);
+  return scheme.inertia ? implicit_step(world, {dt, false, 0.}) : quasi_static_step(world, dt, wanted);
+}
+
+StepReport MpmModel::advance(const double dt_limit)
+{
+  StepReport report;
+  const double wanted = wanted_step(), scale_before = step_scale;
+  double dt = std::min(wanted * step_scale, dt_limit);
+  for (;; ++report.attempts)
+  {
+    StepOutcome outcome;
+    try
+    {
+      outcome = attempt(dt, wanted);
+    }
+    catch (const Interrupted &)
+    {
+      step_scale = scale_before; // attempts change nothing else that lasts
+      throw;
+    }
+    report.newton_iterations += outcome.newton_iterations;
+    report.contact_sweeps += outcome.contact_sweeps;
+    if (outcome.accepted)
+    {
+      report.newton_residual = outcome.newton_residual;
+      report.contact_residual = outcome.contact_residual;
+      report.max_penetration = outcome.max_penetration;
+      held_steps += outcome.held_steps;
+      last_unbalanced = outcome.unbalanced;
+      if (outcome.newton_iterations <= (1 + outcome.held_steps) * world.settings.max_newton / 2)
+        step_scale = std::min(1., 1.5 * step_scale);
+      break;
+    }
+    dt *= 0.5;
+    step_scale = std::min(step_scale, dt / wanted);
+    if (dt < world.settings.smallest_step * std::min(wanted, dt_limit))
+    {
+      std::ostringstream message;
+      message << "at time " << world.time << " s no step longer than " << dt
+              << " s succeeds: " << outcome.reason;
+      throw ComputationError(message.str());
+    }
+  }
+  report.dt = last_dt = dt;
+  ++steps;
+  for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
+    report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
+  renew_grids();
+  if (!world.settings.scheme.implicit && steps % 20 == 0)
+    check_energy();
+  update_momentum_scale();
+  return report;
+}
+
+void MpmModel::check_energy() const
+{
+  // An unstable explicit step may settle again after a burst, with stresses that look right and are not.
+  const Energies now = energies();
+  const double scale = std::max({now.kinetic + now.elastic, std::abs(now.external_work), initial_energy});
+  const double created = now.kinetic + now.elastic + now.dissipated - now.external_work - initial_energy;
+  if (created <= 0.5 * scale)
+    return;
+  std::ostringstream message;
+  message << "at time " << world.time << " s the bodies hold " << created
+          << " J/m more than they were given: the explicit step of " << last_dt
+          << " s is not stable; lower 'Time/CFL multiple', or raise 'Material points/Fill limit' so that no "
+             "node has little mass";
+  throw ComputationError(message.str());
+}
+
+void MpmModel::update_momentum_scale()
+{
+  // The sum over bodies, or over the nodes of a body that vibrates, may vanish while everything moves.
+  double scale = std::max(world.balance.wall_impulse.norm(), world.balance.body_force_impulse.norm());
+  for (const Body<2> &body : world.bodies)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < body.mass.size() && !body.driven; ++i)
+      sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+    scale = std::max(scale, sum);
+  }
+  world.balance.largest_momentum = std::max(world.balance.largest_momentum, scale);
+}
+
+void MpmModel::refresh_forces(Body<2> &body)
+{
+  StepState<2> &s = body.step;
+  const auto n = body.points.size();
+  s.grid_gradient.assign(n, dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}}));
+  s.gradient.resize(n);
+  s.stress.resize(n);
+  s.volume.resize(n);
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    const auto point = body.points[p];
+    s.gradient[p] = point.gradient();
+    s.stress[p] = point.stress();
+    s.volume[p] = body.small_strain() ? point.volume() : point.rest_volume();
+  }
+  internal_force(body, body.internal_force);
+}
+
+void MpmModel::renew_grids()
+{
+  if (world.settings.grid_update == GridUpdate::never)
+    return;
+  dealii::TimerOutput::Scope section(*timer, "grid update");
+  const BuildContext context{*world.lattice, *world.shape, world.settings, *world.points};
+  // All are looked at before any changes, so that a body that has left the mesh ends the run with a good
+  // state.
+  std::vector<unsigned int> leaving;
+  std::vector<std::vector<dealii::Point<2>>> places;
+  for (const Body<2> &body : world.bodies)
+    if (world.settings.grid_update == GridUpdate::every_step ||
+        grid_distortion(body) >= world.settings.distortion_limit)
+    {
+      leaving.push_back(body.index);
+      places.push_back(places_reached(body, *world.lattice));
+    }
+  if (leaving.empty())
+    return;
+  for (unsigned int i = 0; i < leaving.size(); ++i)
+    leave_grid(world.bodies[leaving[i]], places[i], context);
+  world.sort_points();
+  for (const unsigned int b : leaving)
+  {
+    Body<2> &body = world.bodies[b];
+    lay_grid(body, context);
+    if (body.driven)
+    {
+      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          body.velocity[2 * i + d] = body.drive[d];
+      continue;
+    }
+    refresh_forces(body);
+    if (world.settings.scheme.implicit)
+      lay_out_stiffness(body.field, world.matrices[body.index]);
+  }
+}
+
+dealii::Tensor<1, 2> MpmModel::momentum() const
+{
+  dealii::Tensor<1, 2> sum;
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      sum += body.momentum();
+  return sum;
+}
+
+double MpmModel::momentum_error() const
+{
+  const Balance &balance = world.balance;
+  if (!world.settings.scheme.inertia)
+    return 0.;
+  const auto error =
+      momentum() - balance.initial_momentum - balance.wall_impulse - balance.body_force_impulse;
+  return balance.largest_momentum > 0. ? error.norm() / balance.largest_momentum : error.norm();
+}
+
+Energies MpmModel::energies() const
+{
+  Energies energies;
+  std::vector<double> elastic(world.bodies.size(), 0.);
+  parallel_for(world.bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!world.bodies[b].driven)
+                     elastic[b] = measure_points(
+                                      world.bodies[b], world.bodies[b].displacement,
+                                      Eigen::VectorXd(Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs())))
+                                      .energy;
+               });
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+    {
+      if (world.settings.scheme.inertia)
+        energies.kinetic += body.kinetic_energy();
+      energies.elastic += elastic[body.index];
+    }
+  energies.elastic += world.balance.subgrid_energy;
+  energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
+                        world.balance.regularisation_work;
+  energies.external_work = world.balance.wall_work + world.balance.body_force_work;
+  return energies;
+}
+
+std::size_t MpmModel::n_points() const
+{
+  std::size_t sum = 0;
+  for (const Body<2> &body : world.bodies)
+    sum += body.points.size();
+  return sum;
+}
+
+std::size_t MpmModel::n_bodies() const
+{
+  return world.scene.bodies.size();
+}
+
+SizeReport MpmModel::size_report() const
+{
+  const auto text = [](const double value, const std::string &unit)
+  {
+    std::ostringstream s;
+    s.precision(4);
+    s << value << unit;
+    return s.str();
+  };
+  std::size_t dofs = 0;
+  for (const Body<2> &body : world.bodies)
+    dofs += body.driven ? 0 : body.field.n_dofs();
+  const auto &cells = world.lattice->n_cells();
+  return {{"bodies", std::to_string(n_bodies())},
+          {"material points", std::to_string(n_points())},
+          {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
+                                  text(world.lattice->cell_size(), " m")},
+          {"unknowns", std::to_string(dofs)},
+          {"shape functions", world.settings.shape},
+          {"time scheme", world.settings.scheme.name},
+          {"CFL step", text(cfl_step(), " s")},
+          {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
+          {"steps to the end time", world.scene.stop.end_time > 0.
+                                        ? text(std::ceil(world.scene.stop.end_time / wanted_step()), "")
+                                        : "open"}};
+}
+
+std::map<std::string, double> MpmModel::phases() const
+{
+  return timer->get_summary_data(dealii::TimerOutput::total_wall_time);
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/wall_position.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/stepping/stress.h>
+#include <softgrain/scene/polygon.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Row = ContactRow<2>;
+
+/// Value and gradient of a nodal vector at one point.
+std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>>
+field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
+{
+  dealii::Tensor<1, 2> value;
+  dealii::Tensor<2, 2> gradient;
+  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
+  {
+    const unsigned int i = field.point_nodes(p)[k];
+    const dealii::Tensor<1, 2> u({nodal[2 * i], nodal[2 * i + 1]});
+    value += field.values(p)[k] * u;
+    gradient += outer_product(u, field.slopes(p)[k]);
+  }
+  return {value, gradient};
+}
+
+/// Adds the points of one body in the order of their ids, which does not change when they are sorted by cell.
+void add_points(const Body<2> &body, PointStates<2> &points)
+{
+  const std::size_t first = points.position.size(), n = body.points.size();
+  points.position.resize(first + n);
+  points.body.resize(first + n, body.index);
+  points.size.resize(first + n);
+  points.velocity.resize(first + n);
+  points.stress.resize(first + n);
+  points.out_of_plane_stress.resize(first + n);
+  points.deformation_gradient.resize(first + n);
+  Eigen::VectorXd u, v;
+  body.field.prolongate(body.displacement, u);
+  body.field.prolongate(body.velocity, v);
+  const std::vector<double> out_of_plane =
+      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    const auto point = body.points[p];
+    const std::size_t at = first + body.points.number(p);
+    auto [moved, gradient] = field_at(body.field, p, u);
+    gradient[0][0] += 1.;
+    gradient[1][1] += 1.;
+    const auto F = gradient * point.gradient();
+    const double J = body.small_strain() ? 1. : determinant(F);
+    points.position[at] = point.position() + moved;
+    points.velocity[at] = field_at(body.field, p, v).first;
+    points.size[at] = point.rest_volume() * determinant(F);
+    points.stress[at] = point.stress() / J;
+    points.out_of_plane_stress[at] = out_of_plane[p] / J;
+    points.deformation_gradient[at] = F;
+  }
+}
+
+double outline_area(const Body<2> &body)
+{
+  double area = 0.;
+  for (unsigned int l = 0; l < body.boundary.n_loops(); ++l)
+    area += signed_area(Polygon(body.boundary.position.begin() + body.boundary.loop_start[l],
+                                body.boundary.position.begin() + body.boundary.loop_start[l + 1]));
+  return area;
+}
+} // namespace
+
+BodyState<2> MpmModel::body_state(const Body<2> &body) const
+{
+  BodyState<2> state;
+  state.name = body.name;
+  for (unsigned int l = 0; l < body.boundary.n_loops(); ++l)
+    state.outline.emplace_back(body.boundary.position.begin() + body.boundary.loop_start[l],
+                               body.boundary.position.begin() + body.boundary.loop_start[l + 1]);
+  state.area = outline_area(body);
+  state.reference_area = body.rest_area;
+  state.mass = body.mass.sum();
+  dealii::Tensor<1, 2> moment;
+  const auto place = [&](const unsigned int i)
+  {
+    dealii::Point<2> x = body.field.position(body.field.node_of_independent(i));
+    for (unsigned int d = 0; d < 2; ++d)
+      x[d] += body.displacement[2 * i + d];
+    return x;
+  };
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    moment += body.mass[i] * (place(i) - dealii::Point<2>());
+  state.center = dealii::Point<2>(moment / state.mass);
+  state.velocity = body.momentum() / state.mass;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    const dealii::Tensor<1, 2> arm = place(i) - state.center;
+    state.angular_momentum +=
+        body.mass[i] * (arm[0] * body.velocity[2 * i + 1] - arm[1] * body.velocity[2 * i]);
+  }
+  double volume = 0.;
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+  {
+    // Kirchhoff stress per rest volume is Cauchy stress per current volume.
+    const auto point = body.points[p];
+    state.mean_stress += point.rest_volume() * point.stress();
+    volume += point.rest_volume();
+  }
+  if (state.area > 0.)
+    state.mean_stress /= body.small_strain() ? volume : state.area;
+  return state;
+}
+
+Snapshot<2> MpmModel::snapshot() const
+{
+  Snapshot<2> snapshot;
+  snapshot.time = world.time;
+  snapshot.step = steps;
+  for (const Body<2> &body : world.bodies)
+  {
+    if (body.wall != Row::none)
+      continue; // a slab is shown as the wall it stands for
+    add_points(body, snapshot.points);
+    snapshot.bodies.push_back(body_state(body));
+  }
+  snapshot.walls = walls();
+  snapshot.energies = energies();
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    if (!(world.contact.impulses()[r * components] > 0.) || last_dt == 0.)
+      continue;
+    ContactState<2> contact;
+    contact.body_a = rows[r].body;
+    if (rows[r].wall != Row::none)
+      contact.wall = rows[r].wall;
+    else
+      contact.body_b = rows[r].partner;
+    contact.place = rows[r].place;
+    contact.normal = rows[r].normal;
+    contact.length = rows[r].length;
+    contact.gap = rows[r].gap;
+    for (unsigned int c = 0; c < components; ++c)
+      // The impulse of newmark is half a step of the force at its end.
+      contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
+                       world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+    snapshot.contacts.push_back(contact);
+  }
+  return snapshot;
+}
+
+std::vector<WallState<2>> MpmModel::walls() const
+{
+  std::vector<WallState<2>> states;
+  for (const Wall &wall : world.walls)
+  {
+    WallState<2> state;
+    state.name = wall.description.name;
+    state.point = wall.point();
+    state.normal = wall.description.normal;
+    state.position = wall_position(state.point, state.normal);
+    state.velocity = wall.speed;
+    state.normal_force = -(wall.force * state.normal);
+    state.tangential_force = wall.force * dealii::Tensor<1, 2>({state.normal[1], -state.normal[0]});
+    states.push_back(state);
+  }
+  return states;
+}
+
+double MpmModel::solid_area() const
+{
+  double area = 0.;
+  for (const Body<2> &body : world.bodies)
+    if (body.wall == Row::none)
+      area += outline_area(body);
+  return area;
+}
+
+double MpmModel::coordination() const
+{
+  std::set<std::pair<unsigned int, unsigned int>> touching;
+  const auto &rows = world.contact.contact_rows();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (world.contact.impulses()[r * world.contact.n_components()] > 0.)
+    {
+      const bool wall = rows[r].wall != Row::none;
+      touching.emplace(rows[r].body, wall ? world.bodies.size() + rows[r].wall : rows[r].partner);
+      if (!wall)
+        touching.emplace(rows[r].partner, rows[r].body);
+    }
+  return world.scene.bodies.empty() ? 0. : static_cast<double>(touching.size()) / world.scene.bodies.size();
+}
+
+double MpmModel::rotational_energy() const
+{
+  double energy = 0.;
+  if (world.settings.scheme.inertia)
+    for (const Body<2> &body : world.bodies)
+      if (!body.driven)
+      {
+        // r is M w / I for the field w of a unit rotation, so that rᵀ M⁻¹ r = 1/I.
+        const Eigen::VectorXd r = whole_rotation(body);
+        double inverse = 0.;
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          inverse += r.segment<2>(2 * i).squaredNorm() / body.mass[i];
+        const double rate = r.dot(body.velocity);
+        energy += 0.5 * rate * rate / inverse;
+      }
+  return energy;
+}
+
+std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
+{
+  const Balance &balance = world.balance;
+  std::vector<std::pair<std::string, double>> columns = {
+      {"plain_solves", world.contact.plain_solves},
+      {"contact_loss_J_per_m", balance.contact_loss},
+      {"rotational_energy_J_per_m", rotational_energy()},
+      {"scheme_damping_J_per_m", balance.scheme_damping},
+      {"regularisation_work_J_per_m", balance.regularisation_work}};
+  if (!world.settings.scheme.inertia)
+  {
+    columns.emplace_back("held_steps", held_steps);
+    columns.emplace_back("unbalanced_force", last_unbalanced);
+  }
+  if (world.scene.bodies.size() != 1)
+    return columns;
+  double lower = std::numeric_limits<double>::max(), upper = -lower;
+  for (const auto &x : world.bodies[0].boundary.position)
+  {
+    lower = std::min(lower, x[0]);
+    upper = std::max(upper, x[0]);
+  }
+  columns.insert(columns.begin(), {"width_m", upper - lower});
+  return columns;
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/model/state_file.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Vectors of tensors, points and symmetric tensors as plain numbers; they hold nothing else.
+template <typename T>
+std::vector<double> flat(const std::vector<T> &values)
+{
+  static_assert(sizeof(T) % sizeof(double) == 0 && std::is_trivially_destructible<T>::value,
+                "not a pack of doubles");
+  std::vector<double> numbers(values.size() * sizeof(T) / sizeof(double));
+  if (!numbers.empty())
+    std::memcpy(numbers.data(), values.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
+template <typename T>
+void unflat(const std::vector<double> &numbers, std::vector<T> &values)
+{
+  values.resize(numbers.size() * sizeof(double) / sizeof(T));
+  if (!numbers.empty())
+    std::memcpy(static_cast<void *>(values.data()), numbers.data(), numbers.size() * sizeof(double));
+}
+
+std::vector<double> flat(const Eigen::VectorXd &v)
+{
+  return {v.data(), v.data() + v.size()};
+}
+
+Eigen::VectorXd vector_of(const std::vector<double> &numbers)
+{
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
+}
+
+/// Points by id, so that equal states give equal files however the particles lie in memory.
+void save_points(const PointStore<2> &store, StateWriter &out)
+{
+  const std::vector<PointStore<2>::Handle> handles = store.by_id();
+  std::vector<dealii::Point<2>> positions;
+  for (const auto handle : handles)
+    positions.push_back(store(handle).position());
+  out.write("mpm/points/position", flat(positions));
+  for (const PointSlotDescription &slot : store.layout().slots())
+  {
+    std::vector<double> values;
+    for (const auto handle : handles)
+    {
+      const auto point = store(handle);
+      values.insert(values.end(), point.data(slot.slot), point.data(slot.slot) + slot.n_components);
+    }
+    out.write("mpm/points/" + slot.name, values);
+  }
+}
+
+void load_points(PointStore<2> &store, const StateReader &in)
+{
+  std::vector<dealii::Point<2>> positions;
+  unflat(in.read_doubles("mpm/points/position"), positions);
+  const std::vector<double> bodies = in.read_doubles("mpm/points/body");
+  if (positions.size() != store.size() || bodies.size() != positions.size())
+    throw InputError("the checkpoint was made with another number of material points");
+  store.clear();
+  store.reserve(positions.size());
+  std::vector<PointStore<2>::Handle> handles;
+  for (std::size_t p = 0; p < positions.size(); ++p)
+    handles.push_back(store.add(positions[p], static_cast<unsigned int>(bodies[p])));
+  for (const PointSlotDescription &slot : store.layout().slots())
+  {
+    const std::vector<double> values = in.read_doubles("mpm/points/" + slot.name);
+    if (values.size() != positions.size() * slot.n_components)
+      throw InputError("the checkpoint was made with other settings: its points have another '" + slot.name +
+                       "'");
+    for (std::size_t p = 0; p < positions.size(); ++p)
+    {
+      auto point = store(handles[p]);
+      std::copy_n(&values[p * slot.n_components], slot.n_components, point.data(slot.slot));
+    }
+  }
+}
+} // namespace
+
+void MpmModel::save(StateWriter &out) const
+{
+  const Balance &b = world.balance;
+  out.write("mpm/scalars",
+            std::vector<double>{world.time, step_scale, last_dt, world.contact.memory_step, last_unbalanced});
+  out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves, held_steps});
+  out.write("mpm/balance",
+            std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
+                                b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
+                                b.largest_momentum, b.wall_work, b.body_force_work, b.contact_loss,
+                                b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
+                                b.carried_load[0], b.carried_load[1]});
+  std::vector<double> walls;
+  for (const Wall &wall : world.walls)
+    walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
+                               wall.impulse[1], wall.carried[0], wall.carried[1]});
+  out.write("mpm/walls", walls);
+
+  // Sorted by key, so that equal states give equal files.
+  std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(),
+                                                                      world.contact.memory().end());
+  std::sort(memory.begin(), memory.end());
+  std::vector<std::uint64_t> keys;
+  std::vector<double> impulses;
+  for (const auto &[key, impulse] : memory)
+  {
+    keys.push_back(key);
+    impulses.insert(impulses.end(), impulse.begin(), impulse.end());
+  }
+  out.write("mpm/contact/keys", keys);
+  out.write("mpm/contact/impulses", impulses);
+
+  save_points(*world.points, out);
+  for (const Body<2> &body : world.bodies)
+  {
+    const std::string at = "mpm/bodies/" + body.name + "/";
+    out.write(at + "boundary_grid_position", flat(body.boundary.grid_position));
+    out.write(at + "boundary_position", flat(body.boundary.position));
+    out.write(at + "nodes/displacement", flat(body.displacement));
+    out.write(at + "nodes/velocity", flat(body.velocity));
+    out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
+    out.write(at + "nodes/acceleration", flat(body.acceleration));
+    out.write(at + "nodes/internal_force", flat(body.internal_force));
+  }
+}
+
+void MpmModel::load(StateReader &in)
+{
+  const std::vector<double> scalars = in.read_doubles("mpm/scalars"), walls = in.read_doubles("mpm/walls");
+  if (walls.size() != 8 * world.walls.size())
+    throw InputError("the checkpoint was made with another number of walls");
+  world.time = scalars.at(0);
+  step_scale = scalars.at(1);
+  last_dt = scalars.at(2);
+  world.contact.memory_step = scalars.at(3);
+  last_unbalanced = scalars.at(4);
+  const std::vector<std::uint64_t> counts = in.read_integers("mpm/step");
+  steps = counts.at(0);
+  world.contact.plain_solves = counts.at(1);
+  held_steps = counts.at(2);
+  const std::vector<double> b = in.read_doubles("mpm/balance");
+  world.balance = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
+                   dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
+                   dealii::Tensor<1, 2>({b.at(4), b.at(5)}),
+                   b.at(6),
+                   b.at(7),
+                   b.at(8),
+                   b.at(9),
+                   b.at(10),
+                   b.at(11),
+                   b.at(12),
+                   b.at(13),
+                   dealii::Tensor<1, 2>({b.at(14), b.at(15)})};
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  {
+    const double *v = &walls[8 * w];
+    world.walls[w].travel = v[0];
+    world.walls[w].speed = v[1];
+    world.walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
+    world.walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
+    world.walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
+  }
+  const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
+  const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    world.contact.memory()[keys[k]] = {{impulses.at(2 * k), impulses.at(2 * k + 1)}};
+
+  load_points(*world.points, in);
+  world.sort_points();
+  const BuildContext context{*world.lattice, *world.shape, world.settings, *world.points};
+  for (Body<2> &body : world.bodies)
+  {
+    const std::string at = "mpm/bodies/" + body.name + "/";
+    unflat(in.read_doubles(at + "boundary_grid_position"), body.boundary.grid_position);
+    lay_grid(body, context);
+    unflat(in.read_doubles(at + "boundary_position"), body.boundary.position);
+    body.displacement = vector_of(in.read_doubles(at + "nodes/displacement"));
+    body.velocity = vector_of(in.read_doubles(at + "nodes/velocity"));
+    body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
+    body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
+    body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
+    if (world.settings.scheme.implicit && !body.driven)
+      lay_out_stiffness(body.field, world.matrices[body.index]);
+  }
+}
+} // namespace softgrain::mpm

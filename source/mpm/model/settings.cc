@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/nearest_name.h>
+#include <softgrain/contact/active_set.h>
+#include <softgrain/mpm/model/settings.h>
+#include <softgrain/parameters/parameter_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using dealii::Patterns::Bool;
+using dealii::Patterns::Double;
+using dealii::Patterns::Integer;
+using dealii::Patterns::List;
+using dealii::Patterns::Selection;
+
+constexpr double tiny = 1e-300; // smallest positive number that a pattern of "greater than zero" needs
+
+/// Runs @p work inside a subsection.
+template <typename F>
+void in_section(dealii::ParameterHandler &prm, const std::string &name, const F &work)
+{
+  prm.enter_subsection(name);
+  work();
+  prm.leave_subsection();
+}
+
+void declare_discretisation(dealii::ParameterHandler &prm)
+{
+  in_section(prm, "Mesh",
+             [&]
+             {
+               prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2),
+                                 "Lower left corner of the background mesh. Units: m.");
+               prm.declare_entry(
+                   "Upper", "1, 1", List(Double(), 2, 2),
+                   "Upper right corner; the mesh ends at the first cell face beyond it. Units: m.");
+               prm.declare_entry("Cell size", "0.1", Double(tiny), "Edge of the square cells. Units: m.");
+             });
+  in_section(
+      prm, "Material points",
+      [&]
+      {
+        prm.declare_entry(
+            "Shape function", "bspline", Selection("linear|gimp|bspline"),
+            "linear: hat functions on the corners of the cells (the thesis); gimp: hat functions averaged "
+            "over the extent of a point; bspline: uniform quadratic B-splines.");
+        prm.declare_entry("Points per direction", "2", Integer(1, 8),
+                          "Material points per cell and direction at the start. Units: none.");
+        prm.declare_entry(
+            "Fill limit", "0.6", Double(0.01, 1.),
+            "A cell is well filled when the body covers more than this share of it. A node that no "
+            "well-filled cell reaches gets an extrapolated value instead of one of its own. Units: none.");
+        prm.declare_entry("Grid update", "never", Selection("never|every step|distortion"),
+                          "When a new grid is laid under the points. never: total Lagrangian, right for "
+                          "elastic bodies; every step: the usual material point method, and the thesis's; "
+                          "distortion: when 'Distortion limit' is exceeded.");
+        prm.declare_entry("Distortion limit", "3", Double(1.01, 100.),
+                          "With 'Grid update = distortion': ratio of the largest to the smallest stretch of "
+                          "the grid above which a new one is laid. Units: none.");
+        prm.declare_entry("Transfer", "flip", Selection("flip|apic"),
+                          "How points take over velocities from the grid before a new one is laid. flip: "
+                          "increments are added; apic: affine particle-in-cell method.");
+        prm.declare_entry("PIC fraction", "0", Double(0., 1.),
+                          "Share of the velocity interpolated from the grid in the velocity that points take "
+                          "over. 0: increments only (FLIP), 1: interpolation only (PIC). It damps noise, and "
+                          "energy too. Units: none.");
+        prm.declare_entry("F-bar", "automatic", Selection("automatic|on|off"),
+                          "Whether the volume change is averaged over each cell, against locking of nearly "
+                          "incompressible materials; automatic: on above a Poisson's ratio of 0.47.");
+      });
+}
+
+void declare_time(dealii::ParameterHandler &prm)
+{
+  in_section(
+      prm, "Time",
+      [&]
+      {
+        prm.declare_entry(
+            "Scheme", "moreau_jean", Selection("moreau_jean|newmark|explicit|quasi_static"),
+            "moreau_jean: theta scheme of contact dynamics; newmark: the thesis, (3.14)-(3.22); explicit: "
+            "symplectic Euler; quasi_static: no inertia.");
+        prm.declare_entry("Theta", "0.55", Double(0.5, 1.),
+                          "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
+                          "Euler. Units: none.");
+        prm.declare_entry("Time step", "0", Double(0.),
+                          "Length of a step; 0: 'CFL multiple' times the CFL step. Units: s.");
+        prm.declare_entry("CFL multiple", "20", Double(1e-6),
+                          "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
+                          "'Time step' is 0. Units: none.");
+        prm.declare_entry("Smallest step", "1e-4", Double(1e-12, 1.),
+                          "A step that fails is repeated with half its length. The run gives up when a step "
+                          "is shorter than this share of the length asked for. Units: none.");
+      });
+  in_section(prm, "Newton",
+             [&]
+             {
+               prm.declare_entry("Displacement tolerance", "1e-5", Double(1e-14, 1.),
+                                 "epsilon_1 of (3.22): length of the last displacement of Newton's method "
+                                 "over that of the first. Units: none.");
+               prm.declare_entry("Energy tolerance", "1e-8", Double(1e-20, 1.),
+                                 "epsilon_2 of (3.22): work of the last displacement of Newton's method over "
+                                 "that of the first. Units: none.");
+               prm.declare_entry("Residual tolerance", "1e-5", Double(1e-14, 1.),
+                                 "Largest unbalanced impulse that is accepted, over the largest impulse of "
+                                 "the step. Units: none.");
+               prm.declare_entry("Maximum iterations", "25", Integer(1, 1000),
+                                 "A step that needs more iterations of Newton's method is repeated with half "
+                                 "its length. Units: none.");
+               prm.declare_entry("Largest strain", "0.3", Double(1e-6, 1e6),
+                                 "Largest strain of any material point in one implicit step (Green-Lagrange, "
+                                 "norm). A step that exceeds it is repeated with half its length, because "
+                                 "Newton's method may have found a false balance. Units: none.");
+             });
+  in_section(prm, "Linear solver",
+             [&]
+             {
+               prm.declare_entry(
+                   "Type", "automatic",
+                   Selection("automatic|banded_cholesky|cholesky|trilinos_direct|cg_ilu|cg_amg"),
+                   "banded_cholesky: dense kernels on the band of a compact body; cholesky: sparse (Eigen); "
+                   "trilinos_direct, cg_ilu, cg_amg: Trilinos; automatic: one of the Cholesky solvers, but "
+                   "cg_amg for a body of more than 'Automatic limit' unknowns without contact.");
+               prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1),
+                                 "Relative residual at which an iterative solver stops. Units: none.");
+               prm.declare_entry("Maximum iterations", "2000", Integer(1),
+                                 "Largest number of iterations of an iterative solver. Units: none.");
+               prm.declare_entry("Automatic limit", "40000", Integer(1),
+                                 "Number of unknowns of a body above which automatic takes an iterative "
+                                 "solver, when the scene has no contact. Units: none.");
+             });
+}
+
+void declare_quasi_static(dealii::ParameterHandler &prm)
+{
+  in_section(
+      prm, "Quasi-static",
+      [&]
+      {
+        prm.declare_entry("Regularisation", "1e-3", Double(1e-9, 1.),
+                          "Stiffness against motion in a step that stands in the equations in place of "
+                          "inertia, over Young's "
+                          "modulus: it carries grains that nothing holds. Its forces vanish in held steps.");
+        prm.declare_entry(
+            "Unbalanced force", "1e-4", Double(1e-12, 1.),
+            "Net force on a body over the mean contact force up to which bodies are in balance.");
+        prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
+                          "Way of a node in a held step up to which bodies are in balance. Units: cells.");
+        prm.declare_entry(
+            "Held steps", "200", Integer(0, 100000),
+            "Steps with walls at rest after one in which they move, at most; more and the step is "
+            "cut in half. 0: none, and steps do not end in balance.");
+      });
+}
+
+void declare_contact(dealii::ParameterHandler &prm)
+{
+  in_section(
+      prm, "Contact",
+      [&]
+      {
+        prm.declare_entry(
+            "Geometry", "surface", Selection("surface|nodes"),
+            "surface: markers on the boundaries look for contact with boundaries and walls; nodes: contact "
+            "at grid nodes that bodies share (the thesis; needs 'Grid update = every step').");
+        prm.declare_entry("Nodal gap", "true", Bool(),
+                          "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
+                          "meet; false: as soon as they share a node.");
+        prm.declare_entry(
+            "Solver", "condensed", Selection("condensed|lumped"),
+            "condensed: contact is solved with the true compliance of the bodies, once per Newton iteration; "
+            "lumped: with nodal masses, iterated together with Newton's method (the thesis).");
+        prm.declare_entry("Marker spacing", "0.5", Double(0.05, 4.),
+                          "Distance of the markers on a boundary that look for contact. Units: cells.");
+        prm.declare_entry("Sub-grid compliance", "true", Bool(),
+                          "Whether light frictionless contacts of round bodies get the dent that is narrower "
+                          "than a cell, by a "
+                          "law measured against finite elements. With B-splines, geometry surface and scheme "
+                          "quasi_static only.");
+        prm.declare_entry("Tolerance", "1e-7", Double(1e-14, 1e-1),
+                          "Largest residual of a contact solution (natural map), relative to the approach "
+                          "speed. Units: none.");
+        prm.declare_entry("Maximum sweeps", "20000", Integer(1),
+                          "Largest number of Gauss-Seidel sweeps of one contact solve. Units: none.");
+        prm.declare_entry(
+            "Relaxation", "1", Double(0.05, 1.95),
+            "With 'Algorithm = gauss_seidel': factor on every change of an impulse. Units: none.");
+        prm.declare_entry(
+            "Algorithm", "automatic", Selection("automatic|accelerated|gauss_seidel|active_set"),
+            "gauss_seidel: plain sweeps; accelerated: sweeps with momentum and restart; active_set: Newton "
+            "on the active set; automatic: accelerated, and Newton when the sweeps do not converge.");
+        prm.declare_entry("Keep failed problems in", "", dealii::Patterns::Anything(),
+                          "Folder in which contact problems that do not converge are kept, to be solved "
+                          "again for study; empty: none are kept.");
+      });
+}
+} // namespace
+
+void Settings::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_discretisation(prm);
+  declare_time(prm);
+  declare_quasi_static(prm);
+  declare_contact(prm);
+}
+
+void Settings::parse_parameters(dealii::ParameterHandler &prm)
+{
+  in_section(
+      prm, "Mesh",
+      [&]
+      {
+        mesh_lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
+        mesh_upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
+        cell_size = prm.get_double("Cell size");
+        for (unsigned int d = 0; d < 2; ++d)
+          if (!(mesh_upper[d] > mesh_lower[d]))
+            throw InputError("'Mesh/Upper' = '" + prm.get("Upper") +
+                             "' is not allowed: both numbers must be greater than those of 'Mesh/Lower' = '" +
+                             prm.get("Lower") + "'");
+        if ((mesh_upper[0] - mesh_lower[0]) / cell_size * ((mesh_upper[1] - mesh_lower[1]) / cell_size) > 1e8)
+          throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") +
+                           "' is not allowed: the mesh would have more than 1e8 cells");
+      });
+  in_section(
+      prm, "Material points",
+      [&]
+      {
+        shape = prm.get("Shape function");
+        points_per_direction = prm.get_integer("Points per direction");
+        fill_limit = prm.get_double("Fill limit");
+        const std::string update = prm.get("Grid update");
+        grid_update = update == "never"        ? GridUpdate::never
+                      : update == "every step" ? GridUpdate::every_step
+                                               : GridUpdate::distortion;
+        distortion_limit = prm.get_double("Distortion limit");
+        affine_transfer = prm.get("Transfer") == "apic";
+        pic_fraction = prm.get_double("PIC fraction");
+        f_bar = prm.get("F-bar");
+        if (grid_update == GridUpdate::never && (affine_transfer || pic_fraction > 0.))
+          throw InputError(
+              "'Material points/Transfer' and 'PIC fraction' have no effect with 'Grid update' = 'never': "
+              "leave them at flip and 0, or choose another 'Grid update'");
+      });
+  in_section(prm, "Time",
+             [&]
+             {
+               scheme = TimeScheme::create(prm.get("Scheme"), prm.get_double("Theta"));
+               time_step = prm.get_double("Time step");
+               cfl_multiple = prm.get_double("CFL multiple");
+               smallest_step = prm.get_double("Smallest step");
+             });
+  in_section(prm, "Quasi-static",
+             [&]
+             {
+               regularisation = prm.get_double("Regularisation");
+               unbalanced_force = prm.get_double("Unbalanced force");
+               held_motion = prm.get_double("Held motion");
+               max_held_steps = prm.get_integer("Held steps");
+             });
+  in_section(prm, "Newton",
+             [&]
+             {
+               displacement_tolerance = prm.get_double("Displacement tolerance");
+               energy_tolerance = prm.get_double("Energy tolerance");
+               residual_tolerance = prm.get_double("Residual tolerance");
+               max_newton = prm.get_integer("Maximum iterations");
+               max_strain = prm.get_double("Largest strain");
+             });
+  in_section(prm, "Linear solver",
+             [&]
+             {
+               linear_solver.type = prm.get("Type");
+               linear_solver.tolerance = prm.get_double("Tolerance");
+               linear_solver.max_iterations = prm.get_integer("Maximum iterations");
+               linear_solver.automatic_dofs = prm.get_integer("Automatic limit");
+             });
+  in_section(
+      prm, "Contact",
+      [&]
+      {
+        contact_kind = prm.get("Geometry") == "surface" ? ContactKind::surface : ContactKind::nodes;
+        nodal_gap = prm.get_bool("Nodal gap");
+        coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
+        marker_spacing = prm.get_double("Marker spacing");
+        subgrid = prm.get_bool("Sub-grid compliance");
+        contact_solver.tolerance = prm.get_double("Tolerance");
+        contact_solver.max_sweeps = prm.get_integer("Maximum sweeps");
+        contact_solver.relaxation = relaxation_of_plain_sweeps(prm);
+        contact_solver.algorithm = contact::algorithms().at(prm.get("Algorithm"));
+        failed_problem_directory = prm.get("Keep failed problems in");
+        if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
+          throw InputError(
+              "'Contact/Geometry' = 'nodes' needs 'Material points/Grid update' = 'every step': bodies share "
+              "nodes only where the grid lies under all of them now");
+        if (coupling == ContactCoupling::lumped && !scheme.inertia)
+          throw InputError(
+              "'Contact/Solver' = 'lumped' is not allowed with 'Time/Scheme' = 'quasi_static', which has no "
+              "masses: choose 'condensed'");
+      });
+}
+} // namespace softgrain::mpm

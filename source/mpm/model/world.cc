@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+World::World() = default;
+World::~World() = default;
+
+void World::sort_points()
+{
+  points->sort();
+  std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(bodies.size());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    bodies[b].points.renew(std::move(lists[b]));
+}
+
+SubgridCompliance World::subgrid() const
+{
+  return {settings.subgrid_compliance() && frictionless(), lattice->cell_size()};
+}
+
+bool World::frictionless() const
+{
+  return scene.friction == 0. &&
+         std::all_of(walls.begin(), walls.end(),
+                     [](const Wall &wall) { return wall.description.friction == 0.; });
+}
+
+std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
+{
+  std::vector<WallMotion<2>> motion;
+  for (const Wall &wall : walls)
+    // The middle of the step: exact for speeds linear in time.
+    motion.push_back({wall.point(), wall.description.normal,
+                      wall.velocity.empty() || plan.held ? 0. : wall.velocity[0]({time + 0.5 * plan.dt}),
+                      wall.description.friction, wall.body == ContactRow<2>::none});
+  for (unsigned int w = 0; w < walls.size(); ++w)
+    if (walls[w].body != ContactRow<2>::none)
+      bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
+  return motion;
+}
+
+void World::find_rows(const std::vector<WallMotion<2>> &motion,
+                      const double dt,
+                      const std::vector<Eigen::VectorXd> *increment,
+                      const double share,
+                      const bool again)
+{
+  dealii::TimerOutput::Scope section(*timer, "contact search");
+  std::vector<ContactRow<2>> rows;
+  geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size(), increment, share, frictionless()},
+                 rows);
+  contact.reinit(std::move(rows), bodies, dt, again);
+}
+
+void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
+{
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!bodies[b].driven)
+                     work(bodies[b]);
+               });
+}
+
+std::string World::why_not(const unsigned int body, const StressOutcome &outcome) const
+{
+  std::ostringstream text;
+  text << "a material point of body '" << bodies[body].name << "' "
+       << (outcome.leaps ? "deformed by more than 'Newton/Largest strain' allows in one step"
+                         : "turned inside out")
+       << " near (" << bodies[body].points[outcome.bad_point].position()
+       << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
+  return text.str();
+}
+
+std::vector<double> end_gaps(const World &world,
+                             const std::vector<Eigen::VectorXd> &increment,
+                             const std::vector<WallMotion<2>> &motion,
+                             const double dt)
+{
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
+  std::vector<Eigen::VectorXd> rate(increment.size());
+  for (unsigned int b = 0; b < increment.size(); ++b)
+    rate[b] = increment[b] / dt;
+  const std::vector<double> w = world.contact.relative_velocity(world.bodies, rate);
+  std::vector<double> gap(rows.size());
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    gap[r] = rows[r].gap + dt * w[r * components];
+    if (rows[r].partner == ContactRow<2>::none)
+      gap[r] -= dt * motion[rows[r].wall].velocity;
+  }
+  return gap;
+}
+
+namespace
+{
+/// Impulses felt by the walls and the work done at the contacts during the step.
+void account_contacts(World &world,
+                      const double dt,
+                      const std::vector<Eigen::VectorXd> &rate,
+                      const std::vector<WallMotion<2>> &motion)
+{
+  std::vector<dealii::Tensor<1, 2>> force_before;
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  {
+    force_before.push_back(world.walls[w].force);
+    world.walls[w].force = 0.;
+    world.walls[w].speed = motion[w].velocity;
+  }
+  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
+  // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
+  // at its end.
+  const bool half = world.settings.scheme.stored_acceleration;
+  // From balance to balance forces change steadily: their work is that of the mean of both ends.
+  const bool balanced = !world.settings.scheme.inertia;
+  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
+  {
+    wall.force -= given / dt;
+    wall.impulse += given;
+    world.balance.wall_impulse += given;
+    world.balance.wall_work += given * (wall.speed * wall.description.normal);
+  };
+  if (half)
+    for (Wall &wall : world.walls)
+    {
+      give(wall, 0.5 * dt * wall.carried);
+      wall.carried = 0.;
+    }
+  // What the dents take is not lost.
+  const double dents = world.contact.subgrid_energy(world.bodies, world.subgrid(), dt);
+  if (!balanced)
+    world.balance.contact_loss -= dents - world.balance.subgrid_energy;
+  world.balance.subgrid_energy = dents;
+  const auto &rows = world.contact.contact_rows();
+  const unsigned int components = world.contact.n_components();
+  const std::vector<double> &P = world.contact.impulses();
+  const std::vector<double> w =
+      rows.empty() ? std::vector<double>() : world.contact.relative_velocity(world.bodies, rate);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    for (unsigned int c = 0; c < components; ++c)
+    {
+      const double impulse = P[r * components + c];
+      if (impulse == 0.)
+        continue;
+      double relative = w[r * components + c];
+      if (rows[r].wall != ContactRow<2>::none)
+      {
+        Wall &wall = world.walls[rows[r].wall];
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        const dealii::Tensor<1, 2> drive = wall.speed * wall.description.normal;
+        give(wall, given);
+        if (half)
+          wall.carried += 2. / dt * given;
+        // Slabs move in relative_velocity() already, planes do not.
+        if (rows[r].partner == ContactRow<2>::none)
+          relative -= drive * rows[r].direction(c);
+      }
+      else if (rows[r].partner != ContactRow<2>::none && world.bodies[rows[r].partner].driven)
+      {
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        world.balance.wall_impulse += given;
+        world.balance.wall_work += given * world.bodies[rows[r].partner].drive;
+      }
+      double acting = impulse;
+      if (half || balanced)
+      {
+        const auto before = world.contact.memory().find(rows[r].key);
+        const double old = before == world.contact.memory().end() ? 0.
+                           : half                                 ? before->second[c]
+                                  : before->second[c] * dt / world.contact.memory_step;
+        acting = (half ? 1. : 0.5) * (impulse + old);
+      }
+      // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
+      // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
+      if (c > 0 || !balanced)
+        world.balance.contact_loss -= acting * relative;
+    }
+  if (balanced)
+    for (unsigned int w = 0; w < world.walls.size(); ++w)
+    {
+      const Wall &wall = world.walls[w];
+      world.balance.wall_work +=
+          0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+    }
+}
+
+/// Gives the points what the step has come to.
+void keep_stress(Body<2> &body)
+{
+  const unsigned int n_history = body.law->n_history();
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+  {
+    auto point = body.points[p];
+    point.stress() = body.step.stress[p];
+    if (n_history > 0)
+      std::copy_n(&body.step.history[p * n_history], n_history, point.history());
+  }
+}
+} // namespace
+
+void accept_step(World &world,
+                 const StepPlan &plan,
+                 std::vector<Eigen::VectorXd> &end_velocity,
+                 const std::vector<Eigen::VectorXd> &increment,
+                 const std::vector<Eigen::VectorXd> &rate,
+                 const std::vector<WallMotion<2>> &motion,
+                 const std::vector<Eigen::VectorXd> &external)
+{
+  const double dt = plan.dt;
+  account_contacts(world, dt, rate, motion);
+  const bool half = world.settings.scheme.stored_acceleration;
+  dealii::Tensor<1, 2> load;
+  for (Body<2> &body : world.bodies)
+    if (body.driven)
+    {
+      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          body.displacement[2 * i + d] += dt * body.drive[d];
+      move_boundary(body);
+    }
+    else if (external[body.index].size() > 0)
+    {
+      const Eigen::VectorXd &force = external[body.index];
+      world.balance.body_force_work += force.dot(rate[body.index]) * dt;
+      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          load[d] += force[2 * i + d];
+    }
+  std::vector<double> law_loss(world.bodies.size(), 0.);
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        Eigen::VectorXd &v = end_velocity[body.index];
+        if (half)
+          // (3.15), which is (3.16) as long as no position has been repaired.
+          body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
+        body.displacement += increment[body.index];
+        std::swap(body.velocity, v);
+        move_boundary(body);
+        keep_stress(body);
+        if (body.law->n_history() > 0)
+          for (unsigned int p = 0; p < body.points.size(); ++p)
+            law_loss[body.index] += body.step.dissipation[p] * body.step.volume[p];
+      });
+  for (const double loss : law_loss)
+    world.balance.law_loss += loss;
+  world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
+  world.balance.carried_load = load;
+  for (Wall &wall : world.walls)
+    wall.travel += dt * wall.speed;
+  if (!plan.held)
+    world.time += dt;
+  world.contact.remember(dt);
+}
+} // namespace softgrain::mpm

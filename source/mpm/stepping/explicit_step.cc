@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/row_velocity.h>
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vectors = std::vector<Eigen::VectorXd>;
+
+/// Contact impulses on the free velocities @p v; they become the velocities at the end of the step.
+void solve_contacts(
+    World &world, const double dt, const std::vector<WallMotion<2>> &motion, Vectors &v, StepOutcome &outcome)
+{
+  if (world.contact.empty())
+    return;
+  dealii::TimerOutput::Scope section(*world.timer, "contact solve");
+  world.contact.lump(world.bodies);
+  // An open gap may close, but no further; a closed one holds at velocity level.
+  const contact::SolverReport report =
+      world.contact.solve(row_velocity(world, v, motion, {}, 1., dt, false), world.settings.contact_solver);
+  outcome.contact_sweeps = report.sweeps;
+  outcome.contact_residual = report.residual;
+  if (!report.converged)
+  {
+    std::ostringstream text;
+    text << "the contact solver left a residual of " << report.residual << " after " << report.sweeps
+         << " sweeps ('Contact/Maximum sweeps')";
+    outcome.reason = text.str();
+    return;
+  }
+  world.for_moving_bodies(
+      [&](const Body<2> &body)
+      {
+        Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
+        world.contact.add_impulses(body.index, world.contact.impulses(), impulse);
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
+      });
+}
+} // namespace
+
+StepOutcome explicit_step(World &world, const double dt)
+{
+  StepOutcome outcome;
+  const StepPlan plan{dt, false, 0.};
+  const std::vector<WallMotion<2>> motion = world.wall_motion(plan);
+  world.find_rows(motion, dt, nullptr, 0.5, false);
+  const unsigned int n_bodies = world.bodies.size();
+  Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
+  for (const Body<2> &body : world.bodies)
+    v[body.index] = body.velocity;
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        Eigen::VectorXd &load = external[body.index];
+        if (!external_force(body, world.scene.gravity, world.time, load))
+          load.resize(0);
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+        {
+          auto velocity = v[body.index].segment<2>(2 * i);
+          velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
+          if (load.size() > 0)
+            velocity += dt / body.mass[i] * load.segment<2>(2 * i);
+        }
+      });
+  solve_contacts(world, dt, motion, v, outcome);
+  if (!outcome.reason.empty())
+    return outcome;
+
+  dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
+  Vectors forces(n_bodies);
+  std::vector<StressOutcome> stress(n_bodies);
+  const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+  for (unsigned int b = 0; b < n_bodies; ++b)
+    increment[b] = dt * v[b];
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
+                                    {half_dt, false, 0.});
+        if (stress[b].good())
+          internal_force(body, forces[b]);
+      });
+  for (unsigned int b = 0; b < n_bodies; ++b)
+    if (!stress[b].good())
+    {
+      outcome.reason = world.why_not(b, stress[b]);
+      return outcome;
+    }
+  for (unsigned int b = 0; b < n_bodies; ++b)
+    if (!world.bodies[b].driven)
+      std::swap(world.bodies[b].internal_force, forces[b]);
+  if (!world.contact.empty())
+    for (const double g : end_gaps(world, increment, motion, dt))
+      outcome.max_penetration = std::max(outcome.max_penetration, -g);
+  // Impulses act between the velocities before and after: their work is that of the mean, which makes the
+  // energy balance of symplectic Euler exact up to the stored energy.
+  Vectors rate(n_bodies);
+  for (unsigned int b = 0; b < n_bodies; ++b)
+    rate[b] = 0.5 * (world.bodies[b].velocity + v[b]);
+  accept_step(world, plan, v, increment, rate, motion, external);
+  outcome.accepted = true;
+  return outcome;
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/row_velocity.h>
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/anderson_mixing.h>
+#include <softgrain/mpm/stepping/step_equations.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vectors = StepEquations::Vectors;
+
+std::string number(const double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+/// Newton's method with contact for one implicit step; see doc/theory.md.
+class ImplicitStep
+{
+public:
+  ImplicitStep(World &world, const StepPlan &plan)
+      : world(world)
+      , plan(plan)
+      , dt(plan.dt)
+      , theta(world.settings.scheme.theta)
+      , motion(world.wall_motion(plan))
+      , equations(world, plan)
+      , n_bodies(world.bodies.size())
+      , trial(n_bodies)
+      , direction(n_bodies)
+  {
+  }
+
+  StepOutcome run()
+  {
+    if (!start())
+      return reject(equations.why_not());
+    for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
+    {
+      // Held steps go on: the step they belong to has been taken.
+      if (!plan.held)
+        stop_if_interrupted();
+      const bool settled = rows_are_settled();
+      if (outcome.newton_iterations > 0 && converged() &&
+          (settled || searches >= world.settings.max_searches))
+      {
+        outcome.rows_settled = settled;
+        return finish();
+      }
+      // Rows that stay as they are make rotation unstable: they may only where nothing turns.
+      if (!settled && (searches < world.settings.max_searches || !equations.rotation_is_gauge()))
+        find_rows_again();
+      if (outcome.newton_iterations == world.settings.max_newton)
+        return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +
+                      " iterations ('Newton/Maximum iterations'); relative residual " +
+                      number(outcome.newton_residual));
+      const bool old_factors = factors_serve;
+      std::string trouble = newton_step();
+      if (!trouble.empty() && old_factors)
+      {
+        factors_serve = false;
+        trouble = newton_step();
+      }
+      if (!trouble.empty())
+        return reject(trouble);
+    }
+  }
+
+private:
+  StepOutcome reject(const std::string &reason)
+  {
+    outcome.accepted = false;
+    outcome.reason = reason;
+    return outcome;
+  }
+
+  /// First guess: bodies go on as they did, without inertia they stay; a guess that turns a point inside out
+  /// is replaced by rest. @return false when that fails too, and the step is too long
+  bool start()
+  {
+    for (const bool rest : {!world.settings.scheme.inertia && plan.guess == nullptr, true})
+    {
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        trial[b] = rest                    ? Eigen::VectorXd::Zero(world.bodies[b].velocity.size())
+                   : plan.guess == nullptr ? world.bodies[b].velocity
+                                           : Eigen::VectorXd((*plan.guess)[b] / dt);
+      if (!equations.evaluate(trial))
+        continue;
+      increment_of_rows = equations.increment;
+      find_rows(false);
+      return true;
+    }
+    return false;
+  }
+
+  void find_rows(const bool again)
+  {
+    world.find_rows(motion, dt, &increment_of_rows, world.settings.scheme.row_share, again);
+    equations.rows_changed();
+    condensed_rows_are_old = true;
+  }
+
+  /// How far the bodies are from where the rows were found [m].
+  double way_from_rows() const
+  {
+    double way = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+        way = std::max(way, largest_way(world.bodies[b], equations.increment[b] - increment_of_rows[b]));
+    return way;
+  }
+
+  /// Of a boundary marker for a displacement of the nodes [m]; nodes on the rim may go far and move nothing.
+  static double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
+  {
+    double way = 0.;
+    for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+    {
+      const NodeWeights &weights = body.field.marker_weights(m);
+      dealii::Tensor<1, 2> moved;
+      for (unsigned int k = 0; k < weights.node.size(); ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          moved[d] += weights.weight[k] * displacement[2 * weights.node[k] + d];
+      way = std::max(way, moved.norm());
+    }
+    return way;
+  }
+
+  /// Whether the contact rows are those of the step as far as it is known.
+  bool rows_are_settled() const
+  {
+    return !world.settings.rows_follow() || way_from_rows() <= row_tolerance * world.lattice->cell_size();
+  }
+
+  void find_rows_again()
+  {
+    ++searches;
+    increment_of_rows = next_increment_of_rows();
+    find_rows(true);
+  }
+
+  /// Newton's matrix does not know how rows turn with the bodies, so the increments g that come out for rows
+  /// found for increments x are a fixed-point iteration: linear, and in dense packings slow or worse. Near
+  /// the solution it is mixed.
+  Vectors next_increment_of_rows()
+  {
+    if (!equations.rotation_is_gauge())
+      return equations.increment;
+    const double way = way_from_rows();
+    if (way > mixing_range * world.lattice->cell_size() || way > 2. * last_way)
+      mixing.restart();
+    last_way = way;
+    if (way > mixing_range * world.lattice->cell_size())
+      return equations.increment;
+    const Eigen::VectorXd mixed = mixing.next(joined(increment_of_rows), joined(equations.increment));
+    Vectors next = equations.increment;
+    Eigen::Index at = 0;
+    for (Eigen::VectorXd &of_body : next)
+    {
+      of_body = mixed.segment(at, of_body.size());
+      at += of_body.size();
+    }
+    return next;
+  }
+
+  static Eigen::VectorXd joined(const Vectors &of_bodies)
+  {
+    Eigen::Index size = 0;
+    for (const Eigen::VectorXd &v : of_bodies)
+      size += v.size();
+    Eigen::VectorXd all(size);
+    size = 0;
+    for (const Eigen::VectorXd &v : of_bodies)
+    {
+      all.segment(size, v.size()) = v;
+      size += v.size();
+    }
+    return all;
+  }
+
+  bool converged()
+  {
+    outcome.newton_residual = equations.residual();
+    if (outcome.newton_residual > world.settings.residual_tolerance)
+      return false;
+    if (!world.settings.scheme.inertia)
+      return true;
+    // Lumped contact is an iteration of its own: the bulk may be balanced while the contact velocities are
+    // not yet right.
+    if (!world.contact.empty() && world.settings.coupling == ContactCoupling::lumped)
+      // (3.22) down to the rounding of the velocities; a step that starts near its solution has a small first
+      // increment.
+      return last_length <=
+             std::max(world.settings.displacement_tolerance * first_length, 1e-10 * trial_length());
+    // (3.22), with the velocity increment in place of the displacement increment: they differ by theta dt. In
+    // free flight the first increment is rounding already.
+    return last_length <= 1e-10 * trial_length() ||
+           (last_length <= world.settings.displacement_tolerance * first_length &&
+            std::abs(last_work) <= world.settings.energy_tolerance * std::abs(first_work)) ||
+           outcome.newton_residual <= 0.1 * world.settings.residual_tolerance;
+  }
+
+  double trial_length() const
+  {
+    double sum = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+        sum += trial[b].squaredNorm();
+    return std::sqrt(sum);
+  }
+
+  std::string newton_step()
+  {
+    std::string trouble;
+    const bool condensed = world.settings.coupling == ContactCoupling::condensed;
+    if (!factors_serve)
+    {
+      trouble = equations.factorise();
+      stop_if_interrupted();
+      if (!trouble.empty())
+        return trouble;
+    }
+    if (condensed && !world.contact.empty() && (!factors_serve || condensed_rows_are_old))
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "condensation");
+      world.contact.condense(world.bodies, world.solvers, world.subgrid(), dt, theta);
+      condensed_rows_are_old = false;
+    }
+    if (world.contact.empty() || condensed)
+      equations.solve(false, direction);
+    if (!world.contact.empty())
+    {
+      trouble = condensed ? contact_condensed() : contact_lumped();
+      if (!trouble.empty())
+        return trouble;
+      equations.solve(true, direction);
+    }
+    return line_search();
+  }
+
+  std::string contact_condensed()
+  {
+    Vectors free(n_bodies);
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+        free[b] = trial[b] + direction[b];
+    return solve_contact(free, false);
+  }
+
+  std::string contact_lumped()
+  {
+    world.contact.lump(world.bodies);
+    // The momentum balance at the present iterate, solved for the contact velocities with the masses alone.
+    Vectors v = trial;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+      {
+        const Eigen::VectorXd R = equations.unbalanced(b);
+        for (unsigned int i = 0; i < world.bodies[b].mass.size(); ++i)
+          v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / world.bodies[b].mass[i];
+      }
+    return solve_contact(v, true);
+  }
+
+  std::string solve_contact(const Vectors &v, const bool relative)
+  {
+    dealii::TimerOutput::Scope section(*world.timer, "contact solve");
+    const contact::SolverReport report =
+        world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt,
+                                         theta == 1. || world.settings.rows_follow()),
+                            world.settings.contact_solver, relative);
+    outcome.contact_sweeps += report.sweeps;
+    outcome.contact_residual = report.residual;
+    // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a
+    // little above the tolerance: the step is then right to five digits, its residual is reported, and
+    // cutting it would not help.
+    if (report.converged || report.limited_by_rounding ||
+        report.residual <= 100. * world.settings.contact_solver.tolerance)
+      return "";
+    if (!world.settings.failed_problem_directory.empty())
+    {
+      std::filesystem::create_directories(world.settings.failed_problem_directory);
+      world.contact.save_problem(
+          world.settings.failed_problem_directory + "/contact-" + number(world.time) + ".h5",
+          "time " + number(world.time) + " s, step " + number(dt) + " s", world.settings.contact_solver);
+    }
+    return "the contact solver left a residual of " + number(report.residual) + " after " +
+           std::to_string(report.sweeps) + " sweeps ('Contact/Maximum sweeps')";
+  }
+
+  /// Goes along the Newton direction as far as the unbalanced impulse falls and no point turns inside out.
+  std::string line_search()
+  {
+    double length = 0., work = 0., merit = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+      {
+        const Eigen::VectorXd R = equations.unbalanced(b);
+        length += direction[b].squaredNorm();
+        work += direction[b].dot(R);
+        merit += R.squaredNorm();
+      }
+    last_length = std::sqrt(length);
+    last_work = work;
+    if (outcome.newton_iterations == 0)
+    {
+      first_length = last_length;
+      first_work = last_work;
+    }
+    merit = std::sqrt(merit);
+    const Vectors x = trial, from = equations.increment;
+    double best = std::numeric_limits<double>::max();
+    for (double alpha = 1.; alpha > 0.01; alpha *= 0.5)
+    {
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (equations.moves(b))
+          trial[b] = equations.go(b, x[b], alpha, direction[b], from[b]);
+      if (!equations.evaluate(trial))
+        continue;
+      const double now = equations.unbalanced_norm();
+      best = std::min(best, now);
+      if (now <= (1. - 1e-4 * alpha) * merit || equations.residual() <= world.settings.residual_tolerance)
+      {
+        // Factors that leave so little of the imbalance once do so again, for a fraction of the work. With
+        // lumped contact iterations go on long after the bulk is balanced.
+        factors_serve = now <= 0.03 * merit || (world.settings.coupling == ContactCoupling::lumped &&
+                                                equations.residual() <= world.settings.residual_tolerance);
+        return "";
+      }
+    }
+    return best == std::numeric_limits<double>::max() ? equations.why_not()
+                                                      : "the line search found no smaller residual";
+  }
+
+  StepOutcome finish()
+  {
+    Vectors rate(n_bodies);
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      rate[b] = equations.increment[b] / dt;
+    outcome.max_penetration = penetration();
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+      {
+        outcome.largest_move =
+            std::max(outcome.largest_move, largest_way(world.bodies[b], equations.increment[b]));
+        world.balance.scheme_damping += equations.scheme_damping(b, trial[b]);
+        world.bodies[b].internal_force = equations.internal[b];
+        if (world.settings.scheme.inertia)
+          spread_imbalance(world.bodies[b], equations.unbalanced(b), trial[b]);
+        else
+          trial[b].setZero();
+      }
+    world.balance.regularisation_work += equations.regularisation_work();
+    accept_step(world, plan, trial, equations.increment, rate, motion, equations.external);
+    outcome.accepted = true;
+    return outcome;
+  }
+
+  /// Deepest overlap at the end of the step that stands for no dent [m].
+  double penetration() const
+  {
+    double worst = 0.;
+    if (world.contact.empty())
+      return worst;
+    const std::vector<double> gaps = end_gaps(world, equations.increment, motion, dt),
+                              dents = world.contact.subgrid_overlap(dt);
+    for (unsigned int r = 0; r < gaps.size(); ++r)
+      worst = std::max(worst, -gaps[r] - dents[r]);
+    return worst;
+  }
+
+  static constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
+  static constexpr double mixing_range = 0.02;  ///< move of nodes below which searches are mixed [cells]
+
+  World &world;
+  const StepPlan plan;
+  const double dt, theta;
+  const std::vector<WallMotion<2>> motion;
+  StepEquations equations;
+  const unsigned int n_bodies;
+  StepOutcome outcome;
+  Vectors trial, direction;
+  Vectors increment_of_rows; ///< for which the rows were found [m]
+  AndersonMixing mixing{5};  ///< of them
+  double last_way = std::numeric_limits<double>::max();
+  unsigned int searches = 0;           ///< for rows, after the first
+  bool condensed_rows_are_old = false; ///< the Delassus operator is not that of the present rows
+  bool factors_serve = false;          ///< those of the iteration before are good enough for the next
+  double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
+};
+} // namespace
+
+StepOutcome implicit_step(World &world, const StepPlan &plan)
+{
+  if (!plan.held)
+    return ImplicitStep(world, plan).run();
+  // What is driven stands still too.
+  std::vector<dealii::Tensor<1, 2>> drives;
+  for (Body<2> &body : world.bodies)
+  {
+    drives.push_back(body.drive);
+    body.drive = 0.;
+  }
+  const StepOutcome outcome = ImplicitStep(world, plan).run();
+  for (Body<2> &body : world.bodies)
+    body.drive = drives[body.index];
+  return outcome;
+}
+} // namespace softgrain::mpm

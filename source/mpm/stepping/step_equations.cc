@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/step_equations.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+StepEquations::StepEquations(World &world, const StepPlan &plan)
+    : increment(world.bodies.size())
+    , internal(world.bodies.size())
+    , external(world.bodies.size())
+    , world(world)
+    , scheme(world.settings.scheme)
+    , plan(plan)
+    , dt(plan.dt)
+    , old_force(world.bodies.size())
+    , missing_impulse(world.bodies.size())
+    , rotation(world.bodies.size())
+    , shift(world.bodies.size(), 0.)
+    , rotation_weight(world.bodies.size(), 0.)
+    , round_and_smooth(world.bodies.size(), 0)
+{
+  for (const Body<2> &body : world.bodies)
+    if (body.driven)
+      increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes
+        // those at the end, (3.21), and has those at the start in the acceleration.
+        if (!external_force(body, world.scene.gravity,
+                            world.time + (plan.held                    ? 0.
+                                          : scheme.stored_acceleration ? 1.
+                                                                       : 0.5) *
+                                             dt,
+                            external[b]))
+          external[b].resize(0);
+        if (scheme.stored_acceleration)
+        {
+          old_force[b] = body.acceleration;
+          for (unsigned int i = 0; i < body.mass.size(); ++i)
+            old_force[b].segment<2>(2 * i) *= body.mass[i];
+        }
+        else if (scheme.theta < 1.)
+          old_force[b] = body.internal_force;
+        else
+          old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
+        if (!scheme.inertia)
+          shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
+        rotation[b] = whole_rotation(body);
+        if (scheme.inertia)
+          return;
+        // A round body without friction is the same when it is turned: that it stays is a choice of one of
+        // many equal answers, and nothing resists that would have moved. Other bodies are resisted like
+        // everything that moves.
+        round_and_smooth[b] = body.boundary.smooth && world.frictionless();
+        rotation_weight[b] = 30. * (round_and_smooth[b] ? 1. : plan.regularisation) * dt * dt *
+                             body.law->young_modulus() * body.rest_area;
+      });
+}
+
+void StepEquations::rows_changed()
+{
+  if (world.contact.empty() || scheme.theta == 1.)
+    return;
+  Vectors v;
+  for (const Body<2> &body : world.bodies)
+    v.push_back(body.velocity);
+  start_relative = world.contact.relative_velocity(world.bodies, v);
+}
+
+bool StepEquations::evaluate(const Vectors &v)
+{
+  dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
+  const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+  std::vector<StressOutcome> stress(world.bodies.size());
+  world.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
+                                    {half_dt, true, world.settings.max_strain});
+        if (!stress[b].good())
+          return;
+        internal_force(body, internal[b]);
+        Eigen::VectorXd &P = missing_impulse[b];
+        P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
+        if (external[b].size() > 0)
+          // newmark's stored acceleration already holds the load at the start of the step.
+          P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          if (scheme.inertia)
+            P.segment<2>(2 * i) -= body.mass[i] * (v[b] - body.velocity).segment<2>(2 * i);
+          else
+            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * v[b].segment<2>(2 * i);
+        if (rotation_weight[b] > 0.)
+          P -= rotation_weight[b] * rotation[b].dot(v[b]) * rotation[b];
+      });
+  for (bad_body = 0; bad_body < stress.size(); ++bad_body)
+    if (!stress[bad_body].good())
+    {
+      trouble = stress[bad_body];
+      return false;
+    }
+  return true;
+}
+
+Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
+{
+  Eigen::VectorXd P = missing_impulse[b];
+  world.contact.add_impulses(b, world.contact.impulses(), P);
+  return P;
+}
+
+double StepEquations::unbalanced_norm() const
+{
+  std::vector<double> squares(world.bodies.size(), 0.);
+  world.for_moving_bodies([&](const Body<2> &body)
+                          { squares[body.index] = unbalanced(body.index).squaredNorm(); });
+  double sum = 0.;
+  for (const double square : squares)
+    sum += square;
+  return std::sqrt(sum);
+}
+
+double StepEquations::residual() const
+{
+  const double h = world.lattice->cell_size();
+  std::vector<double> norms(world.bodies.size(), 0.), scales(world.bodies.size(), 0.);
+  world.for_moving_bodies(
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
+        world.contact.add_impulses(b, world.contact.impulses(), contact);
+        norms[b] = (missing_impulse[b] + contact).norm();
+        double scale = std::max(contact.norm(), dt * internal[b].norm());
+        if (scheme.inertia)
+          for (unsigned int i = 0; i < body.mass.size(); ++i)
+            scale = std::max(scale, 1e-6 * body.mass[i] * body.velocity.segment<2>(2 * i).norm());
+        if (external[b].size() > 0)
+          scale = std::max(scale, dt * external[b].norm());
+        // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
+        const double moved = body.displacement.lpNorm<Eigen::Infinity>();
+        scales[b] = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
+      });
+  return *std::max_element(norms.begin(), norms.end()) / *std::max_element(scales.begin(), scales.end());
+}
+
+double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
+{
+  if (!scheme.inertia || scheme.stored_acceleration)
+    return 0.;
+  // Impulses and forces at theta do (theta - 1/2) more than their mean over the step.
+  const Body<2> &body = world.bodies[b];
+  double sum = -(internal[b] - body.internal_force).dot(increment[b]);
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += body.mass[i] * (v - body.velocity).segment<2>(2 * i).squaredNorm();
+  return (scheme.theta - 0.5) * sum;
+}
+
+double StepEquations::regularisation_work() const
+{
+  double work = 0.;
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
+                increment[body.index].segment<2>(2 * i).squaredNorm();
+  return work;
+}
+
+bool StepEquations::rotation_is_gauge() const
+{
+  for (const Body<2> &body : world.bodies)
+    if (moves(body.index) && !round_and_smooth[body.index])
+      return false;
+  return true;
+}
+
+Eigen::VectorXd StepEquations::go(const unsigned int b,
+                                  const Eigen::VectorXd &x,
+                                  const double fraction,
+                                  const Eigen::VectorXd &direction,
+                                  const Eigen::VectorXd &from) const
+{
+  // A trial is a velocity; theta dt of it is displacement.
+  Eigen::VectorXd step = (fraction * scheme.theta * dt) * direction;
+  turn_along_circles(world.bodies[b], rotation[b], world.bodies[b].displacement + from, step);
+  return x + step / (scheme.theta * dt);
+}
+
+std::string StepEquations::factorise()
+{
+  std::vector<double> extra = shift;
+  std::vector<char> pending(world.bodies.size(), 1);
+  for (unsigned int attempt = 0;; ++attempt)
+  {
+    {
+      dealii::TimerOutput::Scope section(*world.timer, "assembly");
+      world.for_moving_bodies(
+          [&](const Body<2> &body)
+          {
+            if (!pending[body.index])
+              return;
+            SystemMatrix &matrix = world.matrices[body.index];
+            const double factor = scheme.theta * scheme.theta * dt * dt;
+            matrix.set_zero();
+            add_stiffness(body, factor, matrix);
+            matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
+            world.solvers[body.index]->set_update(rotation[body.index], factor * rotation_stiffness(body) +
+                                                                            rotation_weight[body.index]);
+          });
+    }
+    dealii::TimerOutput::Scope section(*world.timer, "factorisation");
+    world.for_moving_bodies(
+        [&](const Body<2> &body)
+        {
+          const unsigned int b = body.index;
+          if (pending[b])
+            pending[b] = !world.solvers[b]->factorize(world.matrices[b]);
+          if (pending[b])
+            extra[b] = std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
+        });
+    bool done = true;
+    for (const Body<2> &body : world.bodies)
+      if (moves(body.index) && pending[body.index])
+      {
+        done = false;
+        if (attempt == 6)
+          return "the stiffness of body '" + body.name +
+                 "' is not positive definite: it buckles or the step is too long ('Time/Time step')";
+      }
+    if (done)
+      return "";
+  }
+}
+
+void StepEquations::solve(const bool with_contact, Vectors &x) const
+{
+  dealii::TimerOutput::Scope section(*world.timer, "linear solves");
+  world.for_moving_bodies(
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        world.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
+      });
+}
+} // namespace softgrain::mpm

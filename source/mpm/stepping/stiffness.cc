@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/field/cell_slopes.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// sym(a (x) slope) for a displacement of one node along direction @p d.
+template <int dim>
+dealii::SymmetricTensor<2, dim> strain_of(const dealii::Tensor<1, dim> &slope, const unsigned int d)
+{
+  dealii::SymmetricTensor<2, dim> strain;
+  for (unsigned int e = 0; e < dim; ++e)
+    strain[d][e] += (d == e ? 1. : 0.5) * slope[e];
+  return strain;
+}
+
+/// Terms of the tangent that come from averaging the dilatation; see doc/theory.md, "F-bar".
+template <int dim>
+void add_dilatation_terms(const Body<dim> &body,
+                          const unsigned int cell,
+                          const std::vector<dealii::Tensor<1, dim>> &mean,
+                          const double total,
+                          Eigen::MatrixXd &local)
+{
+  const unsigned int n = mean.size();
+  std::vector<dealii::Tensor<1, dim>> slopes;
+  double pressure_sum = 0.;
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+    pressure_sum += body.step.volume[p] * trace(body.step.stress[p]) / dim;
+  const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e,
+                       const double value) { local(dim * i + d, dim * j + e) += value; };
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    current_slopes(body, p, slopes);
+    const auto &tau = body.step.stress[p];
+    const double v = body.step.volume[p], mean_tau = trace(tau) / dim;
+    const auto point = body.points[p];
+    const double weight =
+        point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient()) / total;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int e = 0; e < dim; ++e)
+          {
+            const double si = (mean[i][d] - slopes[i][d]) / dim, sj = (mean[j][e] - slopes[j][e]) / dim;
+            const double ti = dealii::Tensor<1, dim>(tau * slopes[i])[d],
+                         tj = dealii::Tensor<1, dim>(tau * slopes[j])[e];
+            const double cross = slopes[i][e] * slopes[j][d];
+            add(i, d, j, e,
+                v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau + mean_tau * cross));
+            add(i, d, j, e, pressure_sum * weight * (slopes[i][d] * slopes[j][e] - cross));
+          }
+  }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          add(i, d, j, e, -pressure_sum * mean[i][d] * mean[j][e]);
+}
+
+/// Calls make_work() once on every thread that takes a piece, and what it returns for the cells of the piece;
+/// cells at the same time share no node.
+template <int dim, class MakeWork>
+void for_cells(const Body<dim> &body, const MakeWork &make_work)
+{
+  for (const std::vector<unsigned int> &color : body.field.colors())
+    parallel_for(color.size(), 8,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   auto work = make_work();
+                   for (std::size_t i = begin; i < end; ++i)
+                     work(color[i]);
+                 });
+}
+
+/// Stiffness of one cell over its own nodes.
+template <int dim>
+void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::MatrixXd &local)
+{
+  constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
+  const unsigned int n = body.field.nodes_per_cell();
+  std::vector<dealii::Tensor<1, dim>> slopes, mean;
+  Eigen::Matrix<double, n_strain, Eigen::Dynamic> B(n_strain, dim * n), CB(n_strain, dim * n);
+  Eigen::Matrix<double, n_strain, n_strain> C;
+  local.setZero(dim * n, dim * n);
+  double total = 0.;
+  if (body.f_bar)
+    total = mean_slopes(body, cell, mean);
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    const double v = body.step.volume[p];
+    current_slopes(body, p, slopes);
+    for (unsigned int a = 0; a < n_strain; ++a)
+      for (unsigned int b = 0; b < n_strain; ++b)
+        C(a, b) = v * body.step.tangent[p].access_raw_entry(a * n_strain + b);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        auto strain = strain_of(slopes[k], d);
+        if (body.f_bar)
+          for (unsigned int e = 0; e < dim; ++e)
+            strain[e][e] += (mean[k][d] - slopes[k][d]) / dim;
+        for (unsigned int a = 0; a < n_strain; ++a)
+          // Shear counts twice in the double contraction.
+          B(a, dim * k + d) = (a < dim ? 1. : 2.) * strain.access_raw_entry(a);
+      }
+    CB.noalias() = C * B;
+    local.noalias() += B.transpose() * CB;
+    const auto &tau = body.step.stress[p];
+    if (!body.small_strain())
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        const dealii::Tensor<1, dim> t = v * (tau * slopes[j]);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const double g = slopes[i] * t;
+          for (unsigned int d = 0; d < dim; ++d)
+            local(dim * i + d, dim * j + d) += g;
+        }
+      }
+  }
+  if (body.f_bar && !body.small_strain())
+    add_dilatation_terms(body, cell, mean, total, local);
+}
+
+/// Stiffness of one cell of the plane over its independent nodes, without F-bar. What is on the rim
+/// is extended point by point, before the products: a cell there has few points.
+class PlaneCell
+{
+public:
+  /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
+  const Eigen::MatrixXd &stiffness(const Body<2> &body, const unsigned int cell)
+  {
+    const unsigned int first = body.field.first_point(cell);
+    const unsigned int n_points = body.field.first_point(cell + 1) - first;
+    find_slopes(body, first, n_points, body.field.cell_extension(cell));
+    const Eigen::Index m = slopes.rows();
+    response.resize(3 * m, 2 * n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      const auto gx = slopes.col(2 * q), gy = slopes.col(2 * q + 1);
+      const double v = body.step.volume[first + q];
+      const auto &tau = body.step.stress[first + q];
+      const bool geometric = !body.small_strain();
+      const double txx = geometric ? v * tau[0][0] : 0., txy = geometric ? v * tau[0][1] : 0.,
+                   tyy = geometric ? v * tau[1][1] : 0.;
+      // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
+      const auto C = [&](const unsigned int a, const unsigned int b)
+      { return v * body.step.tangent[first + q].access_raw_entry(3 * a + b); };
+      auto with_gx = response.col(2 * q), with_gy = response.col(2 * q + 1);
+      with_gx.head(m) = (C(0, 0) + txx) * gx + (C(0, 2) + txy) * gy;
+      with_gy.head(m) = (C(2, 0) + txy) * gx + (C(2, 2) + tyy) * gy;
+      with_gx.segment(m, m) = C(0, 2) * gx + C(0, 1) * gy;
+      with_gy.segment(m, m) = C(2, 2) * gx + C(2, 1) * gy;
+      with_gx.tail(m) = (C(2, 2) + txx) * gx + (C(2, 1) + txy) * gy;
+      with_gy.tail(m) = (C(1, 2) + txy) * gx + (C(1, 1) + tyy) * gy;
+    }
+    blocks.noalias() = slopes * response.transpose();
+    return blocks;
+  }
+
+private:
+  /// Derivatives along x and y of the independent nodes' functions, two columns per point.
+  void find_slopes(const Body<2> &body,
+                   const unsigned int first,
+                   const unsigned int n_points,
+                   const Eigen::MatrixXd &extension)
+  {
+    const unsigned int n = body.field.nodes_per_cell();
+    Eigen::MatrixXd &own = extension.size() == 0 ? slopes : nodal;
+    own.resize(n, 2 * n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      current_slopes(body, first + q, of_point);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          own(k, 2 * q + d) = of_point[k][d];
+    }
+    if (extension.size() > 0)
+      slopes.noalias() = extension.transpose() * nodal;
+  }
+
+  std::vector<dealii::Tensor<1, 2>> of_point;
+  Eigen::MatrixXd nodal, slopes, response, blocks;
+};
+
+/// Adds the cells by PlaneCell.
+void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix &matrix)
+{
+  const auto make_work = [&]
+  {
+    return [&, plane = PlaneCell()](const unsigned int c) mutable
+    {
+      const Eigen::MatrixXd &blocks = plane.stiffness(body, c);
+      const Eigen::Index m = blocks.rows();
+      matrix.add_cell<2>(
+          c,
+          [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
+          // What is left of the diagonal of a block y x stands right of it in the block x y.
+          { return e >= d ? (e == d ? blocks(a, 2 * d * m + b) : blocks(b, m + a)) : blocks(a, m + b); },
+          factor);
+    };
+  };
+  for_cells(body, make_work);
+}
+
+/// Adds the cells by cell_stiffness().
+template <int dim>
+void add_general_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
+{
+  const auto add = [&](const unsigned int cell, const Eigen::MatrixXd &of_cell)
+  {
+    matrix.add_cell<dim>(
+        cell,
+        [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
+        { return of_cell(dim * a + e, dim * b + d); },
+        factor);
+  };
+  const auto make_work = [&]
+  {
+    return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
+    {
+      cell_stiffness(body, c, local);
+      const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+      if (extension.size() == 0)
+      {
+        add(c, local);
+        return;
+      }
+      // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
+      const unsigned int m = extension.cols(), n = extension.rows();
+      Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int b = 0; b < m; ++b)
+          for (unsigned int d = 0; d < dim; ++d)
+            wide(dim * a + d, dim * b + d) = extension(a, b);
+      reduced.noalias() = wide.transpose() * (local * wide);
+      add(c, reduced);
+    };
+  };
+  for_cells(body, make_work);
+}
+} // namespace
+
+template <int dim>
+void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix)
+{
+  std::vector<std::vector<unsigned int>> nodes(field.n_cells());
+  for (const auto &color : field.colors())
+    for (const unsigned int cell : color)
+      nodes[cell] = field.cell_independent(cell);
+  matrix.reinit(dim, field.n_independent(), nodes);
+}
+
+template <int dim>
+void add_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
+{
+  if constexpr (dim == 2)
+    if (!body.f_bar)
+      return add_plane_stiffness(body, factor, matrix);
+  add_general_stiffness(body, factor, matrix);
+}
+
+template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &);
+template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &);
+template void add_stiffness<2>(const Body<2> &, double, SystemMatrix &);
+template void add_stiffness<3>(const Body<3> &, double, SystemMatrix &);
+} // namespace softgrain::mpm

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/field/cell_slopes.h>
+#include <softgrain/mpm/field/lattice_box.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr std::size_t cell_grain = 32;
+
+template <int dim>
+dealii::Tensor<2, dim> identity()
+{
+  dealii::Tensor<2, dim> one;
+  for (unsigned int d = 0; d < dim; ++d)
+    one[d][d] = 1.;
+  return one;
+}
+
+/// Gradients of two nodal vectors at the points of one cell: both at once, four numbers side by side in the
+/// plane.
+template <int dim>
+class CellGradients
+{
+public:
+  /// @param second may be null
+  CellGradients(const BodyField<dim> &field,
+                const unsigned int cell,
+                const Eigen::VectorXd &first,
+                const Eigen::VectorXd *second)
+      : field(field)
+  {
+    const unsigned int n = field.nodes_per_cell(), *nodes = field.nodes_of_cell(cell);
+    nodal.resize(2 * dim, n);
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      nodal.col(k).template head<dim>() = first.template segment<dim>(dim * nodes[k]);
+      if (second == nullptr)
+        nodal.col(k).template tail<dim>().setZero();
+      else
+        nodal.col(k).template tail<dim>() = second->template segment<dim>(dim * nodes[k]);
+    }
+  }
+
+  /// Gradients of the first and of the second at point @p p.
+  std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> operator()(const unsigned int p) const
+  {
+    static_assert(sizeof(dealii::Tensor<1, dim>) == dim * sizeof(double));
+    const Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>> slopes(field.slopes(p)->begin_raw(),
+                                                                              dim, nodal.cols());
+    const Eigen::Matrix<double, 2 * dim, dim> both = nodal.lazyProduct(slopes.transpose());
+    std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = 0; e < dim; ++e)
+      {
+        result.first[d][e] = both(d, e);
+        result.second[d][e] = both(dim + d, e);
+      }
+    return result;
+  }
+
+private:
+  const BodyField<dim> &field;
+  /// Rows up to dim: the first vector.
+  Eigen::Matrix<double, 2 * dim, Eigen::Dynamic, 0, 2 * dim, power(ShapeFunction::max_nodes, dim)> nodal;
+};
+
+/// What to compute besides the stress.
+struct Wishes
+{
+  Trial trial;
+  bool measures = false; ///< energy and out-of-plane stress
+};
+
+/// Sizes a step state for the body's points; cheap when nothing changed.
+template <int dim>
+void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
+{
+  const std::size_t n = body.points.size();
+  s.grid_gradient.resize(n);
+  s.gradient.resize(n);
+  s.volume.resize(n);
+  s.stress.resize(n);
+  if (body.small_strain() || body.law->n_history() > 0 || wishes.trial.max_strain > 0.)
+    s.increment.resize(n);
+  if (wishes.trial.tangent)
+    s.tangent.resize(n);
+  if (wishes.measures)
+  {
+    s.energy.resize(n);
+    s.out_of_plane_stress.resize(n);
+  }
+  if (body.law->n_history() > 0)
+  {
+    s.dissipation.resize(n);
+    s.history_old.resize(n * body.law->n_history());
+    s.history.resize(n * body.law->n_history());
+  }
+}
+
+/// F = (I + grad U) F_grid at the points of one cell, and what the law needs beside it.
+template <int dim>
+void deform_cell(const Body<dim> &body,
+                 const unsigned int cell,
+                 const double half_dt,
+                 const Eigen::VectorXd &nodal_velocity,
+                 StepState<dim> &s)
+{
+  const bool small = body.small_strain();
+  const unsigned int n_history = body.law->n_history();
+  const CellGradients<dim> gradients(body.field, cell, s.nodal,
+                                     s.increment.empty() ? nullptr : &s.nodal_increment);
+  std::optional<CellGradients<dim>> rates;
+  if (small && half_dt > 0.)
+    rates.emplace(body.field, cell, nodal_velocity, nullptr);
+  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  {
+    const auto [gradient, increment] = gradients(p);
+    s.grid_gradient[p] = identity<dim>() + gradient;
+    const auto point = body.points[p];
+    s.gradient[p] = s.grid_gradient[p] * point.gradient();
+    s.volume[p] = small ? point.volume() : point.rest_volume();
+    if (n_history > 0)
+      std::copy_n(point.history(), n_history, &s.history_old[p * n_history]);
+    if (s.increment.empty())
+      continue;
+    if (small)
+    {
+      s.increment[p] = increment;
+      if (rates)
+      {
+        // (3.17): trapezoidal rule for the conservation of mass.
+        const double old_part = 1. + half_dt * trace((*rates)(p).first);
+        s.volume[p] *= old_part / (old_part - trace(increment));
+      }
+    }
+    else
+    {
+      // From the start of the step: (I + grad U)(I + grad U_old)^-1 - I.
+      s.increment[p] = s.grid_gradient[p] * invert(s.grid_gradient[p] - increment) - identity<dim>();
+    }
+  }
+}
+
+/// Replaces the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza Neto et al.
+/// 1996).
+template <int dim>
+void average_dilatation(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
+{
+  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  double sum = 0., weight = 0.;
+  for (unsigned int p = begin; p < end; ++p)
+  {
+    sum += s.volume[p] * (body.small_strain() ? trace(s.increment[p]) : determinant(s.gradient[p]));
+    weight += s.volume[p];
+  }
+  const double mean = sum / weight;
+  for (unsigned int p = begin; p < end; ++p)
+    if (body.small_strain())
+      s.increment[p] += (mean - trace(s.increment[p])) / dim * identity<dim>();
+    else if (determinant(s.gradient[p]) > 0. && mean > 0.)
+      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), 1. / dim);
+}
+
+/// Whether the strain of any of these points over the step, f^T f - I with the deformation f over the step,
+/// is above twice @p limit; @return the first such point or @p end.
+template <int dim>
+std::size_t leaps(const StepState<dim> &s, const std::size_t begin, const std::size_t end, const double limit)
+{
+  for (std::size_t p = begin; p < end; ++p)
+  {
+    const dealii::Tensor<2, dim> f = identity<dim>() + s.increment[p];
+    if (!((transpose(f) * f - identity<dim>()).norm_square() <= 4. * limit * limit))
+      return p;
+  }
+  return end;
+}
+
+template <int dim>
+StressOutcome evaluate(const Body<dim> &body,
+                       const Eigen::VectorXd &displacement,
+                       const Eigen::VectorXd &increment,
+                       const Wishes &wishes,
+                       StepState<dim> &s)
+{
+  const double half_dt = wishes.trial.half_dt;
+  resize(body, wishes, s);
+  body.field.prolongate(displacement, s.nodal);
+  Eigen::VectorXd nodal_velocity;
+  if (!s.increment.empty())
+    body.field.prolongate(increment, s.nodal_increment);
+  if (half_dt > 0. && body.small_strain())
+    body.field.prolongate(body.velocity, nodal_velocity);
+
+  const unsigned int n_history = body.law->n_history();
+  std::atomic<std::size_t> bad{StressOutcome::none};
+  const auto work = [&](const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      deform_cell(body, c, half_dt, nodal_velocity, s);
+      if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+        average_dilatation(body, c, s);
+    }
+    const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
+    if (n == 0)
+      return;
+    constitutive::Inputs<dim> in;
+    in.n_points = n;
+    in.deformation_gradient = &s.gradient[first];
+    in.increment = s.increment.empty() ? nullptr : &s.increment[first];
+    constitutive::Outputs<dim> out;
+    out.stress = &s.stress[first];
+    if (wishes.trial.tangent)
+      out.tangent = &s.tangent[first];
+    if (wishes.measures)
+    {
+      out.energy = &s.energy[first];
+      out.out_of_plane_stress = &s.out_of_plane_stress[first];
+    }
+    if (n_history > 0)
+    {
+      in.history_old = &s.history_old[first * n_history];
+      out.history_new = &s.history[first * n_history];
+      out.dissipation = &s.dissipation[first];
+    }
+    std::size_t good = body.law->update(in, out);
+    if (good == n && wishes.trial.max_strain > 0.)
+      good = leaps(s, first, first + n, wishes.trial.max_strain) - first;
+    if (good < n)
+    {
+      // The smallest index, so that the message does not depend on the number of threads.
+      std::size_t expected = bad.load();
+      while (first + good < expected && !bad.compare_exchange_weak(expected, first + good))
+        ;
+    }
+  };
+  parallel_for(body.field.n_cells(), cell_grain, work);
+  StressOutcome outcome;
+  outcome.bad_point = bad.load();
+  outcome.leaps = !outcome.good() && determinant(s.gradient[outcome.bad_point]) > 0.;
+  return outcome;
+}
+} // namespace
+
+template <int dim>
+StressOutcome evaluate_stress(Body<dim> &body,
+                              const Eigen::VectorXd &displacement,
+                              const Eigen::VectorXd &increment,
+                              const Trial &trial)
+{
+  return evaluate(body, displacement, increment, {trial, false}, body.step);
+}
+
+template <int dim>
+PointMeasures
+measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment)
+{
+  StepState<dim> s;
+  PointMeasures measures;
+  evaluate(body, displacement, increment, {Trial(), true}, s);
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    measures.energy += s.energy[p] * s.volume[p];
+  measures.out_of_plane_stress = std::move(s.out_of_plane_stress);
+  return measures;
+}
+
+template <int dim>
+void internal_force(Body<dim> &body, Eigen::VectorXd &force)
+{
+  StepState<dim> &s = body.step;
+  const unsigned int n = body.field.nodes_per_cell();
+  s.of_cells.assign(body.field.n_cells() * n * dim, 0.);
+  parallel_for(body.field.n_cells(), cell_grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 std::vector<dealii::Tensor<1, dim>> mean;
+                 for (std::size_t c = begin; c < end; ++c)
+                 {
+                   double *f = &s.of_cells[c * n * dim];
+                   double pressure = 0.;
+                   for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
+                   {
+                     auto stress = s.stress[p];
+                     if (body.f_bar)
+                     {
+                       const double mean_stress = trace(stress) / dim;
+                       pressure += s.volume[p] * mean_stress;
+                       for (unsigned int d = 0; d < dim; ++d)
+                         stress[d][d] -= mean_stress;
+                     }
+                     // -V tau G^-T, so that every node costs one product with its slope.
+                     dealii::Tensor<2, dim> q = -s.volume[p] * dealii::Tensor<2, dim>(stress);
+                     if (!body.small_strain())
+                       q = q * transpose(invert(s.grid_gradient[p]));
+                     const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] += q[d] * slope[k];
+                   }
+                   if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+                   {
+                     mean_slopes(body, c, mean);
+                     for (unsigned int k = 0; k < n; ++k)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         f[dim * k + d] -= pressure * mean[k][d];
+                   }
+                 }
+               });
+  body.field.gather(s.of_cells, s.nodal_increment);
+  body.field.restrict(s.nodal_increment, force);
+}
+
+#define INSTANTIATE(dim)                                                                                     \
+  template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
+                                              const Trial &);                                                \
+  template PointMeasures measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                     \
+                                             const Eigen::VectorXd &);                                       \
+  template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+} // namespace softgrain::mpm

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/parameters/parameter_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+namespace softgrain
+{
+dealii::Tensor<1, 2> pair_of_numbers(const std::string &text)
+{
+  const std::vector<double> numbers =
+      dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(text, ","));
+  dealii::Tensor<1, 2> pair;
+  for (unsigned int d = 0; d < 2; ++d)
+    pair[d] = numbers.at(d);
+  return pair;
+}
+
+std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text)
+{
+  std::vector<dealii::Tensor<1, 2>> pairs;
+  for (const std::string &part : dealii::Utilities::split_string_list(text, ";"))
+    pairs.push_back(pair_of_numbers(part));
+  return pairs;
+}
+
+double relaxation_of_plain_sweeps(const dealii::ParameterHandler &prm)
+{
+  const double relaxation = prm.get_double("Relaxation");
+  if (relaxation != 1. && prm.get("Algorithm") != "gauss_seidel")
+    throw InputError(
+        "'Contact/Relaxation' = '" + prm.get("Relaxation") +
+        "' is for plain sweeps only: leave it at 1, or set 'Contact/Algorithm' = 'gauss_seidel'");
+  return relaxation;
+}
+} // namespace softgrain

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/scene/model_factory.h>
-
-SOFTGRAIN_DEFINE_REGISTRY(softgrain::ModelFactory)
