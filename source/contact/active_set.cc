@@ -5,6 +5,7 @@
 #include <softgrain/contact/diagonal_delassus.h>
 #include <softgrain/contact/frictional_newton.h>
 #include <softgrain/contact/frictionless_newton.h>
+#include <softgrain/contact/interior_point.h>
 #include <softgrain/contact/mass_delassus.h>
 #include <softgrain/contact/residual.h>
 
@@ -47,9 +48,9 @@ std::vector<double> without_friction(const Matrix &W,
 }
 
 /**
- * From the solution without friction, which is always found, to the full friction coefficients, as fast as
- * Newton follows. Where rigid modes dominate, Newton from a few sweeps has no chance: its first active set is
- * far from balance.
+ * In space: from the solution without friction, which is always found, to the full friction coefficients, as
+ * fast as Newton follows. Where rigid modes dominate, Newton from a few sweeps has no chance: its first
+ * active set is far from balance.
  */
 double friction_continuation(const Matrix &W,
                              const Problem &problem,
@@ -58,7 +59,6 @@ double friction_continuation(const Matrix &W,
                              std::vector<double> &impulses,
                              SolverReport &report)
 {
-  const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
   SolverReport own; // its iterations are counted apart, so that the attempt before has not used up the limit
   SolverSettings brief = settings;
   brief.max_newton_iterations = 25; // a step in friction that needs more is too long
@@ -72,7 +72,7 @@ double friction_continuation(const Matrix &W,
       eased.friction[i] = target * problem.friction[i];
     std::vector<double> trial = impulses;
     SolverReport attempt;
-    residual = newton(W, eased, compliance, brief, trial, attempt);
+    residual = frictional_newton<3>(W, eased, compliance, brief, false, trial, attempt);
     own.newton_iterations += attempt.newton_iterations;
     own.regularised += attempt.regularised;
     // on the way a rough solution is enough
@@ -113,8 +113,12 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
   if (problem.n_components == 1)
     return FrictionlessNewton(W, problem, compliance, settings).solve(impulses, report);
   const auto newton = problem.n_components == 2 ? frictional_newton<2> : frictional_newton<3>;
-  return newton(W, problem, compliance, settings, impulses, report);
+  return newton(W, problem, compliance, settings, true, impulses, report);
 }
+
+/// Sweeps between two rounds of Newton, doubled when a round did not help, after which Algorithm::active_set
+/// gives up: where Newton fails so often, more sweeps do not help.
+constexpr unsigned int most_between_rounds = 200;
 
 template <class Operator>
 SolverReport solve(Operator &op,
@@ -123,13 +127,16 @@ SolverReport solve(Operator &op,
                    std::vector<double> &impulses,
                    std::vector<double> &velocities)
 {
-  // Sweeps first in any case: they cost little, find most of the active set and check the input.
+  // Sweeps cost little and find most of the active set.
   SolverSettings sweeping = settings;
   const bool newton_allowed = settings.algorithm == Algorithm::active_set ||
                               (settings.algorithm == Algorithm::automatic &&
                                problem.free_velocity.size() <= settings.max_newton_components);
+  // Impulses to start from name the active set, and Newton needs no more.
+  const bool warm = settings.algorithm == Algorithm::active_set &&
+                    std::any_of(impulses.begin(), impulses.end(), [](const double P) { return P > 0.; });
   if (settings.algorithm == Algorithm::active_set)
-    sweeping.max_sweeps = std::min(settings.max_sweeps, 10u);
+    sweeping.max_sweeps = warm ? 0 : std::min(settings.max_sweeps, 10u);
   else if (newton_allowed)
     sweeping.max_sweeps = std::min(settings.max_sweeps, settings.sweeps_before_newton);
   SolverReport report = gauss_seidel(op, problem, sweeping, impulses, velocities);
@@ -141,8 +148,8 @@ SolverReport solve(Operator &op,
   const double speed = approach_speed(problem, compliance);
   std::vector<double> best = impulses, trial;
   double lowest = report.residual;
-  unsigned int chunk = 50;
-  bool continued = false;
+  unsigned int chunk = warm ? 10 : 50;
+  bool from_nothing = false;
 
   const auto evaluate = [&]
   {
@@ -164,14 +171,15 @@ SolverReport solve(Operator &op,
   for (;;)
   {
     SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
-    trial = impulses;
     const double before = report.residual;
+    trial = impulses;
     double after = newton_active_set(W, problem, compliance, settings, trial, newton);
-    if (after > settings.tolerance && problem.n_components > 1 && !continued)
+    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !from_nothing)
     {
-      continued = true; // it starts from nothing, so a second time would end the same
-      std::vector<double> other;
-      const double residual = friction_continuation(W, problem, compliance, settings, other, newton);
+      from_nothing = true; // a second time would end the same
+      std::vector<double> other = impulses;
+      const auto method = problem.n_components == 2 ? interior_point : friction_continuation;
+      const double residual = method(W, problem, compliance, settings, other, newton);
       if (residual < after)
       {
         after = residual;
@@ -187,7 +195,9 @@ SolverReport solve(Operator &op,
       evaluate();
       remember();
     }
-    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps)
+    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps ||
+        (settings.algorithm == Algorithm::active_set &&
+         (chunk > most_between_rounds || report.residual <= settings.passable)))
       break;
     if (!(after < 0.1 * before))
       chunk *= 2;

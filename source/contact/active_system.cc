@@ -2,9 +2,7 @@
 #include <softgrain/contact/active_system.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +13,7 @@ namespace softgrain::contact
 ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries)
     // below some hundred unknowns, or with many entries, the dense factorisation is faster than the ordering
     // of a sparse one
-    : dense(size <= 200 || n_entries > 0.1 * size * size), size(size)
+    : dense(size <= 200 || n_entries > 0.3 * size * size), size(size)
 {
   if (dense)
     matrix = Eigen::MatrixXd::Zero(size, size);
@@ -46,26 +44,32 @@ bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen
 
 bool ActiveSystem::solve_general(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution)
 {
+  if (!factorise_general())
+    return false;
+  solution = solve_with_factors(right_hand_side);
+  return solution.allFinite();
+}
+
+bool ActiveSystem::factorise_general()
+{
   if (dense)
   {
-    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factor(matrix);
+    dense_factors = std::make_unique<DenseFactors>(matrix);
     // PartialPivLU does not look for zero pivots itself
-    if (!(factor.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.))
-      return false;
-    solution = factor.solve(right_hand_side);
+    return dense_factors->matrixLU().diagonal().cwiseAbs().minCoeff() > 0.;
   }
-  else
-  {
-    Eigen::SparseMatrix<double> A(size, size);
-    A.setFromTriplets(entries.begin(), entries.end());
-    A.makeCompressed();
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
-    factor.compute(A);
-    if (factor.info() != Eigen::Success)
-      return false;
-    solution = factor.solve(right_hand_side);
-  }
-  return solution.allFinite();
+  Eigen::SparseMatrix<double> A(size, size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  A.makeCompressed();
+  sparse_factors = std::make_unique<SparseFactors>();
+  sparse_factors->compute(A);
+  return sparse_factors->info() == Eigen::Success;
+}
+
+Eigen::VectorXd ActiveSystem::solve_with_factors(const Eigen::VectorXd &right_hand_side) const
+{
+  return dense ? Eigen::VectorXd(dense_factors->solve(right_hand_side))
+               : Eigen::VectorXd(sparse_factors->solve(right_hand_side));
 }
 
 double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, const double speed)

@@ -63,17 +63,38 @@ std::vector<Contact<n>> classify(const Problem &problem,
   return contacts;
 }
 
+/// Open where the impulse is none, slips where it lies on the cone.
+template <unsigned int n>
+std::vector<Contact<n>>
+classify_by_impulses(const Problem &problem, const std::vector<double> &compliance, const Eigen::VectorXd &P)
+{
+  std::vector<Contact<n>> contacts(problem.n_contacts());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+  {
+    contacts[i].closed = compliance[i] > 0. && P[i * n] > 0.;
+    const double length = P.segment<n - 1>(i * n + 1).norm();
+    contacts[i].slips = contacts[i].closed && length >= (1. - 1e-6) * problem.friction_of(i) * P[i * n];
+    if (!contacts[i].slips)
+      continue;
+    for (unsigned int c = 1; c < n; ++c)
+      contacts[i].m[c - 1] = length > 0. ? P[i * n + c] / length : 0.;
+    contacts[i].k = 1.;
+    contacts[i].turn = 1. / compliance[i];
+  }
+  return contacts;
+}
+
 /// The Newton step; false when its system is singular.
 template <unsigned int n>
 bool newton_step(const Matrix &W,
                  const Problem &problem,
                  const std::vector<double> &compliance,
+                 const std::vector<Contact<n>> &contacts,
                  const double epsilon,
                  const Eigen::VectorXd &P,
                  const Eigen::VectorXd &w,
                  Eigen::VectorXd &step)
 {
-  const std::vector<Contact<n>> contacts = classify<n>(problem, compliance, P, w);
   std::vector<int> local(P.size(), -1);
   unsigned int size = 0;
   std::size_t n_entries = 0;
@@ -149,6 +170,7 @@ double frictional_newton(const Matrix &W,
                          const Problem &problem,
                          const std::vector<double> &compliance,
                          const SolverSettings &settings,
+                         const bool trust_impulses,
                          std::vector<double> &impulses,
                          SolverReport &report)
 {
@@ -160,11 +182,14 @@ double frictional_newton(const Matrix &W,
   double here = residual(P, w), best = here, epsilon = 1e-10;
   const double speed = approach_speed(problem, compliance);
   unsigned int uphill = 0;
+  bool trusting = trust_impulses;
   while (best > settings.tolerance && report.newton_iterations < settings.max_newton_iterations)
   {
     stop_if_interrupted();
     ++report.newton_iterations;
-    if (!newton_step<n>(W, problem, compliance, epsilon, P, w, step))
+    const std::vector<Contact<n>> contacts =
+        trusting ? classify_by_impulses<n>(problem, compliance, P) : classify<n>(problem, compliance, P, w);
+    if (!newton_step<n>(W, problem, compliance, contacts, epsilon, P, w, step))
     {
       ++report.regularised;
       epsilon *= 100.;
@@ -173,8 +198,11 @@ double frictional_newton(const Matrix &W,
       continue;
     }
     const Eigen::VectorXd W_step = W * step;
+    // The step that brings what is trusted into balance is taken whole: halfway the imbalance rules.
+    const unsigned int trials = trusting ? 1 : 6;
+    trusting = false;
     double factor = 1., chosen = 1., lowest = std::numeric_limits<double>::infinity();
-    for (unsigned int trial = 0; trial < 6; ++trial, factor *= 0.5)
+    for (unsigned int trial = 0; trial < trials; ++trial, factor *= 0.5)
     {
       const double value = residual(P + factor * step, w + factor * W_step);
       if (value < lowest)
@@ -211,12 +239,14 @@ template double frictional_newton<2>(const Matrix &,
                                      const Problem &,
                                      const std::vector<double> &,
                                      const SolverSettings &,
+                                     bool,
                                      std::vector<double> &,
                                      SolverReport &);
 template double frictional_newton<3>(const Matrix &,
                                      const Problem &,
                                      const std::vector<double> &,
                                      const SolverSettings &,
+                                     bool,
                                      std::vector<double> &,
                                      SolverReport &);
 } // namespace softgrain::contact

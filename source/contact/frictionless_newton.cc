@@ -67,11 +67,12 @@ bool FrictionlessNewton::pivot(const double epsilon, Eigen::VectorXd &P, SolverR
   const unsigned int n = q.size();
   const Eigen::VectorXd center = P;
   const Eigen::VectorXd q_prox = q - epsilon * diagonal.cwiseProduct(center);
-  const Eigen::VectorXd start = W * P + q;
   const double zero = 0.01 * settings.tolerance * speed;
+  // Velocities say nothing of the active set where bodies are out of balance: see frictional_newton().
   std::vector<char> closed(n);
+  const bool warm = P.maxCoeff() > 0.;
   for (unsigned int i = 0; i < n; ++i)
-    closed[i] = compliance[i] > 0. && compliance[i] * P[i] - start[i] > 0.;
+    closed[i] = compliance[i] > 0. && (warm ? P[i] > 0. : q[i] < 0.);
 
   Eigen::VectorXd x, solution;
   std::vector<unsigned int> active;

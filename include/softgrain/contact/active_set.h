@@ -21,8 +21,8 @@ const std::map<std::string, Algorithm> &algorithms();
  * 1994, with the safeguard of Kim and Park 2011) on proximal subproblems W + ε D, D = diag(W), centred at the
  * last iterate, so that redundant rows are harmless; if pivoting does not end, by descent steps on the face
  * that lower the objective monotonically. Friction: semismooth Newton on the equations of Alart and Curnier
- * (1991), with line search on the natural map. @p impulses is replaced only by something with a smaller
- * residual.
+ * (1991), with line search on the natural map, from the active set that @p impulses show. @p impulses is
+ * replaced only by something with a smaller residual.
  *
  * @param W the Delassus matrix as the operators' assemble() gives it
  * @param problem q and mu
@@ -44,9 +44,10 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
  *
  * Bodies held by nothing but contacts have a compliance W = W_elastic + c 1 1ᵀ with c much larger than
  * W_elastic, and sweeps need thousands of rounds to find its balance; Newton needs a few systems of the size
- * of the active contacts. Where Newton fails with friction, it starts once more from the solution without
- * friction, which is always found, and the friction coefficients are raised to their values as fast as it
- * follows. Parameters, exceptions and result as gauss_seidel().
+ * of the active contacts. Where Newton fails with friction, it starts once more from interior_point() in the
+ * plane; in space from the solution without friction, which is always found, and the friction coefficients
+ * are raised to their values as fast as it follows. Algorithm::active_set makes no sweeps where there are
+ * impulses to start from. Parameters, exceptions and result as gauss_seidel().
  */
 template <class Operator>
 SolverReport solve(Operator &op,

@@ -3,8 +3,11 @@
 #define softgrain_contact_active_system_h
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 
+#include <memory>
 #include <vector>
 
 namespace softgrain::contact
@@ -39,11 +42,20 @@ public:
   /// Solves by LU with pivoting. False when the matrix is singular, or the result is not finite.
   bool solve_general(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution);
 
+  /// LU factors with pivoting, for any number of solve_with_factors(). False when the matrix is singular.
+  bool factorise_general();
+  Eigen::VectorXd solve_with_factors(const Eigen::VectorXd &right_hand_side) const;
+
 private:
+  using DenseFactors = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>;
+  using SparseFactors = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
+
   bool dense;
   unsigned int size;
   Eigen::MatrixXd matrix;
   std::vector<Eigen::Triplet<double>> entries;
+  std::unique_ptr<DenseFactors> dense_factors;
+  std::unique_ptr<SparseFactors> sparse_factors;
 };
 
 /**

@@ -21,13 +21,18 @@ namespace softgrain::contact
  * exact. Steps are shortened until the natural map falls; it converges near the solution only, so the caller
  * keeps sweeps at hand.
  *
- * Arguments and result as newton_active_set().
+ * Bodies held by contacts alone answer an imbalance of the impulses to start from with velocities far above
+ * those of the problem, and the classification above is then chance. With @p trust_impulses the first step
+ * takes it from the impulses: open where there is none, slipping where they lie on the cone.
+ *
+ * Other arguments and result as newton_active_set().
  */
 template <unsigned int n>
 double frictional_newton(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
                          const Problem &problem,
                          const std::vector<double> &compliance,
                          const SolverSettings &settings,
+                         bool trust_impulses,
                          std::vector<double> &impulses,
                          SolverReport &report);
 } // namespace softgrain::contact

@@ -45,6 +45,10 @@ struct SolverSettings
   /// Newton iterations at most in one call of solve().
   unsigned int max_newton_iterations = 100;
 
+  /// A residual above the tolerance with which the caller can go on: where Algorithm::active_set comes down
+  /// to it, it tries nothing dearer.
+  double passable = 0.;
+
   /// @throw InputError when a value is out of range.
   void check() const;
 };

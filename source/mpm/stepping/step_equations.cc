@@ -213,10 +213,13 @@ std::string StepEquations::factorise()
             SystemMatrix &matrix = world.matrices[body.index];
             const double factor = scheme.theta * scheme.theta * dt * dt;
             matrix.set_zero();
-            add_stiffness(body, factor, matrix);
+            // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
+            const bool pressure_follows = attempt > 0;
+            add_stiffness(body, factor, matrix, pressure_follows);
             matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
-            world.solvers[body.index]->set_update(rotation[body.index], factor * rotation_stiffness(body) +
-                                                                            rotation_weight[body.index]);
+            world.solvers[body.index]->set_update(
+                rotation[body.index], (pressure_follows ? 0.2 : 1.) * factor * rotation_stiffness(body) +
+                                          rotation_weight[body.index]);
           });
     }
     dealii::TimerOutput::Scope section(*world.timer, "factorisation");
@@ -227,14 +230,16 @@ std::string StepEquations::factorise()
           if (pending[b])
             pending[b] = !world.solvers[b]->factorize(world.matrices[b]);
           if (pending[b])
-            extra[b] = std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
+            if (attempt > 0)
+              extra[b] =
+                  std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
         });
     bool done = true;
     for (const Body<2> &body : world.bodies)
       if (moves(body.index) && pending[body.index])
       {
         done = false;
-        if (attempt == 6)
+        if (attempt == 7)
           return "the stiffness of body '" + body.name +
                  "' is not positive definite: it buckles or the step is too long ('Time/Time step')";
       }

@@ -62,6 +62,20 @@ void add_dilatation_terms(const Body<dim> &body,
           add(i, d, j, e, -pressure_sum * mean[i][d] * mean[j][e]);
 }
 
+/// ∫ p (div a div b - grad a : gradᵀ b) of one point for @p pressure times its volume.
+template <int dim>
+void add_following_pressure(const double pressure,
+                            const std::vector<dealii::Tensor<1, dim>> &slopes,
+                            Eigen::MatrixXd &local)
+{
+  for (unsigned int i = 0; i < slopes.size(); ++i)
+    for (unsigned int j = 0; j < slopes.size(); ++j)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          local(dim * i + d, dim * j + e) +=
+              pressure * (slopes[i][d] * slopes[j][e] - slopes[i][e] * slopes[j][d]);
+}
+
 /// Calls make_work() once on every thread that takes a piece, and what it returns for the cells of the piece;
 /// cells at the same time share no node.
 template <int dim, class MakeWork>
@@ -79,7 +93,10 @@ void for_cells(const Body<dim> &body, const MakeWork &make_work)
 
 /// Stiffness of one cell over its own nodes.
 template <int dim>
-void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::MatrixXd &local)
+void cell_stiffness(const Body<dim> &body,
+                    const unsigned int cell,
+                    const bool pressure_follows,
+                    Eigen::MatrixXd &local)
 {
   constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = body.field.nodes_per_cell();
@@ -122,6 +139,8 @@ void cell_stiffness(const Body<dim> &body, const unsigned int cell, Eigen::Matri
             local(dim * i + d, dim * j + d) += g;
         }
       }
+    if (pressure_follows && !body.small_strain())
+      add_following_pressure(-v * trace(tau) / dim, slopes, local);
   }
   if (body.f_bar && !body.small_strain())
     add_dilatation_terms(body, cell, mean, total, local);
@@ -133,7 +152,7 @@ class PlaneCell
 {
 public:
   /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
-  const Eigen::MatrixXd &stiffness(const Body<2> &body, const unsigned int cell)
+  const Eigen::MatrixXd &stiffness(const Body<2> &body, const unsigned int cell, const bool pressure_follows)
   {
     const unsigned int first = body.field.first_point(cell);
     const unsigned int n_points = body.field.first_point(cell + 1) - first;
@@ -154,8 +173,9 @@ public:
       auto with_gx = response.col(2 * q), with_gy = response.col(2 * q + 1);
       with_gx.head(m) = (C(0, 0) + txx) * gx + (C(0, 2) + txy) * gy;
       with_gy.head(m) = (C(2, 0) + txy) * gx + (C(2, 2) + tyy) * gy;
-      with_gx.segment(m, m) = C(0, 2) * gx + C(0, 1) * gy;
-      with_gy.segment(m, m) = C(2, 2) * gx + C(2, 1) * gy;
+      const double p = pressure_follows ? -0.5 * (txx + tyy) : 0.;
+      with_gx.segment(m, m) = C(0, 2) * gx + (C(0, 1) + p) * gy;
+      with_gy.segment(m, m) = (C(2, 2) - p) * gx + C(2, 1) * gy;
       with_gx.tail(m) = (C(2, 2) + txx) * gx + (C(2, 1) + txy) * gy;
       with_gy.tail(m) = (C(1, 2) + txy) * gx + (C(1, 1) + tyy) * gy;
     }
@@ -189,13 +209,16 @@ private:
 };
 
 /// Adds the cells by PlaneCell.
-void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix &matrix)
+void add_plane_stiffness(const Body<2> &body,
+                         const double factor,
+                         const bool pressure_follows,
+                         SystemMatrix &matrix)
 {
   const auto make_work = [&]
   {
     return [&, plane = PlaneCell()](const unsigned int c) mutable
     {
-      const Eigen::MatrixXd &blocks = plane.stiffness(body, c);
+      const Eigen::MatrixXd &blocks = plane.stiffness(body, c, pressure_follows);
       const Eigen::Index m = blocks.rows();
       matrix.add_cell<2>(
           c,
@@ -210,7 +233,10 @@ void add_plane_stiffness(const Body<2> &body, const double factor, SystemMatrix 
 
 /// Adds the cells by cell_stiffness().
 template <int dim>
-void add_general_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
+void add_general_stiffness(const Body<dim> &body,
+                           const double factor,
+                           const bool pressure_follows,
+                           SystemMatrix &matrix)
 {
   const auto add = [&](const unsigned int cell, const Eigen::MatrixXd &of_cell)
   {
@@ -224,7 +250,7 @@ void add_general_stiffness(const Body<dim> &body, const double factor, SystemMat
   {
     return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
     {
-      cell_stiffness(body, c, local);
+      cell_stiffness(body, c, pressure_follows, local);
       const Eigen::MatrixXd &extension = body.field.cell_extension(c);
       if (extension.size() == 0)
       {
@@ -257,16 +283,19 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix)
 }
 
 template <int dim>
-void add_stiffness(const Body<dim> &body, const double factor, SystemMatrix &matrix)
+void add_stiffness(const Body<dim> &body,
+                   const double factor,
+                   SystemMatrix &matrix,
+                   const bool pressure_follows)
 {
   if constexpr (dim == 2)
     if (!body.f_bar)
-      return add_plane_stiffness(body, factor, matrix);
-  add_general_stiffness(body, factor, matrix);
+      return add_plane_stiffness(body, factor, pressure_follows, matrix);
+  add_general_stiffness(body, factor, pressure_follows, matrix);
 }
 
 template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &);
 template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &);
-template void add_stiffness<2>(const Body<2> &, double, SystemMatrix &);
-template void add_stiffness<3>(const Body<3> &, double, SystemMatrix &);
+template void add_stiffness<2>(const Body<2> &, double, SystemMatrix &, bool);
+template void add_stiffness<3>(const Body<3> &, double, SystemMatrix &, bool);
 } // namespace softgrain::mpm
