@@ -193,7 +193,9 @@ void declare_contact(dealii::ParameterHandler &prm)
         prm.declare_entry(
             "Algorithm", "automatic", Selection("automatic|accelerated|gauss_seidel|active_set"),
             "gauss_seidel: plain sweeps; accelerated: sweeps with momentum and restart; active_set: Newton "
-            "on the active set; automatic: accelerated, and Newton when the sweeps do not converge.");
+            "on the active set; automatic: active_set with quasi_static, otherwise accelerated, and Newton "
+            "when "
+            "the sweeps do not converge.");
         prm.declare_entry("Keep failed problems in", "", dealii::Patterns::Anything(),
                           "Folder in which contact problems that do not converge are kept, to be solved "
                           "again for study; empty: none are kept.");
@@ -293,6 +295,9 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         contact_solver.max_sweeps = prm.get_integer("Maximum sweeps");
         contact_solver.relaxation = relaxation_of_plain_sweeps(prm);
         contact_solver.algorithm = contact::algorithms().at(prm.get("Algorithm"));
+        // Without inertia bodies answer an imbalance without bound, and sweeps find no balance.
+        if (contact_solver.algorithm == contact::Algorithm::automatic && !scheme.inertia)
+          contact_solver.algorithm = contact::Algorithm::active_set;
         failed_problem_directory = prm.get("Keep failed problems in");
         if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
           throw InputError(

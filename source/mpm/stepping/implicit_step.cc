@@ -60,8 +60,10 @@ public:
         outcome.rows_settled = settled;
         return finish();
       }
-      // Rows that stay as they are make rotation unstable: they may only where nothing turns.
-      if (!settled && (searches < world.settings.max_searches || !equations.rotation_is_gauge()))
+      // Rows that stay as they are make rotation unstable, and whatever else a tangent holds stable that has
+      // them follow.
+      if (!settled && (searches < world.settings.max_searches || !equations.rotation_is_gauge() ||
+                       equations.pressure_follows()))
         find_rows_again();
       if (outcome.newton_iterations == world.settings.max_newton)
         return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +

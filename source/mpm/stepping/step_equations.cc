@@ -243,6 +243,7 @@ std::string StepEquations::factorise()
           return "the stiffness of body '" + body.name +
                  "' is not positive definite: it buckles or the step is too long ('Time/Time step')";
       }
+    has_followed = has_followed || attempt > 0;
     if (done)
       return "";
   }

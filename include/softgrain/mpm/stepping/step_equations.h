@@ -50,6 +50,9 @@ public:
   /// Whether all bodies are kept from turning, because turned they would be the same.
   bool rotation_is_gauge() const;
 
+  /// Whether factorise() needed a tangent in which pressure follows the bodies.
+  bool pressure_follows() const { return has_followed; }
+
   /// Trial x for @p fraction of a direction from a trial for which increments were @p from; bodies turn along
   /// circles.
   Eigen::VectorXd go(unsigned int b,
@@ -83,6 +86,7 @@ private:
   const double dt;
   Vectors old_force, missing_impulse, rotation;
   std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
+  bool has_followed = false;           ///< some matrix of the step was made with pressure that follows
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
   unsigned int bad_body = 0;
