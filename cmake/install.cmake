@@ -8,7 +8,8 @@ if(TARGET softgrain_executable)
 endif()
 install(DIRECTORY include/softgrain DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/ DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain/python
-  FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE)
+  FILES_MATCHING PATTERN "*.py" PATTERN "page.*" PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE)
+install(DIRECTORY contrib/third-party DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain)
 # The package once more where Python looks for it: Debian has one folder for its own packages and one per version for
 # /usr/local. The prefix is known only when something is installed.
 if(SOFTGRAIN_PYTHON)

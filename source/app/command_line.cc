@@ -103,7 +103,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   // The scripts have options of their own, --help too.
   for (const auto &[name, help] :
        {std::pair("render", "draw pictures of a run: softgrain render DIR"),
-        std::pair("plot", "draw curves from the history of runs: softgrain plot DIR...")})
+        std::pair("plot", "draw curves from the history of runs: softgrain plot DIR..."),
+        std::pair("report", "make one page of runs, to look at in a browser: softgrain report DIR...")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
