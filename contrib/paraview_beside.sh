@@ -7,6 +7,7 @@ set -e
 mkdir -p "$1/packages"
 cd "$1"
 packages=$(apt-get install --simulate --no-install-recommends paraview python3-paraview | awk '/^Inst/ { print $2 }')
+# shellcheck disable=SC2086
 (cd packages && apt-get download $packages)
 for package in packages/*.deb; do
   dpkg -x "$package" .
