@@ -40,7 +40,7 @@ function curves(chart) {
   for (const one of chart.series) {
     const y = one.y || chart.chosen_y;
     const name = one.tables.find(table => page.tables[table][chart.chosen_x] && page.tables[table][y]);
-    if (name) shown.push({ ...one, y, table: page.tables[name] });
+    if (name && page.tables[name][y].some(value => value !== null)) shown.push({ ...one, y, table: page.tables[name] });
   }
   const used = [...new Set(shown.map(one => one.y))];
   const divisor = used.length ? prefix_of(used).divisor : 1;

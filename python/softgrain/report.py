@@ -130,9 +130,10 @@ def add_numbers(section, entries):
     for column in ("axial_strain", "packing_fraction", "coordination"):
         if any(moves(table.get(column)) for table in last):
             rows.append((re.sub(r"\s*\$.*?\$", "", describe(column)).lower() + " at the end",
-                         [f"{table[column][-1]:.4g}" if column in table and len(table) else "" for table in last], ""))
+                         [f"{table[column][-1]:.4g}" if column in table and len(table) and np.isfinite(table[column][-1]) else ""
+                          for table in last], ""))
     rows.append(("folder", [entry.run.directory for entry in entries], ""))
-    section.table(heads(entries), rows, "" if len(entries) > 1 else "facts")
+    section.table(heads(entries), rows, "whole" if len(entries) > 1 else "facts")
 
 
 def heads(entries, text=""):

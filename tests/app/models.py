@@ -108,6 +108,34 @@ class BothModels(Runs):
                 self.assertEqual(len(file["steps/000000/points/out_of_plane_stress_Pa"]) > 0, there)
 
 
+class PackingOfMaterials(Runs):
+    """A packing file may name the material of every disk."""
+
+    SETTINGS = ["Materials/Names=gel, stone", "Materials/stone/Density=3000", "Bodies/left/Radius=2e-3",
+                "Bodies/right/Radius=2e-3", "Bodies/left/Material=gel", "Bodies/right/Material=gel", "Stop/End time=1e-6",
+                "Output/Snapshots every=1e-6", "Output/Number of field outputs=0"]
+
+    def file(self, text):
+        self.folder.parent.mkdir(parents=True, exist_ok=True)
+        path = self.folder.with_suffix(".csv")
+        path.write_text(text, encoding="utf-8")
+        return f"Packing/File={path}"
+
+    def test_densities(self):
+        table = self.file("x_m,y_m,radius_m,material\n-0.002,0.003,0.0015,stone\n0.002,0.003,0.0018,gel\n")
+        self.run_scene("mpm", settings=[*self.SETTINGS, table])
+        bodies = softgrain.open(self.folder)[0].bodies
+        np.testing.assert_allclose(bodies["mass_kg_per_m"] / bodies["reference_area_m2"], [990, 990, 3000, 990], rtol=1e-9)
+
+    def test_refused(self):
+        table = self.file("x_m,y_m,radius_m,material\n-0.002,0.003,0.0015,stone\n0.002,0.003,0.0018,wood\n")
+        _, error = self.run_scene("mpm", settings=[*self.SETTINGS, table], expect=2)
+        self.assertIn(".csv': the material 'wood' is not allowed: it must be one of gel, stone", error)
+        self.assertIn("line 3 of", error)
+        _, error = self.run_scene("mpm", settings=[*self.SETTINGS, table, "Packing/Material=gel"], expect=2)
+        self.assertIn("names the material of every disk: leave one of them out", error)
+
+
 class LinearSolvers(Runs):
     """Every linear solver gives the same run; the iterative ones to their tolerance."""
 
