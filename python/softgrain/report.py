@@ -23,6 +23,8 @@ PLOTLY_DASHES = ["solid", "dash", "dot", "dashdot"]
 PICTURE_DPI, FILM_DPI = 150, 110
 FEW_PAIRS = 30  # of which no distribution can be told
 OFF_BALANCE = 0.05  # of the energies, from which a run is to be looked at
+FROM_STEPS = ("wall_seconds", "microseconds_per_point_step", "energy_balance_error", "momentum_error", "max_contact_residual",
+              "max_penetration_m", "peak_memory_bytes")  # of summary.json; nothing at the start of a run
 QUIET = 600.  # seconds without a word after which a run that should go on has probably ended
 
 
@@ -39,7 +41,18 @@ class Entry:
 
     @property
     def summary(self):
-        return self.run.summary or {}
+        """
+        summary.json. While the run goes on it is of the last checkpoint: then steps and time are those of history.csv, and what
+        was not known at the start is left out.
+        """
+        found = dict(self.run.summary or {})
+        if found.get("status") == "running" and os.path.exists(self.run.path("history.csv")):
+            if not found.get("steps"):
+                found = {key: found[key] for key in found if key not in FROM_STEPS}
+            history = self.run.history_table
+            if len(history) and "step" in history:
+                found.update(steps=int(history["step"][-1]), simulated_time_s=float(history["time_s"][-1]))
+        return found
 
     @property
     def status(self):

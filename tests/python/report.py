@@ -118,6 +118,18 @@ class Report(unittest.TestCase):
                 self.assertIn(words, warnings)
         self.assertNotIn('<ul class="warnings">', self.text)
 
+    def test_from_the_history_while_it_runs(self):
+        folder = os.path.join(common.WORK, "early")
+        shutil.copytree(common.EXAMPLE, folder)
+        summary = json.loads(text_of(os.path.join(folder, "summary.json")))
+        with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({**summary, "status": "running", "steps": 0, "simulated_time_s": 0., "wall_seconds": 0.}, file)
+        text = report([softgrain.open(folder)], Choices(film=False)).html()
+        self.assertIn("the run goes on", text)
+        self.assertIn(f"<th>steps</th><td>{summary['steps']}</td>", text)
+        self.assertNotIn("time it took", text)
+        self.assertIn("time it took", self.text)
+
     def test_what_is_missing(self):
         bare = os.path.join(common.WORK, "bare")
         os.makedirs(bare)
