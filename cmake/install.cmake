@@ -6,9 +6,17 @@ if(TARGET softgrain_executable)
     INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS softgrain_executable RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(DIRECTORY include/softgrain DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(TARGET softgrain_law_tester)
+  set_target_properties(softgrain_law_tester PROPERTIES
+    INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS softgrain_law_tester RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY include/softgrain bpm/include/softgrain ${PROJECT_BINARY_DIR}/include/softgrain
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain)
 install(DIRECTORY python/ DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain/python
-  FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE)
+  FILES_MATCHING PATTERN "*.py" PATTERN "page.*" PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE)
+install(DIRECTORY contrib/third-party DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain)
 # The package once more where Python looks for it: Debian has one folder for its own packages and one per version for
 # /usr/local. The prefix is known only when something is installed.
 if(SOFTGRAIN_PYTHON)
@@ -23,6 +31,9 @@ if(SOFTGRAIN_PYTHON)
       FILES \"${PROJECT_SOURCE_DIR}/python/softgrain\" PATTERN __pycache__ EXCLUDE)")
 endif()
 install(DIRECTORY parameters DESTINATION ${CMAKE_INSTALL_DATADIR}/softgrain)
+install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  PATTERN softgrain.1 EXCLUDE PATTERN Doxyfile EXCLUDE PATTERN style.css EXCLUDE)
+install(FILES README.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES doc/softgrain.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES contrib/softgrain.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME softgrain)

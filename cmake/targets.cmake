@@ -69,3 +69,11 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/app/main.cc)
   softgrain_use_precompiled_headers(softgrain_executable)
   target_link_libraries(softgrain_executable softgrain)
 endif()
+
+# Checks the laws of a library, installed for those who write one.
+add_executable(softgrain_law_tester ${PROJECT_SOURCE_DIR}/tests/constitutive/tester/law_tester.cc)
+set_target_properties(softgrain_law_tester PROPERTIES OUTPUT_NAME softgrain-law-tester)
+target_include_directories(softgrain_law_tester PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+softgrain_setup_target(softgrain_law_tester)
+softgrain_use_precompiled_headers(softgrain_law_tester)
+target_link_libraries(softgrain_law_tester softgrain)

@@ -69,7 +69,7 @@ _softgrain() {
   case "$command$previous" in
     run--restart) ending='.h5' ;;
     run* | check*) ending='.prm .json' ;;
-    *) ending='.png .svg .pdf .csv' ;;
+    *) ending='.png .svg .pdf .csv .html' ;;
   esac
   while IFS= read -r file; do
     case " $ending " in *" .${file##*.} "*) COMPREPLY+=("$file") ;; esac

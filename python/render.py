@@ -89,18 +89,6 @@ def parse_arguments():
     return arguments
 
 
-def open_states(directory):
-    """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
-    run = Run(directory)
-    if run.source == "snapshots" and os.path.exists(run.path("fields.pvd")) and len(run.fields):
-        return run.fields
-    if run.source is None:
-        run.fields.frames()  # says what is missing
-    if len(run) == 0:
-        raise InputError(f"{run.path('fields.pvd')} has no frames yet")
-    return run
-
-
 def choose_frames(run, text):
     if text == "all":
         return list(run)
@@ -153,7 +141,7 @@ def print_list(run):
 
 def main():
     arguments = parse_arguments()
-    run = open_states(arguments.directory)
+    run = Run(arguments.directory).for_pictures()
     if arguments.list:
         print_list(run)
         return 0

@@ -25,7 +25,7 @@ from .state import Outlines, State
 from .tables import Table, read_table
 from .units import split_unit
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = ["InputError", "MissingName", "Outlines", "Run", "RunFailed", "State", "Sweep", "Table", "find_program",
            "measure", "measures", "open", "read_lammps_dump", "read_table", "run", "split_unit", "sweep"]

@@ -5,7 +5,6 @@ import numpy as np
 
 from .errors import need
 from .tables import COMPONENTS
-from .units import split_unit
 
 
 def require_xarray():
@@ -20,7 +19,7 @@ def variables(table, rows, prefix=""):
     """{name: (dimensions, values, attributes)} of a table; vectors and tensors get a dimension of components."""
     result = {}
     for name, values in table.items():
-        unit = split_unit(name)[1]
+        unit = table.unit(name)
         dimensions = [rows] + [{2: "axis", 3: "tensor", 4: "tensor4"}.get(size, f"n{size}") for size in values.shape[1:]]
         if values.ndim > 2:
             dimensions[1:] = [f"{rows}_{name}_{i}" for i in range(1, values.ndim)]

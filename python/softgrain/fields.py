@@ -90,7 +90,17 @@ def in_plane(name, values):
 
 
 def with_stress(data, prefix=""):
-    """The components of a stress, of which VTU files have one array each or one of nine, as rows xx, yy, xy."""
+    """
+    A stress as rows xx, yy, xy. VTU files have it as a tensor of nine components; those of softgrain 0.1 had an array for
+    each component.
+
+    >>> new = {"stress_Pa": np.array([[1., 3., 0., 3., 2., 0., 0., 0., 4.]])}
+    >>> old = {f"stress_{c}_Pa": np.array([x]) for c, x in (("xx", 1.), ("yy", 2.), ("xy", 3.), ("zz", 4.))}
+    >>> with_stress(new)
+    {'stress_Pa': array([[1., 2., 3.]]), 'out_of_plane_stress_Pa': array([4.])}
+    >>> sorted(with_stress(old)) == sorted(new) and (old["stress_Pa"] == new["stress_Pa"]).all()
+    True
+    """
     name = f"{prefix}stress_Pa"
     parts = [f"{prefix}stress_{c}_Pa" for c in ("xx", "yy", "xy")]
     if all(part in data for part in parts):

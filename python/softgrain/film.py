@@ -28,6 +28,13 @@ def require_maker(path):
     return "pillow"
 
 
+def best_ending():
+    """'.mp4' where ffmpeg can make it, else '.gif'."""
+    ending = ".mp4" if shutil.which("ffmpeg") else ".gif"
+    require_maker("film" + ending)
+    return ending
+
+
 def make(path, frames_per_second, draw, n_frames):
     """
     Makes a film of @n_frames pictures that draw(number, path) writes as png files of one size; the file is written whole

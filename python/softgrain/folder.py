@@ -168,6 +168,16 @@ class Run:
         """This run with the states of snapshots.h5."""
         return Run(self.directory, "snapshots")
 
+    def for_pictures(self):
+        """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
+        if self.source == "snapshots" and os.path.exists(self.path("fields.pvd")) and len(self.fields):
+            return self.fields
+        if self.source is None:
+            self.fields.frames()  # says what is missing
+        if len(self) == 0:
+            raise InputError(f"{self.path('fields.pvd')} has no frames yet")
+        return self
+
     @property
     def times(self):
         """Times of the states [s]."""

@@ -190,6 +190,7 @@ class Picture:
         height = drawn * (high[1] - low[1]) / (high[0] - low[0])
         if height > 1.6 * width:  # a tall scene: the height is the limit
             drawn, height = drawn * 1.6 * width / height, 1.6 * width
+        bottom = max(bottom, 0.042 * max(drawn, height) + 0.24)  # for the scale bar below and its text
         total_height = height + top + bottom
         total_width = drawn + 2 * margin + bar_room
         margin += max(0., LEGEND_WIDTH - total_width) / 2 if self.full_force and self.contacts != "arrows" else 0.

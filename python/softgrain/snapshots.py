@@ -75,6 +75,21 @@ class SnapshotSource:
     def forget(self):
         """Nothing is kept here."""
 
+    def units(self, part):
+        """Units that the file gives to its arrays; files of softgrain 0.1 give none."""
+        found = {}
+
+        def note(name, item):
+            if "units" in getattr(item, "attrs", ()):
+                text = item.attrs["units"]
+                text = text.decode() if isinstance(text, bytes) else str(text)
+                found[shown_name(name)] = "" if text == "1" else text.replace("^2", "²").replace("^3", "³").replace("byte", "B")
+
+        with open_file(self.file) as file:
+            if part in file[self.group]:
+                file[self.group][part].visititems(note)
+        return found
+
     def names(self, part):
         with open_file(self.file) as file:
             try:
@@ -107,7 +122,7 @@ class SnapshotSource:
             columns = {"body": lambda: np.arange(n_rows), **columns}
         if part == "walls":
             columns["wall"] = lambda: np.arange(n_rows)
-        return Table(columns, part, self.path(part))
+        return Table(columns, part, self.path(part), self.units(part))
 
     def rings(self):
         vertices, rings, bodies = (self.read(f"outlines/{name}")

@@ -28,8 +28,8 @@ class Table:
     ['center_x_m', 'center_y_m', 'area_m2']
     """
 
-    def __init__(self, columns, title="table", path=""):
-        self._columns, self._title, self._path = dict(columns), title, path
+    def __init__(self, columns, title="table", path="", units=None):
+        self._columns, self._title, self._path, self._units = dict(columns), title, path, dict(units or {})
 
     def __getitem__(self, name):
         full = self.resolve(name)
@@ -67,7 +67,7 @@ class Table:
     def __repr__(self):
         lines = [f"<{self._title}: {len(self)} rows>"]
         for name in self._columns:
-            unit, shape = split_unit(name)[1], np.shape(self[name])[1:]
+            unit, shape = self.unit(name), np.shape(self[name])[1:]
             lines.append(f"  {name}" + (f" ({' x '.join(map(str, shape))})" if shape else "") +
                          (f" [{unit}]" if unit else ""))
         return "\n".join(lines)
@@ -106,11 +106,16 @@ class Table:
     @property
     def units(self):
         """Unit of every column, '' for pure numbers."""
-        return {name: split_unit(name)[1] for name in self._columns}
+        return {name: self.unit(name) for name in self._columns}
+
+    def unit(self, name):
+        """The unit that the file gives to a column, else that which the end of its name says."""
+        return self._units.get(name, split_unit(name)[1])
 
     def where(self, mask):
         """The rows for which @mask is true, as a table."""
-        return Table({name: values[mask] for name, values in self.items()}, self._title, self._path)
+        return Table({name: values[mask] for name, values in self.items()}, self._title, self._path,
+                     self._units)
 
     def flat(self):
         """{name: column} with vectors and tensors taken apart: center_m becomes center_x_m and center_y_m."""

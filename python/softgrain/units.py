@@ -77,3 +77,21 @@ def describe(name):
 def with_unit(text, unit):
     """A text with its unit in brackets, as for an axis."""
     return f"{text}  [{unit}]" if unit else text
+
+
+SIGNS = {"sigma": "σ", "varepsilon": "ε", "Phi": "Φ", "Delta": "Δ", "lambda": "λ", "ln": "ln", "frac{1}{2}": "½"}
+
+
+def html_of(text):
+    r"""
+    A text with formulas, as describe() gives it, in HTML.
+
+    >>> html_of(describe("stress_xx_Pa")), html_of(r"$E_\mathrm{k}$")
+    ('Stress σ<sub>xx</sub>', 'E<sub>k</sub>')
+    """
+    def formula(match):
+        inside = re.sub(r"\\mathrm\{([^}]*)\}", r"{\1}", match.group(1))
+        for name, sign in SIGNS.items():
+            inside = inside.replace("\\" + name, sign)
+        return re.sub(r"_(?:\{([^}]*)\}|(\w))", lambda part: f"<sub>{part.group(1) or part.group(2)}</sub>", inside)
+    return re.sub(r"\$([^$]*)\$", formula, text)

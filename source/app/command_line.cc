@@ -103,7 +103,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   // The scripts have options of their own, --help too.
   for (const auto &[name, help] :
        {std::pair("render", "draw pictures of a run: softgrain render DIR"),
-        std::pair("plot", "draw curves from the history of runs: softgrain plot DIR...")})
+        std::pair("plot", "draw curves from the history of runs: softgrain plot DIR..."),
+        std::pair("report", "make one page of runs, to look at in a browser: softgrain report DIR...")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
@@ -213,19 +214,19 @@ bool CommandLine::run() const
   // All that may be refused comes before the model, which may take long to build.
   std::unique_ptr<CheckpointReader> state;
   const std::string state_file = restart && checkpoint.empty() ? latest_checkpoint(folder) : checkpoint;
+  std::vector<std::string> changes;
   if (restart)
   {
     check_may_go_on(folder, state_file);
     state = std::make_unique<CheckpointReader>(state_file);
-    for (const std::string &change : input.check_restart(*state, state_file))
-      std::cout << "changed since the checkpoint: " << change << '\n';
+    changes = input.check_restart(*state, state_file);
   }
   else
     check_may_begin_anew(folder, overwrite);
   const std::unique_ptr<Model<2>> created = input.create_model();
   Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), lock, std::cout);
   if (restart)
-    simulation.restart(*state, state_file);
+    simulation.restart(*state, state_file, changes);
   return simulation.run() == "completed";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/run_lock.h>
+#include <softgrain/app/run_log.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/field_writer.h>
@@ -25,7 +26,8 @@ namespace
 const char *const mark = "parameters.prm";
 
 /// Beside series of pictures, snapshots and checkpoints.
-const std::vector<std::string> single_files = {mark, "history.csv", "measures.csv", "summary.json"};
+const std::vector<std::string> single_files = {mark, "history.csv", "measures.csv", "summary.json",
+                                               run_log_name};
 
 /// What is in a folder; nothing when it cannot be read.
 std::vector<fs::path> content(const std::string &directory)

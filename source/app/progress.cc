@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/progress.h>
+#include <softgrain/app/run_log.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ostream>
 
 namespace softgrain
 {
@@ -14,20 +14,24 @@ constexpr std::chrono::milliseconds terminal_interval(200);
 constexpr std::chrono::seconds file_interval(5);
 } // namespace
 
-Progress::Progress(std::ostream &out, const bool is_terminal)
-    : out(out), is_terminal(is_terminal), begin(Clock::now()), last_shown(begin)
+Progress::Progress(RunLog &log, const bool is_terminal) : log(log), is_terminal(is_terminal)
 {
+  start();
+}
+
+void Progress::start()
+{
+  begin = last_on_terminal = last_in_files = Clock::now();
 }
 
 void Progress::update(const double time,
                       const std::uint64_t step,
                       const StepReport &report,
-                      const double fraction,
-                      const double start)
+                      const double fraction)
 {
   const Clock::time_point now = Clock::now();
-  const double elapsed = std::chrono::duration<double>(now - begin).count();
-  const double done = fraction - start;
+  const Clock::duration elapsed = now - begin;
+  time_left.add(std::chrono::duration<double>(elapsed).count(), fraction);
   char buffer[200];
   std::snprintf(buffer, sizeof(buffer),
                 "t = %.4e s  step %llu  dt %.2e s  Newton %u  sweeps %u  residual %.1e  %5.1f %%", time,
@@ -35,36 +39,44 @@ void Progress::update(const double time,
                 report.contact_sweeps, std::max(report.newton_residual, report.contact_residual),
                 100 * std::min(fraction, 1.));
   line = buffer;
-  if (done > 0)
-    line += "  left " + duration_in_words(std::max(0., elapsed * (1 - fraction) / done));
-  line_is_new = true;
-  const bool due = is_terminal ? now - last_shown >= terminal_interval : now - last_shown >= file_interval;
-  if (due)
+  if (const std::optional<double> left = time_left.seconds())
+    line += "  left " + duration_in_words(*left);
+  new_in_files = true;
+  new_on_terminal = is_terminal;
+  if (is_terminal && now - last_on_terminal >= terminal_interval)
   {
-    last_shown = now;
-    show();
+    last_on_terminal = now;
+    show_on_terminal();
+  }
+  if (now - last_in_files >= std::max<Clock::duration>(file_interval, elapsed / 100))
+  {
+    last_in_files = now;
+    show_in_files();
   }
 }
 
-void Progress::show()
+void Progress::show_on_terminal()
 {
-  if (is_terminal)
-  {
-    const std::size_t blanks = shown_length > line.size() ? shown_length - line.size() : 0;
-    out << '\r' << line << std::string(blanks, ' ') << std::flush;
-    shown_length = line.size();
-  }
-  else
-    out << line << std::endl;
-  line_is_new = false;
+  const std::size_t blanks = shown_length > line.size() ? shown_length - line.size() : 0;
+  log.terminal() << '\r' << line << std::string(blanks, ' ') << std::flush;
+  shown_length = line.size();
+  new_on_terminal = false;
+}
+
+void Progress::show_in_files()
+{
+  (is_terminal ? log.file() : log.both()) << line << std::endl;
+  new_in_files = false;
 }
 
 void Progress::finish()
 {
-  if (line_is_new)
-    show();
-  if (is_terminal && shown_length > 0)
-    out << '\n';
+  if (new_in_files)
+    show_in_files();
+  if (new_on_terminal)
+    show_on_terminal();
+  if (shown_length > 0)
+    log.terminal() << '\n';
   shown_length = 0;
 }
 

@@ -37,14 +37,15 @@ Simulation::Simulation(const Scene<2> &scene,
                        const RunParameters &parameters,
                        const std::string &effective_parameters,
                        const RunLock &lock,
-                       std::ostream &log)
+                       std::ostream &terminal)
     : scene(scene)
     , model(model)
     , parameters(parameters)
     , effective_parameters(effective_parameters)
     , lock(lock)
-    , log(log)
+    , log(terminal)
     , walls_at_start(model.walls())
+    , packing_at_start(packing_fraction(walls_at_start, model.solid_area()))
     , statistics(model)
     , progress(log, isatty(STDOUT_FILENO) != 0)
     , history(parameters.output_directory)
@@ -57,7 +58,9 @@ Simulation::Simulation(const Scene<2> &scene,
 {
 }
 
-void Simulation::restart(StateReader &checkpoint, const std::string &file_name)
+void Simulation::restart(StateReader &checkpoint,
+                         const std::string &file_name,
+                         const std::vector<std::string> &changes)
 {
   model.load(checkpoint);
   statistics.load(checkpoint);
@@ -70,7 +73,10 @@ void Simulation::restart(StateReader &checkpoint, const std::string &file_name)
   if (!measures.empty())
     measure_table.resume(model.step(), measure_columns(measures));
   restarted = true;
-  log << "going on from " << file_name << ", step " << model.step() << '\n';
+  log.open(parameters.output_directory, true);
+  for (const std::string &change : changes)
+    log.both() << "changed since the checkpoint: " << change << '\n';
+  log.both() << "going on from " << file_name << ", step " << model.step() << '\n';
 }
 
 std::string Simulation::run()
@@ -90,14 +96,17 @@ std::string Simulation::run()
   catch (const ComputationError &error)
   {
     progress.finish();
-    const std::string message = cause_of(error);
-    throw ComputationError(message + save_after_failure(message));
+    const std::string cause = cause_of(error);
+    const std::string message = cause + save_after_failure(cause);
+    log.file() << "error: " << message << std::endl; // main() tells the terminal
+    throw ComputationError(message);
   }
-  catch (...)
+  catch (const std::exception &error)
   {
     // Nobody knows what state the model is in, so the checkpoints on the disk stay the last good ones.
     progress.finish();
     note_failure();
+    log.file() << "error: " << error.what() << std::endl;
     throw;
   }
 }
@@ -154,7 +163,10 @@ void Simulation::start_files()
 {
   const std::filesystem::path folder = parameters.output_directory;
   if (!restarted)
+  {
     remove_old_results(folder.string());
+    log.open(folder.string(), false);
+  }
   write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
   write_summary("running");
   if (!restarted)
@@ -166,7 +178,7 @@ void Simulation::start_files()
 
 std::string Simulation::loop()
 {
-  const double fraction_at_start = fraction_done();
+  progress.start();
   auto last_checkpoint = std::chrono::steady_clock::now();
   StepReport report;
   while (!finished() && !interruption_requested())
@@ -182,7 +194,7 @@ std::string Simulation::loop()
     planner.taken(report.dt);
     statistics.add_step(report);
     write_due_output(report);
-    progress.update(model.time(), model.step(), report, fraction_done(), fraction_at_start);
+    progress.update(model.time(), model.step(), report, fraction_done());
     if (parameters.checkpoint_minutes > 0 &&
         seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes)
     {
@@ -224,8 +236,10 @@ double Simulation::fraction_done() const
   if (stop.packing_fraction > 0)
   {
     const double packing = packing_fraction(model.walls(), model.solid_area()).value_or(0.);
-    // The box shrinks like 1/packing, so this measures the way of the walls.
-    fraction = std::max(fraction, packing >= stop.packing_fraction ? 1 : packing / stop.packing_fraction);
+    const double start = packing_at_start.value_or(packing);
+    // The box shrinks like 1/packing: this measures the way of the walls.
+    const double way = packing > 0 ? (1 / start - 1 / packing) / (1 / start - 1 / stop.packing_fraction) : 0.;
+    fraction = std::max(fraction, packing >= stop.packing_fraction ? 1. : std::max(0., way));
   }
   return fraction;
 }
@@ -311,30 +325,30 @@ void Simulation::write_summary(const std::string &status)
 
 void Simulation::print_head()
 {
-  log << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", " << n_threads()
-      << " threads)\n"
-      << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
-  print_size_report(log, model.size_report());
-  log << std::flush;
+  log.both() << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", "
+             << n_threads() << " threads)\n"
+             << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
+  print_size_report(log.both(), model.size_report());
+  log.both() << std::flush;
 }
 
-void Simulation::print_end(const std::string &status) const
+void Simulation::print_end(const std::string &status)
 {
   const Summary summary = statistics.summary(status, model);
-  log << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
-      << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
-      << summary.microseconds_per_point_step() << " us per point and step)\n";
+  log.both() << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
+             << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
+             << summary.microseconds_per_point_step() << " us per point and step)\n";
   if (status == "interrupted")
-    log << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
-        << "; the same command with --restart goes on from there\n";
+    log.both() << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
+               << "; the same command with --restart goes on from there\n";
   double total = 0;
   for (const auto &phase : summary.phases)
     total += phase.second;
   for (const auto &[name, seconds] : summary.phases)
-    log << "  " << std::left << std::setw(30) << name << std::right << std::fixed << std::setprecision(2)
-        << std::setw(10) << seconds << " s" << std::setprecision(1) << std::setw(7)
-        << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
-  log << std::defaultfloat << std::setprecision(6) << std::flush;
+    log.both() << "  " << std::left << std::setw(30) << name << std::right << std::fixed
+               << std::setprecision(2) << std::setw(10) << seconds << " s" << std::setprecision(1)
+               << std::setw(7) << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
+  log.both() << std::defaultfloat << std::setprecision(6) << std::flush;
 }
 
 void print_size_report(std::ostream &out, const SizeReport &report)

@@ -19,6 +19,7 @@ const char *const program_examples =
   softgrain check scene.prm                     read the file and print the size of the job
   softgrain render output/scene                 draw the last state
   softgrain plot output/scene output/fine       draw curves of two runs
+  softgrain report output/scene                 make a page with all of it, report.html
   softgrain parameters --format md              list every parameter
 
 `softgrain COMMAND --help` tells the options of a command. The manual is in doc/index.md.)";

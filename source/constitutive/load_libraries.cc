@@ -2,8 +2,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/constitutive/load_libraries.h>
+#include <softgrain/constitutive/plugin_interface.h>
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <filesystem>
 
@@ -16,14 +18,20 @@ void load_libraries(const std::vector<std::string> &paths)
     std::error_code ignored;
     const bool is_file = std::filesystem::is_regular_file(path, ignored);
     const std::string file = is_file ? std::filesystem::absolute(path).string() : path;
+    if (is_file)
+      check_plugin_interface(file, path);
     // Everything is resolved now: a missing symbol is an input error here, not a crash in the middle of a
     // run. The handle stays open, because the laws live in the library.
-    if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
+    void *const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr)
     {
       const char *reason = dlerror();
       throw InputError("Additional shared libraries: '" + path +
                        "' cannot be loaded: " + (reason == nullptr ? "no reason given" : reason));
     }
+    // One that the loader has found by its name.
+    if (link_map *found = nullptr; !is_file && dlinfo(handle, RTLD_DI_LINKMAP, &found) == 0)
+      check_plugin_interface(found->l_name, path);
     try
     {
       check_registrations();

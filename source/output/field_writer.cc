@@ -66,22 +66,27 @@ std::vector<float> vectors(const std::vector<Item> &items, const Function &value
   return values;
 }
 
+/// A stress as ParaView wants a tensor: nine components, row by row.
+template <typename Number>
+void push_tensor(std::vector<Number> &values,
+                 const dealii::SymmetricTensor<2, 2> &stress,
+                 const double out_of_plane)
+{
+  for (const double component :
+       {stress[0][0], stress[0][1], 0., stress[0][1], stress[1][1], 0., 0., 0., out_of_plane})
+    values.push_back(static_cast<Number>(component));
+}
+
 void add_stress(VtuFile &file, const PointStates<2> &points)
 {
-  using Stress = dealii::SymmetricTensor<2, 2>;
   if (points.stress.empty())
     return;
-  const char *const names[] = {"stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa"};
-  const unsigned int rows[] = {0, 1, 0}, columns[] = {0, 1, 1};
-  for (unsigned int c = 0; c < 3; ++c)
-    file.add_point_data(
-        names[c], 1,
-        floats(points.stress, [&](const Stress &stress) { return stress[rows[c]][columns[c]]; }));
   // Without a stress out of the plane (rigid primaries) the mean is that of the plane.
   const bool plane_strain = !points.out_of_plane_stress.empty();
-  if (plane_strain)
-    file.add_point_data("stress_zz_Pa", 1,
-                        floats(points.out_of_plane_stress, [](const double s) { return s; }));
+  std::vector<float> tensors;
+  for (std::size_t p = 0; p < points.stress.size(); ++p)
+    push_tensor(tensors, points.stress[p], plane_strain ? points.out_of_plane_stress.at(p) : 0.);
+  file.add_point_data("stress_Pa", 9, tensors);
   std::vector<float> von_mises, pressure;
   for (std::size_t p = 0; p < points.stress.size(); ++p)
   {
@@ -123,7 +128,7 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
 {
   std::vector<std::int32_t> body, ring;
   std::vector<double> center, velocity, area, mass, pressure;
-  std::vector<double> stress[3];
+  std::vector<double> stress;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (std::size_t r = 0; r < bodies[b].outline.size(); ++r)
     {
@@ -144,9 +149,7 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
       area.push_back(bodies[b].area);
       mass.push_back(bodies[b].mass);
       const dealii::SymmetricTensor<2, 2> &mean = bodies[b].mean_stress;
-      stress[0].push_back(mean[0][0]);
-      stress[1].push_back(mean[1][1]);
-      stress[2].push_back(mean[0][1]);
+      push_tensor(stress, mean, 0.); // of the plane only
       pressure.push_back(-(mean[0][0] + mean[1][1]) / 2);
     }
   file.add_cell_data("body", body);
@@ -155,9 +158,7 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
   file.add_cell_data("velocity_m_per_s", 3, velocity);
   file.add_cell_data("area_m2", 1, area);
   file.add_cell_data("mass_kg_per_m", 1, mass);
-  file.add_cell_data("mean_stress_xx_Pa", 1, stress[0]);
-  file.add_cell_data("mean_stress_yy_Pa", 1, stress[1]);
-  file.add_cell_data("mean_stress_xy_Pa", 1, stress[2]);
+  file.add_cell_data("mean_stress_Pa", 9, stress);
   file.add_cell_data("mean_pressure_Pa", 1, pressure);
 }
 

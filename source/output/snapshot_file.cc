@@ -5,6 +5,7 @@
 #include <softgrain/output/series.h>
 #include <softgrain/output/snapshot_file.h>
 #include <softgrain/output/snapshot_layout.h>
+#include <softgrain/output/units.h>
 
 #include <filesystem>
 #include <set>
@@ -85,6 +86,7 @@ void SnapshotFile::write_index() const
   file.write_attribute("/", "format", index_format);
   file.write("time_s", times);
   file.write("step", steps);
+  write_units(file);
   file.close();
   target.commit();
 }

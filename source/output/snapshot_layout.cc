@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/hdf5_file.h>
 #include <softgrain/output/snapshot_layout.h>
+#include <softgrain/output/units.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -293,6 +294,7 @@ void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool poin
   file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
   file.write("energies/dissipated_J_per_m", std::vector<double>{energies.dissipated});
   file.write("energies/external_work_J_per_m", std::vector<double>{energies.external_work});
+  write_units(file);
 }
 
 Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)

@@ -33,6 +33,16 @@ const char *vtk_name(std::uint8_t)
   return "UInt8";
 }
 
+/// Nine components are a tensor, row by row; without names ParaView counts them from 0.
+std::string component_names(const unsigned int n_components)
+{
+  std::string names;
+  if (n_components == 9)
+    for (unsigned int i = 0; i < 9; ++i)
+      names += " ComponentName" + std::to_string(i) + "=\"" + "XYZ"[i / 3] + "XYZ"[i % 3] + "\"";
+  return names;
+}
+
 void append(std::string &bytes, const std::uint64_t number)
 {
   bytes.append(reinterpret_cast<const char *>(&number), sizeof(number));
@@ -151,7 +161,7 @@ std::string VtuFile::text() const
   const auto put_array = [&](const Array &array, const bool global)
   {
     xml += "<DataArray type=\"" + array.type + "\" Name=\"" + array.name + "\" NumberOfComponents=\"" +
-           std::to_string(array.n_components) + "\"";
+           std::to_string(array.n_components) + "\"" + component_names(array.n_components);
     if (global)
       xml += " NumberOfTuples=\"" + std::to_string(array.n_tuples) + "\"";
     xml += " format=\"appended\" offset=\"" + std::to_string(appended.size()) + "\"/>\n";

@@ -14,7 +14,23 @@ namespace softgrain
 namespace
 {
 const std::string heading = "x_m,y_m,radius_m";
+const std::string heading_with_material = heading + ",material";
+
+/// A disk of a line, and the name of its material when it has one. @return whether the line is a disk.
+bool read_disk(const std::string &line, const bool with_material, Packing::Disk &disk, std::string &material)
+{
+  std::istringstream fields(line);
+  char first = 0, second = 0, third = ',';
+  fields >> disk.center[0] >> first >> disk.center[1] >> second >> disk.radius;
+  material.clear();
+  if (with_material && fields >> third >> std::ws)
+    std::getline(fields, material);
+  material.erase(material.find_last_not_of(" \t") + 1);
+  const bool whole = with_material ? !material.empty() : fields && (fields >> std::ws).eof();
+  return whole && first == ',' && second == ',' && third == ',' && std::isfinite(disk.center.norm()) &&
+         std::isfinite(disk.radius) && disk.radius > 0.;
 }
+} // namespace
 
 Packing read_packing(const std::string &file)
 {
@@ -40,24 +56,24 @@ Packing read_packing(const std::string &file)
   const auto complain = [&](const std::size_t number)
   {
     throw InputError("'Packing/File': line " + std::to_string(number) + " of '" + file +
-                     "' is not allowed: the first line must be " + heading +
-                     ", the others three finite numbers, the last above 0");
+                     "' is not allowed: the first line must be " + heading + " or " + heading_with_material +
+                     ", the others three finite numbers, the last above 0, and with the longer one a name");
   };
   std::string line;
   next_line(line);
-  if (line != heading)
+  const bool with_material = line == heading_with_material;
+  if (line != heading && !with_material)
     complain(1);
   Packing packing;
   for (std::size_t number = 2; next_line(line); ++number)
   {
-    std::istringstream fields(line);
     Packing::Disk disk;
-    char first = 0, second = 0;
-    if (!(fields >> disk.center[0] >> first >> disk.center[1] >> second >> disk.radius) || first != ',' ||
-        second != ',' || !(fields >> std::ws).eof() || !std::isfinite(disk.center.norm()) ||
-        !std::isfinite(disk.radius) || !(disk.radius > 0.))
+    std::string material;
+    if (!read_disk(line, with_material, disk, material))
       complain(number);
     packing.disks.push_back(disk);
+    if (with_material)
+      packing.materials.push_back(material);
   }
   if (packing.disks.empty())
     throw InputError("'Packing/File': there are no disks in '" + file + "'");
@@ -68,9 +84,14 @@ void write_packing(const std::string &file, const Packing &packing)
 {
   const std::string unfinished = file + ".part";
   std::ofstream out(unfinished);
-  out << heading << '\n' << std::setprecision(17);
-  for (const Packing::Disk &disk : packing.disks)
-    out << disk.center[0] << ',' << disk.center[1] << ',' << disk.radius << '\n';
+  const bool with_material = !packing.materials.empty();
+  out << (with_material ? heading_with_material : heading) << '\n' << std::setprecision(17);
+  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+  {
+    const Packing::Disk &disk = packing.disks[i];
+    out << disk.center[0] << ',' << disk.center[1] << ',' << disk.radius
+        << (with_material ? "," + packing.materials[i] : "") << '\n';
+  }
   out.close();
   std::error_code error;
   if (out)

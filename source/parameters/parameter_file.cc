@@ -68,25 +68,42 @@ const ParameterSection &find_section(const ParameterSection &top, const Paramete
   return *here;
 }
 
-/// What became of a parameter that older versions had; empty when there was none of that name.
+/// What became of a parameter that older versions had.
+struct Former
+{
+  std::string path;
+  std::string now; ///< its name today; empty when it is gone
+  std::string why;
+};
+
+const std::vector<Former> &former_parameters()
+{
+  static const std::vector<Former> list = {
+      {"Contact/Position repair", "", "contact leaves no penetration that would have to be repaired"},
+      {"Primaries/Solid fraction", "", "bodies are cut out of a dense packing of primaries"}};
+  return list;
+}
+
+/// What to do about a parameter of an older version; empty when there was none of that name.
 std::string what_became_of(const std::string &path)
 {
-  if (path == "Contact/Position repair")
-    return "it is gone, since contact leaves no penetration that would have to be repaired: take the line "
-           "out";
+  for (const Former &former : former_parameters())
+    if (former.path == path)
+      return (former.now.empty() ? "is gone: take the line out" : "is '" + former.now + "' now") +
+             (former.why.empty() ? "" : " (" + former.why + ")");
   return "";
 }
 
 const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAssignment &assignment)
 {
+  const std::string path = parameter_path(assignment.sections, assignment.key);
+  if (const std::string now = what_became_of(path); !now.empty())
+    throw InputError(assignment.where + ": '" + path + "' " + now);
   const ParameterSection &section = find_section(top, assignment);
   if (const ParameterEntry *entry = section.entry(assignment.key))
     return *entry;
-  const std::string path = parameter_path(assignment.sections, assignment.key);
   if (section.section(assignment.key) != nullptr)
     throw InputError(assignment.where + ": '" + path + "' is a section, not a parameter");
-  if (const std::string now = what_became_of(path); !now.empty())
-    throw InputError(assignment.where + ": '" + path + "': " + now);
   const std::vector<std::string> names = section.entry_names();
   const std::string home =
       nearest_name(assignment.key, names).empty() ? home_of(top, assignment.key, "") : "";

@@ -11,7 +11,10 @@ namespace softgrain
 {
 namespace
 {
-unsigned int find_material(const std::string &name, const std::vector<MaterialDescription> &materials)
+/// @param where begins the message of an unknown name
+unsigned int find_material(const std::string &name,
+                           const std::vector<MaterialDescription> &materials,
+                           const std::string &where)
 {
   std::vector<std::string> names;
   for (unsigned int m = 0; m < materials.size(); ++m)
@@ -20,7 +23,27 @@ unsigned int find_material(const std::string &name, const std::vector<MaterialDe
       return m;
     names.push_back(materials[m].name);
   }
-  throw InputError("'Packing/Material' = '" + name + "' is not allowed: it must be one of " + join(names));
+  throw InputError(where + "'" + name + "' is not allowed: it must be one of " + join(names));
+}
+
+/// Materials of all disks: those that the file names, else 'Packing/Material'.
+std::vector<unsigned int> materials_of(const Packing &packing,
+                                       const std::string &name,
+                                       const std::string &file,
+                                       const std::vector<MaterialDescription> &materials)
+{
+  if (packing.materials.empty())
+    return std::vector<unsigned int>(packing.disks.size(),
+                                     find_material(name, materials, "'Packing/Material' = "));
+  if (!name.empty())
+    throw InputError("'Packing/Material' = '" + name + "' is not allowed with 'Packing/File' = '" + file +
+                     "', which names the material of every disk: leave one of them out");
+  std::vector<unsigned int> result;
+  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+    result.push_back(
+        find_material(packing.materials[i], materials,
+                      "'Packing/File': line " + std::to_string(i + 2) + " of '" + file + "': the material "));
+  return result;
 }
 
 PackingRequest parse_request(dealii::ParameterHandler &prm)
@@ -56,12 +79,14 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.declare_entry(
       "Number", "0", Integer(0, 10000000),
       "Number of disks to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
-  prm.declare_entry("File", "", Anything(),
-                    "Table of disks to read instead: CSV with the columns x_m, y_m, radius_m.");
+  prm.declare_entry(
+      "File", "", Anything(),
+      "Table of disks to read instead: CSV with the columns x_m, y_m, radius_m and, where the disks are of "
+      "several materials, material.");
   prm.declare_entry("Save to", "", Anything(),
                     "File to which the packed disks are written, in the same form; empty: none.");
   prm.declare_entry("Material", "", Anything(),
-                    "Material of the disks; may be left out when there is only one.");
+                    "Material of the disks; may be left out when there is only one or the file names them.");
   SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
   prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
                     "Lower left corner of the box that the disks are packed in. Units: m.");
@@ -101,15 +126,18 @@ PackingParameters::parse_parameters(dealii::ParameterHandler &prm,
     throw InputError("'Packing/Save to' = '" + save_to + "' has no effect without 'Packing/Number'");
   if (make || !file.empty())
   {
-    const unsigned int material = find_material(prm.get("Material"), materials);
+    const std::string material = prm.get("Material");
+    if (make)
+      find_material(material, materials, "'Packing/Material' = "); // before the packing, which may take long
     const Packing packing = make ? make_packing(parse_request(prm)) : read_packing(file);
+    const std::vector<unsigned int> material_of = materials_of(packing, material, file, materials);
     if (!save_to.empty())
       write_packing(save_to, packing);
     for (const Packing::Disk &disk : packing.disks)
     {
       BodyDescription<2> body;
       body.name = "grain_" + std::to_string(bodies.size() + 1);
-      body.material = material;
+      body.material = material_of[bodies.size()];
       body.center = disk.center;
       body.radius = disk.radius;
       body.velocity = body.body_force = "0; 0";

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a run does on a full disk, under signals, beside another run, over old results: nothing is lost or silent."""
 import os
+import pty
+import re
 import resource
 import shutil
 import signal
@@ -235,6 +237,55 @@ class Signals(Runs):
     def test_help(self):
         said = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
         self.assertIn("3 interrupted by a signal", said)
+
+
+class RunLog(Runs):
+    """run.log has what the terminal shows, without its control characters, and grows when a run goes on."""
+
+    def log(self):
+        return (self.folder / "run.log").read_text()
+
+    def test_of_a_file(self):
+        for model in ("mpm", "bpm"):
+            shutil.rmtree(self.folder, ignore_errors=True)
+            said, _ = self.run_scene(model)
+            self.assertEqual(self.log(), said)
+            self.assertRegex(said, r"\nt = \S+ s  step \d+ .* 100\.0 %  left 0 s\ncompleted at ")
+
+    def test_going_on(self):
+        first, _ = self.run_scene("mpm", settings=["Stop/End time=3e-4"])
+        with open(self.folder / "run.log", "a", encoding="utf-8") as file:
+            file.write("t = 3.1e-04 s  st")  # as a kill leaves it
+        second, _ = self.run_scene("mpm", "--restart", settings=["Stop/End time=4e-4", "Contact/Maximum sweeps=3000"])
+        self.assertTrue(second.startswith("changed since the checkpoint: 'Contact/Maximum sweeps'"), second)
+        self.assertEqual(self.log(), first + "t = 3.1e-04 s  st\n" + second)
+        third, _ = self.run_scene("mpm", settings=["Stop/End time=1e-4"])
+        self.assertEqual(self.log(), third)
+
+    def test_error(self):
+        self.run_scene("mpm", settings=["Stop/End time=3e-4"])
+        _, error = self.run_scene("mpm", "--restart", settings=["Stop/End time=1e-3", "Output/Number of field outputs=0"],
+                                  expect=1, preexec_fn=limit_files(states(self.folder)[0].stat().st_size // 2))
+        self.assertTrue(self.log().endswith(error.removeprefix("softgrain: ")), self.log())
+
+    def test_of_a_terminal(self):
+        own, other = pty.openpty()
+        process = subprocess.Popen(command("mpm", self.folder, settings=["Stop/End time=2e-3"]), stdout=other, stderr=other)
+        os.close(other)
+        shown = b""
+        try:
+            while part := os.read(own, 65536):
+                shown += part
+        except OSError:  # the other end is closed
+            pass
+        os.close(own)
+        self.assertEqual(process.wait(), 0)
+        self.assertIn(b"\rt = ", shown)
+        log = self.log()
+        self.assertNotRegex(log, r"[^\S\n ]|[\x00-\x09\x0b-\x1f]")
+        # Head and end are the same; of the line that changes the file has the last state.
+        lines = [line.split("\r")[-1].rstrip() for line in re.sub("\r+\n", "\n", shown.decode()).split("\n")]
+        self.assertEqual([line.rstrip() for line in log.split("\n")], lines)
 
 
 whole_runs.main()

@@ -44,8 +44,8 @@ endif()
 
 # Whole runs of the program: what comes in their way, and what both models share.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
-  foreach(name runs.FullDisk runs.OldResults runs.OneFolder runs.Signals
-      models.OtherSettings models.BothModels models.LinearSolvers models.DissipativeLaw)
+  foreach(name runs.FullDisk runs.OldResults runs.OneFolder runs.Signals runs.RunLog
+      models.OtherSettings models.BothModels models.PackingOfMaterials models.LinearSolvers models.DissipativeLaw)
     string(REGEX MATCH "^[a-z]+" script ${name})
     string(REGEX MATCH "[A-Za-z]+$" class ${name})
     add_test(NAME app/${name}

@@ -20,9 +20,9 @@ foreach(law overflowing dissipative)
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)
   softgrain_setup_target(test_constitutive_module_${law})
   target_link_libraries(test_constitutive_module_${law} softgrain)
-  add_dependencies(test_constitutive_custom_law test_constitutive_module_${law})
+  add_dependencies(softgrain_law_tester test_constitutive_module_${law})
   add_test(NAME constitutive/${law}_law
-    COMMAND test_constitutive_custom_law $<TARGET_FILE:test_constitutive_module_${law}>)
+    COMMAND softgrain_law_tester $<TARGET_FILE:test_constitutive_module_${law}>)
 endforeach()
 set_tests_properties(constitutive/dissipative_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 set_tests_properties(constitutive/overflowing_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT}
@@ -36,7 +36,7 @@ add_test(NAME constitutive/custom_law_alone
     --build-generator ${CMAKE_GENERATOR}
     --build-options -DSOFTGRAIN_DIR=${CMAKE_BINARY_DIR} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
       -DDEAL_II_DIR=${deal.II_DIR}
-    --test-command $<TARGET_FILE:test_constitutive_custom_law>
+    --test-command $<TARGET_FILE:softgrain_law_tester>
       ${CMAKE_BINARY_DIR}/tests/constitutive/custom_law_alone/libcustom_law.so)
 set_tests_properties(constitutive/custom_law_alone PROPERTIES LABELS "full;constitutive" TIMEOUT 600)
 

@@ -14,3 +14,22 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/nightly/faults)
   set_tests_properties(nightly/faults PROPERTIES LABELS nightly TIMEOUT 7200)
 endif()
+
+# ParaView opens what a run writes.
+set(SOFTGRAIN_PARAVIEW "" CACHE PATH "folder into which contrib/paraview_beside.sh unpacked ParaView")
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  add_test(NAME nightly/paraview
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/paraview.py $<TARGET_FILE:softgrain_executable>
+      ${CMAKE_CURRENT_SOURCE_DIR}/python/example.prm ${CMAKE_BINARY_DIR}/tests/nightly/paraview ${SOFTGRAIN_PARAVIEW})
+  set_tests_properties(nightly/paraview PROPERTIES LABELS nightly TIMEOUT 600 SKIP_RETURN_CODE 77)
+endif()
+
+# Installation and package, with a law built against each.
+if(TARGET softgrain_law_tester)
+  foreach(kind prefix package)
+    add_test(NAME nightly/installed_${kind}
+      COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/installed.py ${CMAKE_BINARY_DIR}
+        ${CMAKE_BINARY_DIR}/tests/nightly/installed_${kind} ${kind})
+    set_tests_properties(nightly/installed_${kind} PROPERTIES LABELS nightly TIMEOUT 1200 SKIP_RETURN_CODE 77)
+  endforeach()
+endif()

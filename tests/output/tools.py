@@ -16,7 +16,7 @@ import matplotlib.image  # noqa: E402
 import numpy as np  # noqa: E402
 
 import softgrain  # noqa: E402
-from softgrain import drawing, fields, theory  # noqa: E402
+from softgrain import Run, drawing, fields, split_unit, theory  # noqa: E402
 from softgrain.parameters import Parameters  # noqa: E402
 
 
@@ -62,12 +62,18 @@ class Tools(unittest.TestCase):
         points = fields.read_grid(series[-1].files["points"])
         data = points.point_data
         self.assertEqual(len(points.cells), len(points.points))
+        with open(series[-1].files["points"], "rb") as file:
+            self.assertIn(b'ComponentName1="XY"', file.read(5000))
         self.assertEqual(data["deformation_gradient"].shape, (len(points.points), 4))
         self.assertEqual(data["velocity_m_per_s"].shape, (len(points.points), 3))
         self.assertIn("strain_energy_J_per_m3", data)
-        np.testing.assert_allclose(data["stress_zz_Pa"], 0.45 * (data["stress_xx_Pa"] + data["stress_yy_Pa"]),
-                                   rtol=1e-4, atol=1)
-        mean = -(data["stress_xx_Pa"] + data["stress_yy_Pa"] + data["stress_zz_Pa"]) / 3
+        # A symmetric tensor of nine components, as ParaView has them, with nothing out of the plane but zz.
+        stress = data["stress_Pa"].reshape(-1, 3, 3)
+        np.testing.assert_array_equal(stress, stress.transpose(0, 2, 1))
+        np.testing.assert_array_equal(stress[:, 2, :2], 0)
+        self.assertGreater(np.abs(stress[:, 0, 1]).max(), 1e3)
+        np.testing.assert_allclose(stress[:, 2, 2], 0.45 * (stress[:, 0, 0] + stress[:, 1, 1]), rtol=1e-4, atol=1)
+        mean = -np.trace(stress, axis1=1, axis2=2) / 3
         np.testing.assert_allclose(data["pressure_Pa"], mean, rtol=1e-4, atol=1)
         self.assertTrue((data["von_mises_Pa"] > 0).all())
         outlines = fields.read_grid(series[-1].files["outlines"])
@@ -91,6 +97,21 @@ class Tools(unittest.TestCase):
             self.assertEqual(last.attrs["time_s"], file["time_s"][3])
             self.assertEqual(last["points/position_m"].shape[1], 2)
             self.assertEqual(last["bodies/name"][0], b"disk")
+            found = {}
+            last.visititems(lambda name, item: found.update({name: item.attrs["units"].decode()}) if "units" in item.attrs else None)
+            for name, unit in (("points/stress_Pa", "Pa"), ("points/size_m2", "m^2"), ("contacts/force_N_per_m", "N/m"),
+                               ("bodies/angular_momentum_kg_m_per_s", "kg m/s"), ("points/deformation_gradient", "1"),
+                               ("walls/velocity_m_per_s", "m/s"), ("points/extra/strain_energy_J_per_m3", "J/m^3"),
+                               ("energies/kinetic_J_per_m", "J/m")):
+                self.assertEqual(found[name], unit)
+            numbers = []
+            last.visititems(lambda name, item: numbers.append(name) if getattr(item, "dtype", None) == float else None)
+            self.assertEqual(sorted(numbers), sorted(found))
+            self.assertEqual(file["time_s"].attrs["units"], b"s")
+            # The Python package says the same of a table as of its names, with the signs that print well.
+            for part in ("points", "bodies", "contacts", "walls"):
+                table = Run(os.path.join(WORK, "disk")).snapshots[3].source.table(part)
+                self.assertEqual(table.units, {name: split_unit(name)[1] for name in table})
             begin, end = last["outlines/ring_offsets"][:2]
             self.assertEqual(last["outlines/points_m"][begin:end].shape, (240, 2))
 

@@ -162,9 +162,18 @@ int main()
   const Packing windows = read_packing("windows.csv");
   std::cout << "with marks of Windows: " << windows.disks.size() << " disks, the last at "
             << windows.disks.back().center << " of radius " << windows.disks.back().radius << '\n';
+  packing.materials = {"soft rubber", "gel"};
+  write_packing("materials.csv", packing);
+  const Packing mixed = read_packing("materials.csv");
+  std::cout << "with materials: " << mixed.disks.size() << " disks of " << mixed.materials[0] << " and "
+            << mixed.materials[1] << '\n';
   refused([] { read_packing("nothing.csv"); });
   std::ofstream("bad.csv") << "x_m,y_m,radius_m\n0,0,1\n0,1,-1\n";
   refused([] { read_packing("bad.csv"); });
+  std::ofstream("nameless.csv") << "x_m,y_m,radius_m,material\n0,0,1,gel\n0,3,1,\n";
+  refused([] { read_packing("nameless.csv"); });
+  std::ofstream("too_many.csv") << "x_m,y_m,radius_m\n0,0,1,gel\n";
+  refused([] { read_packing("too_many.csv"); });
   std::ofstream("empty.csv") << "x_m,y_m,radius_m\n";
   refused([] { read_packing("empty.csv"); });
 }

@@ -2,26 +2,32 @@
 #ifndef softgrain_app_progress_h
 #define softgrain_app_progress_h
 
+#include <softgrain/app/time_left.h>
 #include <softgrain/model/model.h>
 
 #include <chrono>
 #include <cstdint>
-#include <iosfwd>
 #include <string>
 
 namespace softgrain
 {
+class RunLog;
+
 /**
- * @brief Tells how far a run is: one line that changes on a terminal, a line every few seconds in a file.
+ * @brief Tells how far a run is: one line that changes on a terminal, in run.log and where the output goes to
+ * a file a line every few seconds, of a long run every hundredth of its time so far.
  */
 class Progress
 {
 public:
   /// @param is_terminal whether a line can be written over
-  Progress(std::ostream &out, bool is_terminal);
+  Progress(RunLog &log, bool is_terminal);
 
-  /// After a step; @p fraction of the way is done, of which @p start was done before this process.
-  void update(double time, std::uint64_t step, const StepReport &report, double fraction, double start);
+  /// Before the first step: from here on time counts.
+  void start();
+
+  /// After a step; @p fraction of the work is done.
+  void update(double time, std::uint64_t step, const StepReport &report, double fraction);
 
   /// Shows the last step if it has not been shown, and ends the line.
   void finish();
@@ -29,15 +35,19 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void show();
+  void show_on_terminal();
+  void show_in_files();
 
-  std::ostream &out;
+  RunLog &log;
   const bool is_terminal;
-  const Clock::time_point begin;
-  Clock::time_point last_shown;
+  Clock::time_point begin;
+  Clock::time_point last_on_terminal;
+  Clock::time_point last_in_files;
+  TimeLeft time_left;
   std::string line;
   std::size_t shown_length = 0;
-  bool line_is_new = false;
+  bool new_on_terminal = false;
+  bool new_in_files = false;
 };
 
 /// "2 h 05 min", "3 min 20 s", "12 s".

@@ -7,6 +7,7 @@
 #include <softgrain/app/output_schedule.h>
 #include <softgrain/app/progress.h>
 #include <softgrain/app/run_lock.h>
+#include <softgrain/app/run_log.h>
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/app/run_statistics.h>
 #include <softgrain/model/model.h>
@@ -32,14 +33,17 @@ public:
              const RunParameters &parameters,
              const std::string &effective_parameters,
              const RunLock &lock,
-             std::ostream &log);
+             std::ostream &terminal);
 
   /**
    * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
    * @param file_name of the checkpoint, for the log
+   * @param changes of parameters since the checkpoint, for the log
    * @throw InputError when it cannot be read
    */
-  void restart(StateReader &checkpoint, const std::string &file_name);
+  void restart(StateReader &checkpoint,
+               const std::string &file_name,
+               const std::vector<std::string> &changes = {});
 
   /**
    * @brief Computes to the end, or until a signal asks the program to stop, within a step if need be.
@@ -59,7 +63,7 @@ private:
   void note_failure();
   std::string loop();
   bool finished() const;
-  /// Part of the way to the nearest stop condition.
+  /// Part of the work that is done, of the whole run: 0 at its start, 1 where a stop condition holds.
   double fraction_done() const;
   double next_target() const;
   void write_due_output(const StepReport &report);
@@ -67,16 +71,17 @@ private:
   void write_pictures(bool fields, bool snapshots);
   void write_checkpoint();
   void write_summary(const std::string &status);
-  void print_end(const std::string &status) const;
+  void print_end(const std::string &status);
 
   const Scene<2> &scene;
   Model<2> &model;
   const RunParameters &parameters;
   const std::string effective_parameters;
   const RunLock &lock;
-  std::ostream &log;
+  RunLog log;
 
   const std::vector<WallState<2>> walls_at_start;
+  const std::optional<double> packing_at_start;
   RunStatistics statistics;
   Progress progress;
   HistoryWriter history;

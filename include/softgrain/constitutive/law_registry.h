@@ -4,6 +4,7 @@
 
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law.h>
+#include <softgrain/constitutive/plugin_interface.h>
 
 #include <memory>
 #include <string>

@@ -22,6 +22,8 @@ struct Packing
     double radius = 0;       ///< [m]
   };
   std::vector<Disk> disks;
+  std::vector<std::string>
+      materials; ///< name of each disk's material; empty: the disks have none of their own
 
   double solid_area() const;
 };
@@ -71,10 +73,10 @@ Packing pack_disks(const std::vector<double> &radii,
 /// pack_disks() with radii drawn at random.
 Packing make_packing(const PackingRequest &request);
 
-/// Reads `x_m,y_m,radius_m`. @throw InputError naming file and line.
+/// Reads `x_m,y_m,radius_m` or `x_m,y_m,radius_m,material`. @throw InputError naming file and line.
 Packing read_packing(const std::string &file);
 
-/// Writes `x_m,y_m,radius_m`, whole or not at all. @throw InputError when it cannot be written.
+/// Writes what read_packing() reads, whole or not at all. @throw InputError when it cannot be written.
 void write_packing(const std::string &file, const Packing &packing);
 } // namespace softgrain
 
