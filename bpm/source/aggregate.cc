@@ -107,7 +107,7 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
 }
 
 /// Walls that hold nothing: the primaries of an aggregate in the making are alone.
-std::vector<MovingWall> no_walls;
+std::vector<Wall> no_walls;
 
 Primaries disks_of(const Aggregate &aggregate, const double density)
 {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/driving/contact_settings.h>
+#include <softgrain/geometry/box.h>
 #include <softgrain/model/model_factory.h>
+#include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -18,15 +22,10 @@ public:
 
   std::vector<std::string> changeable_on_restart() const override
   {
-    return {"Time/",
-            "Primaries/Library",
-            "Contact/Tolerance",
-            "Contact/Wall tolerance",
-            "Contact/Penetration tolerance",
-            "Contact/Largest penetration",
-            "Contact/Maximum sweeps",
-            "Contact/Algorithm",
-            "Contact/Relaxation"};
+    std::vector<std::string> names = ContactSettings::names();
+    names.insert(names.end(), {"Time/", "Primaries/Library", "Contact/Wall tolerance",
+                               "Contact/Penetration tolerance", "Contact/Largest penetration"});
+    return names;
   }
 
   LawCatalogue laws() const override
@@ -48,6 +47,7 @@ public:
   {
     Settings settings;
     settings.parse_parameters(prm);
+    check_walls(scene, prm);
     std::vector<std::shared_ptr<const Attraction>> laws;
     std::vector<std::string> texts;
     for (const MaterialDescription &material : scene.materials)
@@ -71,24 +71,27 @@ public:
   }
 
 private:
-  /// Names of the parameters of a law, in its own handler.
+  /// @throw InputError for walls that this model has not
+  static void check_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
+  {
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    {
+      const WallDescription<2> &wall = scene.walls[w];
+      if (wall.type != WallDescription<2>::Type::plane)
+        throw InputError("'Walls/" + wall.name +
+                         "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
+      if (!wall.drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
+        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
+                         "' needs two walls beside it, at right angles, between which the pressure acts");
+    }
+  }
+
+  /// Names of the parameters of a law.
   static std::vector<std::string> parameter_names(const Attraction &law)
   {
     dealii::ParameterHandler own;
     law.declare_parameters(own);
-    std::ostringstream text;
-    own.print_parameters(text, dealii::ParameterHandler::ShortText);
-    std::vector<std::string> names;
-    std::istringstream lines(text.str());
-    for (std::string line; std::getline(lines, line);)
-    {
-      const auto begin = line.find("set "), end = line.find('=');
-      if (begin == std::string::npos || end == std::string::npos)
-        continue;
-      const std::string name = line.substr(begin + 4, end - begin - 4);
-      names.push_back(name.substr(0, name.find_last_not_of(' ') + 1));
-    }
-    return names;
+    return parameter_tree(own).entry_names();
   }
 };
 

@@ -223,7 +223,7 @@ bool CommandLine::run() const
   else
     check_may_begin_anew(folder, overwrite);
   const std::unique_ptr<Model<2>> created = input.create_model();
-  Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), lock, std::cout);
+  Simulation simulation(input, *created, lock, std::cout);
   if (restart)
     simulation.restart(*state, state_file);
   return simulation.run() == "completed";

@@ -53,8 +53,12 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   {
     const LawCatalogue laws = Registry<ModelFactory>::instance().create(model)->laws();
     described_scene = SceneParameters(names, laws).parse_parameters(prm);
-    run_parameters.parse_parameters(prm, file_name, described_scene.stop.end_time);
+    stop_conditions.parse_parameters(prm);
+    described_scene.end_time = stop_conditions.end_time();
+    run_parameters.parse_parameters(prm, file_name, described_scene.end_time);
     check_scene(described_scene);
+    stop_conditions.check(described_scene);
+    stop_conditions.check_start(described_scene);
     check_output_folder(run_parameters.output_directory);
   }
   catch (const InputError &error)
@@ -104,6 +108,7 @@ void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &mo
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
   RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
   SceneParameters(names, factory->laws()).declare_parameters(prm);
+  StopConditions::declare_parameters(prm);
   factory->declare_parameters(prm);
 }
 } // namespace softgrain

@@ -32,16 +32,12 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-Simulation::Simulation(const Scene<2> &scene,
-                       Model<2> &model,
-                       const RunParameters &parameters,
-                       const std::string &effective_parameters,
-                       const RunLock &lock,
-                       std::ostream &log)
-    : scene(scene)
+Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &log)
+    : scene(input.scene())
+    , stop(input.stop())
     , model(model)
-    , parameters(parameters)
-    , effective_parameters(effective_parameters)
+    , parameters(input.run())
+    , effective_parameters(input.effective_parameters())
     , lock(lock)
     , log(log)
     , walls_at_start(model.walls())
@@ -203,7 +199,7 @@ std::string Simulation::loop()
 
 double Simulation::next_target() const
 {
-  const double end = scene.stop.end_time > 0 ? scene.stop.end_time : std::numeric_limits<double>::infinity();
+  const double end = stop.end_time() > 0 ? stop.end_time() : std::numeric_limits<double>::infinity();
   return std::min({end, field_schedule.next(), snapshot_schedule.next()});
 }
 
@@ -214,20 +210,7 @@ bool Simulation::finished() const
 
 double Simulation::fraction_done() const
 {
-  const StopConditions &stop = scene.stop;
-  double fraction = 0;
-  if (stop.end_time > 0)
-    fraction = model.time() >= stop.end_time - planner.slack() ? 1 : model.time() / stop.end_time;
-  if (stop.axial_strain > 0)
-    fraction =
-        std::max(fraction, axial_strain(walls_at_start, model.walls()).value_or(0.) / stop.axial_strain);
-  if (stop.packing_fraction > 0)
-  {
-    const double packing = packing_fraction(model.walls(), model.solid_area()).value_or(0.);
-    // The box shrinks like 1/packing, so this measures the way of the walls.
-    fraction = std::max(fraction, packing >= stop.packing_fraction ? 1 : packing / stop.packing_fraction);
-  }
-  return fraction;
+  return stop.fraction_done({model, walls_at_start, planner.slack()});
 }
 
 void Simulation::write_due_output(const StepReport &report)

@@ -11,88 +11,6 @@ namespace softgrain
 {
 namespace
 {
-double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-double distance_to_edge(const dealii::Point<2> &p, const dealii::Point<2> &a, const dealii::Point<2> &b)
-{
-  const dealii::Tensor<1, 2> edge = b - a;
-  const double length_squared = edge.norm_square();
-  const double s = length_squared > 0 ? std::clamp(((p - a) * edge) / length_squared, 0., 1.) : 0.;
-  return p.distance(a + s * edge);
-}
-
-double distance_to_boundary(const dealii::Point<2> &p, const Polygon &polygon)
-{
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    least = std::min(least, distance_to_edge(p, polygon[i], polygon[(i + 1) % polygon.size()]));
-  return least;
-}
-
-bool is_inside(const dealii::Point<2> &p, const Polygon &polygon)
-{
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
-  {
-    const auto &a = polygon[i], &b = polygon[j];
-    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
-      inside = !inside;
-  }
-  return inside;
-}
-
-/// Whether the edges cross with every end point farther than @p tolerance from the other edge's line.
-bool edges_cross(const dealii::Point<2> &a,
-                 const dealii::Point<2> &b,
-                 const dealii::Point<2> &c,
-                 const dealii::Point<2> &d,
-                 const double tolerance)
-{
-  const auto apart = [tolerance](const dealii::Point<2> &p, const dealii::Point<2> &q,
-                                 const dealii::Point<2> &r, const dealii::Point<2> &s)
-  {
-    const double length = p.distance(q);
-    const double first = cross(q - p, r - p) / length, second = cross(q - p, s - p) / length;
-    return (first > tolerance && second < -tolerance) || (first < -tolerance && second > tolerance);
-  };
-  return apart(a, b, c, d) && apart(c, d, a, b);
-}
-
-/// Whether @p p lies in the polygon, deeper than @p tolerance.
-bool is_deep_inside(const dealii::Point<2> &p, const Polygon &polygon, const double tolerance)
-{
-  return is_inside(p, polygon) && distance_to_boundary(p, polygon) > tolerance;
-}
-
-/// Corners, and points just inside of every edge: so that a polygon laid exactly on another one is noticed.
-bool has_point_inside(const Polygon &a, const Polygon &b, const double tolerance)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    const auto &p = a[i], &q = a[(i + 1) % a.size()];
-    const dealii::Tensor<1, 2> edge = q - p;
-    dealii::Tensor<1, 2> inward;
-    inward[0] = -edge[1];
-    inward[1] = edge[0];
-    const dealii::Point<2> within = p + 0.5 * edge + (4 * tolerance / edge.norm()) * inward;
-    if (is_deep_inside(p, b, tolerance) || is_deep_inside(within, b, tolerance))
-      return true;
-  }
-  return false;
-}
-
-bool polygons_overlap(const Polygon &a, const Polygon &b, const double tolerance)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      if (edges_cross(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()], tolerance))
-        return true;
-  return has_point_inside(a, b, tolerance) || has_point_inside(b, a, tolerance);
-}
-
 bool disks_overlap(const BodyDescription<2> &a, const BodyDescription<2> &b, const double tolerance)
 {
   const double distance = a.center.distance(b.center);
@@ -110,17 +28,6 @@ bool disk_overlaps_polygon(const BodyDescription<2> &disk, const Polygon &polygo
                      { return p.distance(disk.center) > disk.inner_radius + tolerance; });
 }
 } // namespace
-
-bool crosses_itself(const Polygon &polygon)
-{
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j)
-      if ((j + 1) % n != i &&
-          edges_cross(polygon[i], polygon[(i + 1) % n], polygon[j], polygon[(j + 1) % n], 0.))
-        return true;
-  return false;
-}
 
 Polygon corners(const BodyDescription<2> &body)
 {
@@ -141,6 +48,34 @@ Polygon corners(const BodyDescription<2> &body)
   return result;
 }
 
+std::vector<Polygon> make_outline(const BodyDescription<2> &body, const double spacing)
+{
+  switch (body.shape)
+  {
+  case BodyShape::disk:
+  {
+    std::vector<Polygon> outline = {circle(body.center, body.radius, spacing, false)};
+    if (body.inner_radius > 0.)
+      outline.push_back(circle(body.center, body.inner_radius, spacing, true));
+    return outline;
+  }
+  case BodyShape::rectangle:
+  {
+    const dealii::Tensor<1, 2> e({std::cos(body.angle), std::sin(body.angle)}), f({-e[1], e[0]});
+    const dealii::Tensor<1, 2> a = 0.5 * body.size[0] * e, b = 0.5 * body.size[1] * f;
+    return {subdivide({body.center - a - b, body.center + a - b, body.center + a + b, body.center - a + b},
+                      spacing)};
+  }
+  case BodyShape::polygon:
+  {
+    Polygon corners = body.vertices;
+    if (signed_area(corners) < 0.)
+      std::reverse(corners.begin(), corners.end());
+    return {subdivide(corners, spacing)};
+  }
+  }
+  return {};
+}
 double area(const BodyDescription<2> &body)
 {
   if (body.shape == BodyShape::disk)

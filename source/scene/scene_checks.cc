@@ -110,20 +110,6 @@ void check_formulas(const BodyDescription<2> &body)
                {x, y, x, y, 0.});
 }
 
-void check_formulas(const WallDescription<2> &wall)
-{
-  const std::string velocity = "Walls/" + wall.name + "/Velocity";
-  check_finite(velocity,
-               parse_at(velocity, [&] { return std::vector<Expression>{Expression(wall.velocity, {"t"})}; }),
-               {0.});
-  if (wall.pressure.empty())
-    return;
-  const std::string pressure = "Walls/" + wall.name + "/Pressure";
-  check_finite(pressure,
-               parse_at(pressure, [&] { return std::vector<Expression>{Expression(wall.pressure, {"t"})}; }),
-               {0.});
-}
-
 void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall)
 {
   const auto distances = distances_from_plane(body, wall.point, wall.normal);
@@ -152,51 +138,7 @@ void check_bodies_apart(const std::vector<BodyDescription<2>> &bodies)
       if (overlap(*a, *b, touching * std::max(size_of(*a), size_of(*b))))
         throw InputError("the bodies '" + b->name + "' and '" + a->name + "' overlap at the start");
 }
-
-double box_area(const Scene<2> &scene)
-{
-  const auto wall = [&scene](const std::string &name) -> const WallDescription<2> &
-  {
-    return *std::find_if(scene.walls.begin(), scene.walls.end(),
-                         [&name](const WallDescription<2> &w) { return w.name == name; });
-  };
-  return std::abs((wall("top").point - wall("bottom").point) * wall("bottom").normal) *
-         std::abs((wall("right").point - wall("left").point) * wall("left").normal);
-}
-
-void check_stop(const Scene<2> &scene)
-{
-  const StopConditions &stop = scene.stop;
-  if (!(stop.end_time > 0) && stop.axial_strain < 0 && stop.packing_fraction < 0)
-    throw InputError("the run would never end: set 'Stop/End time', 'Stop/Axial strain' or 'Stop/Packing "
-                     "fraction' greater than 0");
-  const auto need_walls = [&scene](const std::string &key, const std::vector<std::string> &names)
-  {
-    for (const std::string &name : names)
-      if (!has_wall(scene, name))
-        throw InputError("'Stop/" + key + "' cannot be measured: there is no wall named '" + name + "'");
-  };
-  if (stop.axial_strain >= 0)
-    need_walls("Axial strain", {"bottom", "top"});
-  if (stop.packing_fraction >= 0)
-  {
-    need_walls("Packing fraction", {"bottom", "top", "left", "right"});
-    double solid = 0;
-    for (const BodyDescription<2> &body : scene.bodies)
-      solid += area(body);
-    if (solid / box_area(scene) >= stop.packing_fraction)
-      throw InputError("'Stop/Packing fraction' = '" + number(stop.packing_fraction) +
-                       "' is already reached: the bodies fill " + number(solid / box_area(scene)) +
-                       " of the box at the start");
-  }
-}
 } // namespace
-
-bool has_wall(const Scene<2> &scene, const std::string &name)
-{
-  return std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [&name](const WallDescription<2> &wall) { return wall.name == name; });
-}
 
 void check_scene(const Scene<2> &scene)
 {
@@ -209,12 +151,8 @@ void check_scene(const Scene<2> &scene)
   }
   check_walls(scene.walls);
   for (const WallDescription<2> &wall : scene.walls)
-  {
-    check_formulas(wall);
     for (const BodyDescription<2> &body : scene.bodies)
       check_inside(body, wall);
-  }
   check_bodies_apart(scene.bodies);
-  check_stop(scene);
 }
 } // namespace softgrain

@@ -6,11 +6,10 @@
 // formulas. The midpoint rule keeps its energy to rounding.
 #include <softgrain/app/command_line.h>
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/expression.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/scene/body_geometry.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -36,7 +35,6 @@ public:
       state.normal = wall.normal;
       state.position = wall.normal[0] != 0 ? wall.point[0] : wall.point[1];
       wall_states.push_back(state);
-      formulas.emplace_back(wall.velocity, std::vector<std::string>{"t"});
     }
   }
 
@@ -56,7 +54,7 @@ public:
     x = x_new;
     for (unsigned int w = 0; w < wall_states.size(); ++w)
     {
-      wall_states[w].velocity = formulas[w]({t});
+      wall_states[w].velocity = scene.walls[w].drive->demand({t, 0., 0.}).velocity;
       wall_states[w].point += report.dt * wall_states[w].velocity * wall_states[w].normal;
       wall_states[w].position =
           wall_states[w].normal[0] != 0 ? wall_states[w].point[0] : wall_states[w].point[1];
@@ -147,7 +145,6 @@ private:
   const double dt;
   const unsigned int fails_at, stops_at;
   std::vector<WallState<2>> wall_states;
-  std::vector<Expression> formulas;
   double t = 0, x = 1, v = 0;
   std::size_t n_steps = 0;
 };

@@ -3,6 +3,7 @@
 #define softgrain_app_input_h
 
 #include <softgrain/app/run_parameters.h>
+#include <softgrain/driving/stop_condition.h>
 #include <softgrain/model/model.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
@@ -33,6 +34,7 @@ public:
 
   const RunParameters &run() const { return run_parameters; }
   const Scene<2> &scene() const { return described_scene; }
+  const StopConditions &stop() const { return stop_conditions; }
 
   /// @throw InputError when the scene does not suit the model.
   std::unique_ptr<Model<2>> create_model();
@@ -52,6 +54,7 @@ private:
   dealii::ParameterHandler prm;
   RunParameters run_parameters;
   Scene<2> described_scene;
+  StopConditions stop_conditions;
 };
 
 /// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these

@@ -11,6 +11,8 @@
 
 namespace softgrain
 {
+class WallDrive;
+
 /// A material as the scene names it; the law itself is created by the model from `law` and the law's own
 /// subsection.
 struct MaterialDescription
@@ -59,25 +61,13 @@ struct WallDescription
 
   std::string name;
   Type type = Type::plane;
-  dealii::Point<dim> point;      ///< a point of the plane at the start [m]
-  dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  std::string velocity;          ///< along the normal, an expression of t [m/s]
-  std::string pressure;          ///< that moves it along its normal, an expression of t [Pa]; empty: velocity
-  double mass = 0;               ///< of a wall that pressure moves [kg/m in 2D]
-  double damping = 0;            ///< force per velocity on such a wall [kg/(m s) in 2D]
+  dealii::Point<dim> point;               ///< a point of the plane at the start [m]
+  dealii::Tensor<1, dim> normal;          ///< unit, into the domain
+  std::shared_ptr<const WallDrive> drive; ///< how it moves
   double friction = 0;
 };
 
-/// When a run ends, whichever comes first.
-struct StopConditions
-{
-  double end_time = 0;          ///< [s]
-  double axial_strain = -1;     ///< ln(h0/h) of the bottom-top distance; negative: no condition
-  double packing_fraction = -1; ///< negative: no condition
-};
-
-/// What a parameter file says of the world: bodies, walls, loads and when to stop. Nothing of how it is
-/// solved.
+/// What a parameter file says of the world: bodies, walls and loads. Nothing of how it is solved.
 template <int dim>
 struct Scene
 {
@@ -86,7 +76,7 @@ struct Scene
   std::vector<WallDescription<dim>> walls;
   dealii::Tensor<1, dim> gravity; ///< [m/s^2]
   double friction = 0;            ///< between bodies
-  StopConditions stop;
+  double end_time = 0;            ///< of the run, if it has one [s]
 };
 } // namespace softgrain
 

@@ -3,7 +3,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_generator.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/scene/body_geometry.h>
 
 #include <algorithm>
 #include <cmath>

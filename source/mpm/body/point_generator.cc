@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/point_generator.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/scene/body_geometry.h>
 
 #include <algorithm>
 #include <cmath>

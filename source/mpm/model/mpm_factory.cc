@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/constitutive/law_registry.h>
+#include <softgrain/driving/contact_settings.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
@@ -17,11 +18,10 @@ public:
 
   std::vector<std::string> changeable_on_restart() const override
   {
-    return {"Time/Time step",         "Time/CFL multiple",
-            "Time/Smallest step",     "Newton/",
-            "Linear solver/",         "Contact/Tolerance",
-            "Contact/Algorithm",      "Contact/Relaxation",
-            "Contact/Maximum sweeps", "Contact/Keep failed problems in"};
+    std::vector<std::string> names = ContactSettings::names();
+    names.insert(names.end(), {"Time/Time step", "Time/CFL multiple", "Time/Smallest step", "Newton/",
+                               "Linear solver/", "Contact/Keep failed problems in"});
+    return names;
   }
 
   LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
@@ -31,9 +31,9 @@ public:
     Settings settings;
     settings.parse_parameters(prm);
     for (const WallDescription<2> &wall : scene.walls)
-      if (!wall.pressure.empty())
-        throw InputError("'Walls/" + wall.name +
-                         "/Drive' = 'pressure' is not allowed with 'Model' = 'mpm': choose 'velocity'");
+      if (!wall.drive->prescribed())
+        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
+                         "' is not allowed with 'Model' = 'mpm': choose 'velocity'");
     std::vector<std::shared_ptr<const constitutive::Law<2>>> laws;
     for (const MaterialDescription &material : scene.materials)
     {

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/contact/active_set.h>
+#include <softgrain/driving/contact_settings.h>
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/parameters/parameter_values.h>
 
@@ -88,14 +89,10 @@ void declare_time(dealii::ParameterHandler &prm)
         prm.declare_entry("Theta", "0.55", Double(0.5, 1.),
                           "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
                           "Euler. Units: none.");
-        prm.declare_entry("Time step", "0", Double(0.),
-                          "Length of a step; 0: 'CFL multiple' times the CFL step. Units: s.");
+        StepSettings::declare_parameters(prm, "'CFL multiple' times the CFL step", "1e-4");
         prm.declare_entry("CFL multiple", "20", Double(1e-6),
                           "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
                           "'Time step' is 0. Units: none.");
-        prm.declare_entry("Smallest step", "1e-4", Double(1e-12, 1.),
-                          "A step that fails is repeated with half its length. The run gives up when a step "
-                          "is shorter than this share of the length asked for. Units: none.");
       });
   in_section(prm, "Newton",
              [&]
@@ -182,18 +179,12 @@ void declare_contact(dealii::ParameterHandler &prm)
                           "than a cell, by a "
                           "law measured against finite elements. With B-splines, geometry surface and scheme "
                           "quasi_static only.");
-        prm.declare_entry("Tolerance", "1e-7", Double(1e-14, 1e-1),
-                          "Largest residual of a contact solution (natural map), relative to the approach "
-                          "speed. Units: none.");
-        prm.declare_entry("Maximum sweeps", "20000", Integer(1),
-                          "Largest number of Gauss-Seidel sweeps of one contact solve. Units: none.");
-        prm.declare_entry(
-            "Relaxation", "1", Double(0.05, 1.95),
-            "With 'Algorithm = gauss_seidel': factor on every change of an impulse. Units: none.");
-        prm.declare_entry(
-            "Algorithm", "automatic", Selection("automatic|accelerated|gauss_seidel|active_set"),
-            "gauss_seidel: plain sweeps; accelerated: sweeps with momentum and restart; active_set: Newton "
-            "on the active set; automatic: accelerated, and Newton when the sweeps do not converge.");
+        ContactSettings::declare_parameters(
+            prm, "1e-7",
+            {{"automatic", "accelerated, and Newton when the sweeps do not converge"},
+             {"accelerated", "sweeps with momentum and restart"},
+             {"gauss_seidel", "plain sweeps"},
+             {"active_set", "Newton on the active set"}});
         prm.declare_entry("Keep failed problems in", "", dealii::Patterns::Anything(),
                           "Folder in which contact problems that do not converge are kept, to be solved "
                           "again for study; empty: none are kept.");
@@ -251,9 +242,8 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
              [&]
              {
                scheme = TimeScheme::create(prm.get("Scheme"), prm.get_double("Theta"));
-               time_step = prm.get_double("Time step");
+               step.parse_parameters(prm);
                cfl_multiple = prm.get_double("CFL multiple");
-               smallest_step = prm.get_double("Smallest step");
              });
   in_section(prm, "Quasi-static",
              [&]
@@ -289,10 +279,12 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         marker_spacing = prm.get_double("Marker spacing");
         subgrid = prm.get_bool("Sub-grid compliance");
-        contact_solver.tolerance = prm.get_double("Tolerance");
-        contact_solver.max_sweeps = prm.get_integer("Maximum sweeps");
-        contact_solver.relaxation = relaxation_of_plain_sweeps(prm);
-        contact_solver.algorithm = contact::algorithms().at(prm.get("Algorithm"));
+        ContactSettings common;
+        common.parse_parameters(prm);
+        contact_solver.tolerance = common.tolerance;
+        contact_solver.max_sweeps = common.max_sweeps;
+        contact_solver.relaxation = common.relaxation;
+        contact_solver.algorithm = contact::algorithms().at(common.algorithm);
         failed_problem_directory = prm.get("Keep failed problems in");
         if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
           throw InputError(

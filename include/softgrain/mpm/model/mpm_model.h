@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_mpm_model_h
 #define softgrain_mpm_model_mpm_model_h
 
+#include <softgrain/driving/step_control.h>
 #include <softgrain/model/model.h>
 #include <softgrain/mpm/model/world.h>
 
@@ -65,7 +66,7 @@ private:
   World world;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
-  double step_scale = 1.; ///< of the wanted step, after cuts
+  StepControl step_control{1.5};
   std::uint64_t held_steps = 0;
   double last_unbalanced = 0.;
   double last_dt = 0.;

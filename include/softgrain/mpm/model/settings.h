@@ -3,6 +3,7 @@
 #define softgrain_mpm_model_settings_h
 
 #include <softgrain/contact/gauss_seidel.h>
+#include <softgrain/driving/step_control.h>
 #include <softgrain/linear/linear_solver.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
 
@@ -55,9 +56,8 @@ struct Settings
   std::string f_bar = "automatic";
 
   TimeScheme scheme;
-  double time_step = 0; ///< [s], 0: cfl_multiple times the CFL step
-  double cfl_multiple = 20.;
-  double smallest_step = 1e-4; ///< relative to the wanted step; below it the run gives up
+  StepSettings step;
+  double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
 
   double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
   double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
