@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace softgrain::bpm
@@ -43,13 +44,27 @@ public:
             }};
   }
 
+  void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
+
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
   {
+    const Read read_in = read(scene, prm);
+    return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts);
+  }
+
+private:
+  struct Read
+  {
     Settings settings;
-    settings.parse_parameters(prm);
-    check_walls(scene, prm);
     std::vector<std::shared_ptr<const Attraction>> laws;
-    std::vector<std::string> texts;
+    std::vector<std::string> law_texts;
+  };
+
+  static Read read(const Scene<2> &scene, dealii::ParameterHandler &prm)
+  {
+    Read result;
+    result.settings.parse_parameters(prm);
+    check_walls(scene, prm);
     for (const MaterialDescription &material : scene.materials)
     {
       std::shared_ptr<Attraction> law = Registry<Attraction>::instance().create(material.law);
@@ -64,13 +79,12 @@ public:
       prm.leave_subsection();
       prm.leave_subsection();
       prm.leave_subsection();
-      texts.push_back(text.str());
-      laws.push_back(std::move(law));
+      result.law_texts.push_back(text.str());
+      result.laws.push_back(std::move(law));
     }
-    return std::make_unique<BpmModel>(scene, settings, laws, texts);
+    return result;
   }
 
-private:
   /// @throw InputError for walls that this model has not
   static void check_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
   {
@@ -91,7 +105,9 @@ private:
   {
     dealii::ParameterHandler own;
     law.declare_parameters(own);
-    return parameter_tree(own).entry_names();
+    std::vector<std::string> names = parameter_tree(own).entry_names();
+    std::sort(names.begin(), names.end());
+    return names;
   }
 };
 

@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     },
     "bpm": {"base", "parameters", "contact", "geometry", "packing", "scene", "analysis", "model", "driving"},
     "app": {
-        "base", "parameters", "contact", "constitutive", "analysis", "packing", "scene", "model", "output", "driving", "mpm",
+        "base", "parameters", "contact", "constitutive", "geometry", "analysis", "packing", "scene", "model", "output", "driving", "mpm",
         "bpm",
     },
 }

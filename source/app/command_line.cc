@@ -217,6 +217,7 @@ bool CommandLine::run() const
   {
     check_may_go_on(folder, state_file);
     state = std::make_unique<CheckpointReader>(state_file);
+    input.complete_scene();
     for (const std::string &change : input.check_restart(*state, state_file))
       std::cout << "changed since the checkpoint: " << change << '\n';
   }

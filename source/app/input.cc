@@ -8,6 +8,7 @@
 #include <softgrain/model/model_factory.h>
 #include <softgrain/parameters/parameter_listing.h>
 #include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <deal.II/base/utilities.h>
@@ -58,7 +59,7 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
     run_parameters.parse_parameters(prm, file_name, described_scene.end_time);
     check_scene(described_scene);
     stop_conditions.check(described_scene);
-    stop_conditions.check_start(described_scene);
+    Registry<ModelFactory>::instance().create(model)->check(described_scene, prm);
     check_output_folder(run_parameters.output_directory);
   }
   catch (const InputError &error)
@@ -67,8 +68,29 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   }
 }
 
+void Input::complete_scene()
+{
+  if (is_complete)
+    return;
+  try
+  {
+    if (described_scene.packing.method)
+    {
+      add_packing(described_scene);
+      check_scene(described_scene);
+    }
+    stop_conditions.check_start(described_scene);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(file.located(error.what()));
+  }
+  is_complete = true;
+}
+
 std::unique_ptr<Model<2>> Input::create_model()
 {
+  complete_scene();
   try
   {
     return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);

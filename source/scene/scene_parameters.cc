@@ -33,8 +33,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   Scene<2> scene;
   scene.materials = materials.parse_parameters(prm);
   scene.bodies = bodies.parse_parameters(prm, scene.materials);
-  for (BodyDescription<2> &body : PackingParameters::parse_parameters(prm, scene.materials))
-    scene.bodies.push_back(std::move(body));
+  scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
   scene.walls = walls.parse_parameters(prm);
   scene.friction = prm.get_double({"Contact"}, "Friction");
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));

@@ -6,9 +6,9 @@
 // formulas. The midpoint rule keeps its energy to rounding.
 #include <softgrain/app/command_line.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/model/state_file.h>
-#include <softgrain/scene/body_geometry.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -78,8 +78,8 @@ public:
     {
       BodyState<2> body;
       body.name = description.name;
-      body.outline = make_outline(description, 0.1);
-      body.area = body.reference_area = body.mass = area(description);
+      body.outline = description.shape->outline(0.1);
+      body.area = body.reference_area = body.mass = description.shape->area();
       body.center = description.center;
       result.bodies.push_back(body);
     }
@@ -102,7 +102,7 @@ public:
   {
     double sum = 0;
     for (const BodyDescription<2> &body : scene.bodies)
-      sum += area(body);
+      sum += body.shape->area();
     return sum;
   }
 

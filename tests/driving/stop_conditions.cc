@@ -2,6 +2,7 @@
 // Stop conditions that cannot be met or measured are refused; the others say what they wait for.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/stop_condition.h>
+#include <softgrain/geometry/shapes_2d.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -29,8 +30,7 @@ Scene<2> box(const std::vector<std::string> &names)
   {
     BodyDescription<2> body;
     body.name = i == 0 ? "a" : "b";
-    body.center = dealii::Point<2>(0.5 + i, 0.5);
-    body.radius = 0.5;
+    body.shape = std::make_shared<Disk2D>(dealii::Point<2>(0.5 + i, 0.5), 0.5);
     scene.bodies.push_back(body);
   }
   return scene;

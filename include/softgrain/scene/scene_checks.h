@@ -7,7 +7,7 @@
 namespace softgrain
 {
 /**
- * @brief Looks at a whole scene before anything is computed.
+ * @brief Looks at a whole scene before anything is computed, and again when its packing has been made.
  *
  * Bodies must have an area, lie on the inner side of every wall and not overlap (touching within 1e-9 of
  * their size is fine); opposing walls must leave room; formulas must parse and be finite at the start.

@@ -3,7 +3,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/geometry/box.h>
-#include <softgrain/scene/body_geometry.h>
+#include <softgrain/geometry/shape.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -41,7 +41,7 @@ public:
   {
     double solid = 0.;
     for (const BodyDescription<2> &body : scene.bodies)
-      solid += area(body);
+      solid += body.shape->area();
     const double fraction = solid / std::abs(box_of(scene.walls)->area());
     if (fraction >= limit)
       throw InputError("'Stop/" + key() + "' = '" + number_in_words(limit) +

@@ -26,7 +26,18 @@ public:
 
   LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
 
+  void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
+
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
+  {
+    auto [settings, laws] = read(scene, prm);
+    return std::make_unique<MpmModel>(scene, settings, std::move(laws));
+  }
+
+private:
+  using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
+
+  static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm);
@@ -34,7 +45,7 @@ public:
       if (!wall.drive->prescribed())
         throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
                          "' is not allowed with 'Model' = 'mpm': choose 'velocity'");
-    std::vector<std::shared_ptr<const constitutive::Law<2>>> laws;
+    Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
       prm.enter_subsection("Materials");
@@ -50,7 +61,7 @@ public:
       prm.leave_subsection();
       prm.leave_subsection();
     }
-    return std::make_unique<MpmModel>(scene, settings, std::move(laws));
+    return {settings, laws};
   }
 };
 

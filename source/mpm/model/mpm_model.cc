@@ -3,11 +3,9 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
-#include <softgrain/mpm/contact/nodal_contact.h>
-#include <softgrain/mpm/contact/surface_contact.h>
+#include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
-#include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -80,10 +78,10 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
           create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
-  if (settings.contact_kind == ContactKind::nodes)
-    world.geometry = std::make_unique<NodalContact>(*world.shape, settings.nodal_gap);
-  else
-    world.geometry = std::make_unique<SurfaceContact>();
+  integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
+  world.geometry = Registry<ContactGeometryKind>::instance()
+                       .create(settings.contact_geometry)
+                       ->create(*world.shape, settings);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;
@@ -124,14 +122,6 @@ double MpmModel::wanted_step() const
       (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl_step());
 }
 
-StepOutcome MpmModel::attempt(const double dt, const double wanted)
-{
-  const TimeScheme &scheme = world.settings.scheme;
-  if (!scheme.implicit)
-    return explicit_step(world, dt);
-  return scheme.inertia ? implicit_step(world, {dt, false, 0.}) : quasi_static_step(world, dt, wanted);
-}
-
 StepReport MpmModel::advance(const double dt_limit)
 {
   StepReport report;
@@ -139,7 +129,7 @@ StepReport MpmModel::advance(const double dt_limit)
   const double wanted = wanted_step();
   const auto try_step = [&](const double dt) -> Attempt
   {
-    const StepOutcome outcome = attempt(dt, wanted);
+    const StepOutcome outcome = integrator->step(world, dt, wanted);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
     if (!outcome.accepted)

@@ -3,7 +3,10 @@
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/driving/contact_settings.h>
+#include <softgrain/mpm/contact/contact_geometry_kind.h>
+#include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/parameter_values.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -46,10 +49,10 @@ void declare_discretisation(dealii::ParameterHandler &prm)
       prm, "Material points",
       [&]
       {
-        prm.declare_entry(
-            "Shape function", "bspline", Selection("linear|gimp|bspline"),
-            "linear: hat functions on the corners of the cells (the thesis); gimp: hat functions averaged "
-            "over the extent of a point; bspline: uniform quadratic B-splines.");
+        prm.declare_entry("Shape function", "bspline",
+                          Selection(Registry<ShapeFunction>::instance().choice()),
+                          "Functions that interpolate between points and grid; " +
+                              Registry<ShapeFunction>::instance().choice_in_words());
         prm.declare_entry("Points per direction", "2", Integer(1, 8),
                           "Material points per cell and direction at the start. Units: none.");
         prm.declare_entry(
@@ -82,10 +85,8 @@ void declare_time(dealii::ParameterHandler &prm)
       prm, "Time",
       [&]
       {
-        prm.declare_entry(
-            "Scheme", "moreau_jean", Selection("moreau_jean|newmark|explicit|quasi_static"),
-            "moreau_jean: theta scheme of contact dynamics; newmark: the thesis, (3.14)-(3.22); explicit: "
-            "symplectic Euler; quasi_static: no inertia.");
+        prm.declare_entry("Scheme", "moreau_jean", Selection(Registry<TimeIntegrator>::instance().choice()),
+                          Registry<TimeIntegrator>::instance().choice_in_words());
         prm.declare_entry("Theta", "0.55", Double(0.5, 1.),
                           "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
                           "Euler. Units: none.");
@@ -162,9 +163,8 @@ void declare_contact(dealii::ParameterHandler &prm)
       [&]
       {
         prm.declare_entry(
-            "Geometry", "surface", Selection("surface|nodes"),
-            "surface: markers on the boundaries look for contact with boundaries and walls; nodes: contact "
-            "at grid nodes that bodies share (the thesis; needs 'Grid update = every step').");
+            "Geometry", "surface", Selection(Registry<ContactGeometryKind>::instance().choice()),
+            "Where contact is looked for; " + Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
@@ -274,7 +274,9 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
       prm, "Contact",
       [&]
       {
-        contact_kind = prm.get("Geometry") == "surface" ? ContactKind::surface : ContactKind::nodes;
+        contact_geometry = prm.get("Geometry");
+        contact_on_boundaries =
+            Registry<ContactGeometryKind>::instance().create(contact_geometry)->on_boundaries();
         nodal_gap = prm.get_bool("Nodal gap");
         coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         marker_spacing = prm.get_double("Marker spacing");
@@ -286,10 +288,10 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         contact_solver.relaxation = common.relaxation;
         contact_solver.algorithm = contact::algorithms().at(common.algorithm);
         failed_problem_directory = prm.get("Keep failed problems in");
-        if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
-          throw InputError(
-              "'Contact/Geometry' = 'nodes' needs 'Material points/Grid update' = 'every step': bodies share "
-              "nodes only where the grid lies under all of them now");
+        if (!contact_on_boundaries && grid_update != GridUpdate::every_step)
+          throw InputError("'Contact/Geometry' = '" + contact_geometry +
+                           "' needs 'Material points/Grid update' = 'every step': bodies share "
+                           "nodes only where the grid lies under all of them now");
         if (coupling == ContactCoupling::lumped && !scheme.inertia)
           throw InputError(
               "'Contact/Solver' = 'lumped' is not allowed with 'Time/Scheme' = 'quasi_static', which has no "

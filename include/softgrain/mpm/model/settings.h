@@ -26,13 +26,6 @@ enum class GridUpdate
   distortion  ///< when the grid under some point is more distorted than a limit
 };
 
-/// Where rows are looked for.
-enum class ContactKind
-{
-  surface, ///< boundary polylines
-  nodes    ///< grid nodes that two bodies share (thesis, 3.23-3.26)
-};
-
 /// How contact and bulk are brought together.
 enum class ContactCoupling
 {
@@ -67,7 +60,8 @@ struct Settings
 
   LinearSolverSettings linear_solver;
 
-  ContactKind contact_kind = ContactKind::surface;
+  std::string contact_geometry = "surface";
+  bool contact_on_boundaries = true; ///< else at nodes, see ContactGeometryKind
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
   double marker_spacing = 0.5;   ///< [cells]
@@ -90,8 +84,7 @@ struct Settings
   /// Whether contact rows are found again as Newton goes.
   bool rows_follow() const
   {
-    return scheme.rows_follow && contact_kind == ContactKind::surface &&
-           coupling == ContactCoupling::condensed;
+    return scheme.rows_follow && contact_on_boundaries && coupling == ContactCoupling::condensed;
   }
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
