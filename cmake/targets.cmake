@@ -40,7 +40,8 @@ endfunction()
 
 softgrain_add_precompiled_headers()
 
-set(SOFTGRAIN_PARTS base parameters linear contact constitutive analysis packing scene model output mpm bpm app)
+set(SOFTGRAIN_PARTS base parameters linear contact constitutive geometry analysis packing scene model output driving mpm bpm
+  app)
 add_library(softgrain SHARED)
 foreach(part ${SOFTGRAIN_PARTS})
   if(part STREQUAL "bpm")

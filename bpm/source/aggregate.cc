@@ -2,8 +2,8 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/random.h>
 #include <softgrain/bpm/aggregate.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/packing/packing.h>
-#include <softgrain/scene/body_geometry.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -70,13 +70,13 @@ void check_number(const BodyDescription<2> &body, const double n_primaries)
 /// all that lie wholly inside.
 Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
 {
-  const auto box = bounding_box(body);
+  const auto box = body.shape->bounding_box();
   const dealii::Tensor<1, 2> edges = box.second - box.first;
   // A given number may need more room than the shape has.
-  const double enlargement =
-      settings.number > 0
-          ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() / (0.75 * area(body))))
-          : 1.;
+  const double enlargement = settings.number > 0
+                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
+                                                          (0.75 * body.shape->area())))
+                                 : 1.;
   dealii::Tensor<1, 2> half;
   for (unsigned int d = 0; d < 2; ++d)
     half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
@@ -88,10 +88,10 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
   std::vector<std::pair<double, std::uint32_t>> depth;
   for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
     depth.emplace_back(
-        radii[i] - depth_inside(body, body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
+        radii[i] - body.shape->depth(body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
         i);
   std::sort(depth.begin(), depth.end());
-  const double wanted = filled_fraction * area(body);
+  const double wanted = filled_fraction * body.shape->area();
   double filled = 0.;
   Aggregate aggregate;
   for (const auto &[outside, i] : depth)
@@ -107,7 +107,7 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
 }
 
 /// Walls that hold nothing: the primaries of an aggregate in the making are alone.
-std::vector<MovingWall> no_walls;
+std::vector<Wall> no_walls;
 
 Primaries disks_of(const Aggregate &aggregate, const double density)
 {
@@ -162,7 +162,7 @@ bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
   {
     const dealii::Point<2> x(body.center[0] + aggregate.position[i][0],
                              body.center[1] + aggregate.position[i][1]);
-    if (depth_inside(body, x) < aggregate.radius[i])
+    if (body.shape->depth(x) < aggregate.radius[i])
       continue;
     kept.position.push_back(aggregate.position[i]);
     kept.radius.push_back(aggregate.radius[i]);
@@ -175,7 +175,7 @@ bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
 /// Puts the middle of the aggregate where that of its shape is, so that it is met alike from all sides.
 void center(Aggregate &aggregate, const BodyDescription<2> &body)
 {
-  const auto box = bounding_box(body);
+  const auto box = body.shape->bounding_box();
   for (unsigned int d = 0; d < 2; ++d)
   {
     double low = std::numeric_limits<double>::max(), high = -low;

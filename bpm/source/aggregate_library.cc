@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/aggregate_library.h>
-#include <softgrain/scene/body_geometry.h>
+#include <softgrain/geometry/shape.h>
 
 #include <filesystem>
 #include <fstream>
@@ -91,11 +91,7 @@ std::string aggregate_key(const BodyDescription<2> &body,
 {
   std::ostringstream text;
   text << std::setprecision(17) << "aggregate 1;" << law << ';' << density << ';' << seed << ';';
-  if (body.shape == BodyShape::disk)
-    text << "disk " << body.radius << ' ' << body.inner_radius << ';';
-  else
-    for (const dealii::Point<2> &corner : corners(body))
-      text << corner - body.center << ';';
+  body.shape->describe(text, body.center);
   const PrimarySettings &p = settings.primaries;
   text << p.sizes.smallest << ';' << p.sizes.largest << ';' << static_cast<int>(p.sizes.form) << ';'
        << p.number;

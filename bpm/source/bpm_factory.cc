@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/driving/contact_settings.h>
+#include <softgrain/geometry/box.h>
 #include <softgrain/model/model_factory.h>
+#include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace softgrain::bpm
@@ -18,15 +23,10 @@ public:
 
   std::vector<std::string> changeable_on_restart() const override
   {
-    return {"Time/",
-            "Primaries/Library",
-            "Contact/Tolerance",
-            "Contact/Wall tolerance",
-            "Contact/Penetration tolerance",
-            "Contact/Largest penetration",
-            "Contact/Maximum sweeps",
-            "Contact/Algorithm",
-            "Contact/Relaxation"};
+    std::vector<std::string> names = ContactSettings::names();
+    names.insert(names.end(), {"Time/", "Primaries/Library", "Contact/Wall tolerance",
+                               "Contact/Penetration tolerance", "Contact/Largest penetration"});
+    return names;
   }
 
   LawCatalogue laws() const override
@@ -44,12 +44,27 @@ public:
             }};
   }
 
+  void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
+
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
   {
+    const Read read_in = read(scene, prm);
+    return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts);
+  }
+
+private:
+  struct Read
+  {
     Settings settings;
-    settings.parse_parameters(prm);
     std::vector<std::shared_ptr<const Attraction>> laws;
-    std::vector<std::string> texts;
+    std::vector<std::string> law_texts;
+  };
+
+  static Read read(const Scene<2> &scene, dealii::ParameterHandler &prm)
+  {
+    Read result;
+    result.settings.parse_parameters(prm);
+    check_walls(scene, prm);
     for (const MaterialDescription &material : scene.materials)
     {
       std::shared_ptr<Attraction> law = Registry<Attraction>::instance().create(material.law);
@@ -64,30 +79,34 @@ public:
       prm.leave_subsection();
       prm.leave_subsection();
       prm.leave_subsection();
-      texts.push_back(text.str());
-      laws.push_back(std::move(law));
+      result.law_texts.push_back(text.str());
+      result.laws.push_back(std::move(law));
     }
-    return std::make_unique<BpmModel>(scene, settings, laws, texts);
+    return result;
   }
 
-private:
-  /// Names of the parameters of a law, in its own handler.
+  /// @throw InputError for walls that this model has not
+  static void check_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
+  {
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    {
+      const WallDescription<2> &wall = scene.walls[w];
+      if (wall.type != WallDescription<2>::Type::plane)
+        throw InputError("'Walls/" + wall.name +
+                         "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
+      if (!wall.drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
+        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
+                         "' needs two walls beside it, at right angles, between which the pressure acts");
+    }
+  }
+
+  /// Names of the parameters of a law.
   static std::vector<std::string> parameter_names(const Attraction &law)
   {
     dealii::ParameterHandler own;
     law.declare_parameters(own);
-    std::ostringstream text;
-    own.print_parameters(text, dealii::ParameterHandler::ShortText);
-    std::vector<std::string> names;
-    std::istringstream lines(text.str());
-    for (std::string line; std::getline(lines, line);)
-    {
-      const auto begin = line.find("set "), end = line.find('=');
-      if (begin == std::string::npos || end == std::string::npos)
-        continue;
-      const std::string name = line.substr(begin + 4, end - begin - 4);
-      names.push_back(name.substr(0, name.find_last_not_of(' ') + 1));
-    }
+    std::vector<std::string> names = parameter_tree(own).entry_names();
+    std::sort(names.begin(), names.end());
     return names;
   }
 };

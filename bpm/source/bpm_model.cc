@@ -26,61 +26,17 @@ std::string text(const double value, const std::string &unit)
 
 BpmModel::~BpmModel() = default;
 
-void BpmModel::set_up_walls()
-{
-  for (const WallDescription<2> &description : scene.walls)
-  {
-    MovingWall wall;
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      wall.point[d] = description.point[d];
-      wall.normal[d] = description.normal[d];
-    }
-    wall.friction = description.friction;
-    const bool pressed = !description.pressure.empty();
-    wall.inverse_mass = pressed ? 1. / description.mass : 0.;
-    wall.damping = description.damping;
-    if (description.type != WallDescription<2>::Type::plane)
-      throw InputError("'Walls/" + description.name +
-                       "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
-    moving_walls.push_back(wall);
-    wall_drive.emplace_back(pressed ? description.pressure : description.velocity,
-                            std::vector<std::string>{"t"});
-    if (pressed && pressed_length(moving_walls.size() - 1) <= 0.)
-      throw InputError("'Walls/" + description.name +
-                       "/Drive' = 'pressure' needs two walls beside it, at right angles, between which the "
-                       "pressure acts");
-  }
-}
-
-double BpmModel::pressed_length(const std::size_t w) const
-{
-  // The walls on both sides, seen along the tangent: the length between them is what the pressure acts on.
-  const dealii::Tensor<1, 2> &normal = scene.walls[w].normal;
-  const dealii::Tensor<1, 2> tangent({-normal[1], normal[0]});
-  double low = 0., high = 0.;
-  bool has_low = false, has_high = false;
-  for (std::size_t other = 0; other < scene.walls.size(); ++other)
-  {
-    const double along = scene.walls[other].normal * tangent;
-    if (std::abs(std::abs(along) - 1.) > 1e-12)
-      continue;
-    const double travel = other < moving_walls.size() ? moving_walls[other].travel : 0.;
-    const double place = scene.walls[other].point * tangent + travel * along;
-    (along > 0. ? low : high) = place;
-    (along > 0. ? has_low : has_high) = true;
-  }
-  return has_low && has_high ? high - low : 0.;
-}
-
 void BpmModel::drive_walls(const double dt)
 {
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
-    // The middle of the step, so that a wall ends where its formula integrates to, to second order.
-    if (moving_walls[w].inverse_mass == 0.)
-      moving_walls[w].velocity = wall_drive[w]({now + 0.5 * dt});
+  {
+    Wall &wall = moving_walls[w];
+    const WallDemand demand = wall.demand(now, dt);
+    if (wall.prescribed())
+      wall.speed = demand.velocity;
     else
-      moving_walls[w].load = wall_drive[w]({now + 0.5 * dt}) * pressed_length(w);
+      wall.load = demand.pressure * pressed_length(moving_walls, w);
+  }
 }
 
 void BpmModel::accelerate()
@@ -102,20 +58,31 @@ void BpmModel::accelerate()
 
 double BpmModel::wanted_step() const
 {
-  return settings.time_step > 0. ? settings.time_step : settings.step_fraction * natural_time;
+  return settings.step.wanted(settings.step_fraction * natural_time);
+}
+
+std::string BpmModel::why_not(const DynamicsReport &report, const double limit) const
+{
+  std::ostringstream reason;
+  if (report.solver.converged)
+    reason << "the last one left primaries that overlap by " << report.max_penetration << " m, allowed is "
+           << limit << " m ('Contact/Largest penetration')";
+  else
+    reason << "the contact solver is at a residual of " << report.solver.residual << " after "
+           << report.solver.sweeps
+           << " sweeps ('Contact/Maximum sweeps'); walls that close on a full box leave no room";
+  return reason.str();
 }
 
 StepReport BpmModel::advance(const double dt_limit)
 {
   StepReport report;
-  const double wanted = wanted_step(), scale_before = step_scale;
-  double dt = std::min(wanted * step_scale, dt_limit);
   const double limit =
       std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
   const auto positions = dynamics->disks().position, velocities = dynamics->disks().velocity;
   const auto spins = dynamics->disks().angular_velocity;
-  const std::vector<MovingWall> walls_before = moving_walls;
-  for (;; ++report.attempts)
+  const std::vector<Wall> walls_before = moving_walls;
+  const auto try_step = [&](const double dt) -> Attempt
   {
     drive_walls(dt);
     accelerate();
@@ -128,7 +95,6 @@ StepReport BpmModel::advance(const double dt_limit)
     {
       // Only the contact solve stops early, before anything has moved.
       moving_walls = walls_before;
-      step_scale = scale_before;
       throw;
     }
     report.contact_sweeps += done.solver.sweeps;
@@ -137,33 +103,20 @@ StepReport BpmModel::advance(const double dt_limit)
       report.contact_residual = done.solver.residual;
       report.max_penetration = done.max_penetration;
       keep_books(done, dt);
-      step_scale = std::min(1., 1.25 * step_scale);
       fallbacks += done.solver.fell_back;
-      break;
+      return {true, ""};
     }
     dynamics->disks().position = positions;
     dynamics->disks().velocity = velocities;
     dynamics->disks().angular_velocity = spins;
     moving_walls = walls_before;
     dynamics->detect(moving_walls);
-    dt *= 0.5;
-    step_scale = std::min(step_scale, dt / wanted);
-    if (dt < settings.smallest_step * std::min(wanted, dt_limit))
-    {
-      std::ostringstream message;
-      message << "at time " << now << " s no step longer than " << dt << " s succeeds: ";
-      if (done.solver.converged)
-        message << "the last one left primaries that overlap by " << done.max_penetration << " m, allowed is "
-                << limit << " m ('Contact/Largest penetration')";
-      else
-        message << "the contact solver is at a residual of " << done.solver.residual << " after "
-                << done.solver.sweeps
-                << " sweeps ('Contact/Maximum sweeps'); walls that close on a full box leave no room";
-      throw ComputationError(message.str());
-    }
-  }
-  report.dt = last_dt = dt;
-  now += dt;
+    return {false, why_not(done, limit)};
+  };
+  const StepTaken taken = step_control.advance(settings.step, wanted_step(), dt_limit, now, try_step);
+  report.attempts = taken.attempts;
+  report.dt = last_dt = taken.dt;
+  now += taken.dt;
   ++steps;
   for (const double impulse : dynamics->contacts().impulse)
     report.n_contacts += impulse > 0.;
@@ -172,24 +125,20 @@ StepReport BpmModel::advance(const double dt_limit)
 
 void BpmModel::keep_books(const DynamicsReport &report, const double dt)
 {
-  for (const MovingWall &wall : moving_walls)
-    for (unsigned int d = 0; d < 2; ++d)
-      books.wall_impulse[d] += wall.normal_impulse * wall.normal[d] -
-                               wall.tangential_impulse * (d == 0 ? wall.normal[1] : -wall.normal[0]);
+  balance.wall_impulse += report.wall_impulse;
   const Primaries &disks = dynamics->disks();
   if (!acceleration.empty())
     for (std::size_t i = 0; i < disks.size(); ++i)
       for (unsigned int d = 0; d < 2 && !fixed[disks.body[i]]; ++d)
-        books.body_force_impulse[d] += dt * disks.mass[i] * acceleration[i][d];
-  double sum = std::max(books.wall_impulse.norm(), books.body_force_impulse.norm());
+        balance.body_force_impulse[d] += dt * disks.mass[i] * acceleration[i][d];
   double moving = 0.;
   for (std::size_t i = 0; i < disks.size(); ++i)
     moving += disks.mass[i] * std::hypot(disks.velocity[i][0], disks.velocity[i][1]);
-  books.largest_momentum = std::max({books.largest_momentum, sum, moving});
-  books.wall_work += report.wall_work;
-  books.body_force_work += report.force_work;
-  books.contact_loss += report.contact_loss;
-  books.damping_loss += report.damping_loss;
+  balance.note_momentum(moving);
+  balance.wall_work += report.wall_work;
+  balance.body_force_work += report.force_work;
+  balance.contact_loss += report.contact_loss;
+  balance.wall_damping_loss += report.damping_loss;
 }
 
 dealii::Tensor<1, 2> BpmModel::momentum() const
@@ -204,20 +153,18 @@ dealii::Tensor<1, 2> BpmModel::momentum() const
 
 double BpmModel::momentum_error() const
 {
-  const auto error = momentum() - books.initial_momentum - books.wall_impulse - books.body_force_impulse;
-  return books.largest_momentum > 0. ? error.norm() / books.largest_momentum : error.norm();
+  return balance.momentum_error(momentum());
 }
 
 Energies BpmModel::energies() const
 {
   Energies energies;
   energies.kinetic = dynamics->kinetic_energy();
-  for (const MovingWall &wall : moving_walls)
-    if (wall.inverse_mass > 0.)
-      energies.kinetic += 0.5 * wall.velocity * wall.velocity / wall.inverse_mass;
+  for (const Wall &wall : moving_walls)
+    energies.kinetic += 0.5 * wall.description.drive->inertia().mass * wall.speed * wall.speed;
   energies.elastic = dynamics->attraction_energy();
-  energies.dissipated = books.contact_loss + books.damping_loss;
-  energies.external_work = books.wall_work + books.body_force_work;
+  energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
+  energies.external_work = balance.external_work();
   return energies;
 }
 
@@ -234,7 +181,7 @@ SizeReport BpmModel::size_report() const
       {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
                                       : text(dt, " s")}};
   report.emplace_back("steps to the end time",
-                      scene.stop.end_time > 0. ? text(std::ceil(scene.stop.end_time / dt), "") : "open");
+                      scene.end_time > 0. ? text(std::ceil(scene.end_time / dt), "") : "open");
   return report;
 }
 

@@ -5,7 +5,7 @@
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/bpm/bpm_model.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/geometry/polygon.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
@@ -79,9 +79,9 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     , settings(model_settings)
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
+    , moving_walls(make_walls(scene.walls))
 {
   settings.dynamics.friction = scene.friction;
-  set_up_walls();
   std::vector<std::shared_ptr<const Attraction>> law_of_body;
   double contact_force = 0.;
   for (const BodyDescription<2> &body : scene.bodies)
@@ -129,7 +129,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     for (const auto &loop : outline)
       area_at_start.back() += signed_area(loop);
   }
-  books.initial_momentum = momentum();
+  balance.initial_momentum = momentum();
 }
 
 Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,

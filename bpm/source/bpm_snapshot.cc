@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of BpmModel that is looked at: neutral snapshot, walls, coordination, area.
-#include <softgrain/analysis/aggregate_outline.h>
-#include <softgrain/analysis/wall_position.h>
+#include <softgrain/analysis/touching_pairs.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/bpm_model.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/geometry/aggregate_outline.h>
+#include <softgrain/geometry/polygon.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <set>
 
 namespace softgrain::bpm
 {
@@ -69,44 +68,25 @@ double BpmModel::solid_area() const
 
 std::vector<WallState<2>> BpmModel::walls() const
 {
-  std::vector<WallState<2>> states;
-  for (std::size_t w = 0; w < moving_walls.size(); ++w)
-  {
-    const MovingWall &wall = moving_walls[w];
-    WallState<2> state;
-    state.name = scene.walls[w].name;
-    state.normal = scene.walls[w].normal;
-    state.point = scene.walls[w].point + wall.travel * state.normal;
-    state.position = wall_position(state.point, state.normal);
-    state.velocity = wall.velocity;
-    if (last_dt > 0.)
-    {
-      state.normal_force = wall.normal_impulse / last_dt;
-      state.tangential_force = wall.tangential_impulse / last_dt;
-    }
-    states.push_back(state);
-  }
-  return states;
+  return states_of(moving_walls);
 }
 
 double BpmModel::coordination() const
 {
   const Primaries &disks = dynamics->disks();
   const contact::DiskContacts &rows = dynamics->contacts();
-  std::set<std::pair<std::size_t, std::size_t>> pairs;
-  double touches = 0.;
+  TouchingPairs touching;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
     if (!(rows.impulse[row] > 0.))
       continue;
-    const bool wall = rows.b[row] >= disks.size();
-    const std::size_t a = disks.body[rows.a[row]];
-    const std::size_t b = wall ? scene.bodies.size() + rows.b[row] - disks.size() : disks.body[rows.b[row]];
-    // A contact between bodies counts for both of them.
-    if (a != b && pairs.emplace(std::min(a, b), std::max(a, b)).second)
-      touches += wall ? 1. : 2.;
+    const std::size_t body = disks.body[rows.a[row]], b = rows.b[row];
+    if (b < disks.size())
+      touching.add_bodies(body, disks.body[b]);
+    else
+      touching.add_wall(body, b - disks.size());
   }
-  return scene.bodies.empty() ? 0. : touches / scene.bodies.size();
+  return touching.coordination(scene.bodies.size());
 }
 
 ContactState<2> BpmModel::contact_state(const std::size_t row) const

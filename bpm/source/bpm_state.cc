@@ -32,13 +32,9 @@ std::vector<std::array<double, n>> unflat(const std::vector<double> &numbers)
 void BpmModel::save(StateWriter &out) const
 {
   const Primaries &disks = dynamics->disks();
-  out.write("bpm/scalars", std::vector<double>{now, step_scale, last_dt});
+  out.write("bpm/scalars", std::vector<double>{now, step_control.scale, last_dt});
   out.write("bpm/step", std::vector<std::uint64_t>{steps, fallbacks});
-  out.write("bpm/books",
-            std::vector<double>{books.initial_momentum[0], books.initial_momentum[1], books.wall_impulse[0],
-                                books.wall_impulse[1], books.body_force_impulse[0],
-                                books.body_force_impulse[1], books.largest_momentum, books.wall_work,
-                                books.body_force_work, books.contact_loss, books.damping_loss});
+  balance.save(out, "bpm/balance");
   out.write("bpm/position", flat(disks.position));
   out.write("bpm/velocity", flat(disks.velocity));
   out.write("bpm/radius", disks.radius);
@@ -47,10 +43,7 @@ void BpmModel::save(StateWriter &out) const
   out.write("bpm/area_at_start", area_at_start);
   // The area was measured when the list was made: it is the same after a restart only if it is kept.
   out.write("bpm/solid_area", std::vector<double>{solid_area()});
-  std::vector<double> walls;
-  for (const MovingWall &wall : moving_walls)
-    walls.insert(walls.end(), {wall.travel, wall.velocity, wall.normal_impulse, wall.tangential_impulse});
-  out.write("bpm/walls", walls);
+  save_walls(out, "bpm/walls", moving_walls);
 
   const contact::NeighbourList &list = dynamics->neighbours();
   out.write("bpm/neighbours/build_position", flat(list.build_positions()));
@@ -70,36 +63,21 @@ void BpmModel::load(StateReader &in)
 {
   Primaries &disks = dynamics->disks();
   if (in.read_doubles("bpm/radius") != disks.radius ||
-      in.read_doubles("bpm/angular_velocity").size() != disks.angular_velocity.size() ||
-      in.read_doubles("bpm/walls").size() != 4 * moving_walls.size())
-    throw InputError("the checkpoint was made with other primaries, walls or frictions");
-  const std::vector<double> scalars = in.read_doubles("bpm/scalars"), b = in.read_doubles("bpm/books"),
-                            walls = in.read_doubles("bpm/walls");
+      in.read_doubles("bpm/angular_velocity").size() != disks.angular_velocity.size())
+    throw InputError("the checkpoint was made with other primaries or frictions");
+  load_walls(in, "bpm/walls", moving_walls);
+  const std::vector<double> scalars = in.read_doubles("bpm/scalars");
   now = scalars.at(0);
-  step_scale = scalars.at(1);
+  step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
   steps = in.read_integers("bpm/step").at(0);
   fallbacks = in.read_integers("bpm/step").at(1);
-  books = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
-           dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
-           dealii::Tensor<1, 2>({b.at(4), b.at(5)}),
-           b.at(6),
-           b.at(7),
-           b.at(8),
-           b.at(9),
-           b.at(10)};
+  balance.load(in, "bpm/balance");
   disks.position = unflat<2>(in.read_doubles("bpm/position"));
   disks.velocity = unflat<2>(in.read_doubles("bpm/velocity"));
   disks.angular_velocity = in.read_doubles("bpm/angular_velocity");
   start_position = unflat<2>(in.read_doubles("bpm/start_position"));
   area_at_start = in.read_doubles("bpm/area_at_start");
-  for (std::size_t w = 0; w < moving_walls.size(); ++w)
-  {
-    moving_walls[w].travel = walls[4 * w];
-    moving_walls[w].velocity = walls[4 * w + 1];
-    moving_walls[w].normal_impulse = walls[4 * w + 2];
-    moving_walls[w].tangential_impulse = walls[4 * w + 3];
-  }
   // The same places give the same list in the same order, so that every sum is formed as if never stopped.
   contact::NeighbourList &list = dynamics->neighbours();
   list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")));

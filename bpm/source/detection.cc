@@ -133,7 +133,7 @@ double Dynamics::attraction_of(const std::size_t pair) const
   return strength;
 }
 
-void Dynamics::detect(const std::vector<MovingWall> &walls)
+void Dynamics::detect(const std::vector<Wall> &walls)
 {
   std::optional<dealii::TimerOutput::Scope> section;
   if (timer != nullptr)
@@ -217,21 +217,23 @@ void Dynamics::set_row(const std::size_t row,
   }
 }
 
-void Dynamics::collect_walls(const std::vector<MovingWall> &walls)
+void Dynamics::collect_walls(const std::vector<Wall> &walls)
 {
   auto remembered = remembered_at_walls.begin();
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    const MovingWall &wall = walls[w];
-    const double offset = wall.point[0] * wall.normal[0] + wall.point[1] * wall.normal[1] + wall.travel;
+    const Wall &wall = walls[w];
+    const dealii::Point<2> &start = wall.description.point;
+    const std::array<double, 2> normal = {wall.normal()[0], wall.normal()[1]};
+    const double offset = start[0] * normal[0] + start[1] * normal[1] + wall.travel, speed = wall.speed,
+                 friction = wall.description.friction;
     for (std::uint32_t i = 0; i < primaries.size(); ++i)
     {
-      const double opening = primaries.position[i][0] * wall.normal[0] +
-                             primaries.position[i][1] * wall.normal[1] - offset - primaries.radius[i];
+      const double opening = primaries.position[i][0] * normal[0] + primaries.position[i][1] * normal[1] -
+                             offset - primaries.radius[i];
       const std::array<double, 2> &v = primaries.velocity[i];
       if (inverse_mass[i] == 0. ||
-          !closes({v[0] - wall.velocity * wall.normal[0], v[1] - wall.velocity * wall.normal[1]}, wall.normal,
-                  opening))
+          !closes({v[0] - speed * normal[0], v[1] - speed * normal[1]}, normal, opening))
         continue;
       // Both this loop and the memory run through walls and primaries in order.
       while (remembered != remembered_at_walls.end() &&
@@ -240,14 +242,14 @@ void Dynamics::collect_walls(const std::vector<MovingWall> &walls)
       const bool known =
           remembered != remembered_at_walls.end() && remembered->wall == w && remembered->primary == i;
       resize_rows(rows.size() + 1);
-      set_row(rows.size() - 1, i, primaries.size() + w, wall.normal, opening, wall.friction,
+      set_row(rows.size() - 1, i, primaries.size() + w, normal, opening, friction,
               primaries.radius[i] * settings.rolling_resistance,
               known ? remembered->impulse : contact::NeighbourList::Memory{});
     }
   }
 }
 
-void Dynamics::collect(const std::vector<MovingWall> &walls)
+void Dynamics::collect(const std::vector<Wall> &walls)
 {
   rows.colour_start = list.colour_start();
   rows.tile_start.assign(1, 0);

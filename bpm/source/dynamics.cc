@@ -50,10 +50,11 @@ contact::NeighbourList::Range range_of(const double contact_reach,
 }
 } // namespace
 
-bool DynamicsSettings::rotations(const std::vector<MovingWall> &walls) const
+bool DynamicsSettings::rotations(const std::vector<Wall> &walls) const
 {
   return friction > 0. || rolling_resistance > 0. || inner_rolling_resistance > 0. ||
-         std::any_of(walls.begin(), walls.end(), [](const MovingWall &wall) { return wall.friction > 0.; });
+         std::any_of(walls.begin(), walls.end(),
+                     [](const Wall &wall) { return wall.description.friction > 0.; });
 }
 
 Dynamics::Dynamics(Primaries disks,
@@ -80,7 +81,7 @@ double Dynamics::contact_reach() const
 }
 
 void Dynamics::prepare_bodies(const double dt,
-                              const std::vector<MovingWall> &walls,
+                              const std::vector<Wall> &walls,
                               const std::vector<std::array<double, 2>> &acceleration)
 {
   const std::size_t n = primaries.size();
@@ -100,14 +101,15 @@ void Dynamics::prepare_bodies(const double dt,
                });
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    const MovingWall &wall = walls[w];
-    bodies.inverse_mass[n + w] = wall.inverse_mass;
+    const Wall &wall = walls[w];
+    const WallInertia inertia = wall.description.drive->inertia();
+    const double inverse = bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / inertia.mass;
     // Damping implicit, so that any coefficient is stable.
-    const double v = wall.inverse_mass == 0. ? wall.velocity
-                                             : (wall.velocity + dt * wall.inverse_mass * wall.load) /
-                                                   (1. + dt * wall.inverse_mass * wall.damping);
+    const double v = wall.prescribed()
+                         ? wall.speed
+                         : (wall.speed + dt * inverse * wall.load) / (1. + dt * inverse * inertia.damping);
     for (unsigned int d = 0; d < 2; ++d)
-      bodies.velocity[n + w][d] = v * wall.normal[d];
+      bodies.velocity[n + w][d] = v * wall.normal()[d];
   }
   if (rotations)
   {
@@ -119,7 +121,7 @@ void Dynamics::prepare_bodies(const double dt,
   }
 }
 
-void Dynamics::prepare_gap_velocities(const double dt, const std::vector<MovingWall> &walls)
+void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &walls)
 {
   const std::size_t n = primaries.size();
   parallel_for(rows.size(), grain,
@@ -139,7 +141,7 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<MovingW
     for (unsigned int d = 0; d < 2; ++d)
     {
       const std::size_t b = rows.b[row];
-      const double of_b = b < n ? primaries.velocity[b][d] : walls[b - n].velocity * walls[b - n].normal[d];
+      const double of_b = b < n ? primaries.velocity[b][d] : walls[b - n].speed * walls[b - n].normal()[d];
       before += rows.normal[row][d] * (primaries.velocity[rows.a[row]][d] - of_b);
     }
     if (before < 0. && gap[row] + dt * before <= 0.)
@@ -160,40 +162,43 @@ double Dynamics::kinetic_energy() const
   return 0.5 * sum;
 }
 
-void Dynamics::move_walls(const double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const
+void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsReport &report) const
 {
   const std::size_t n = primaries.size();
-  for (MovingWall &wall : walls)
-    wall.normal_impulse = wall.tangential_impulse = 0.;
+  std::vector<double> normal_impulse(walls.size(), 0.), tangential_impulse(walls.size(), 0.);
   for (std::size_t row = rows.tile_start.back(); row < rows.size(); ++row)
   {
-    MovingWall &wall = walls[rows.b[row] - n];
-    wall.normal_impulse += rows.impulse[row];
+    normal_impulse[rows.b[row] - n] += rows.impulse[row];
     if (rotations)
-      wall.tangential_impulse += rows.tangential_impulse[row];
+      tangential_impulse[rows.b[row] - n] += rows.tangential_impulse[row];
   }
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    MovingWall &wall = walls[w];
-    if (wall.inverse_mass == 0.)
+    Wall &wall = walls[w];
+    wall.force = 0.;
+    const dealii::Tensor<1, 2> given =
+        normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
+    wall.give(given, dt);
+    report.wall_impulse += given;
+    if (wall.prescribed())
     {
-      report.wall_work += wall.normal_impulse * wall.velocity;
-      report.contact_loss += wall.normal_impulse * wall.velocity;
+      report.wall_work += normal_impulse[w] * wall.speed;
+      report.contact_loss += normal_impulse[w] * wall.speed;
     }
     else
     {
-      const double before = wall.velocity, mass = 1. / wall.inverse_mass;
+      const double before = wall.speed, mass = 1. / bodies.inverse_mass[n + w];
       const double after =
-          bodies.velocity[n + w][0] * wall.normal[0] + bodies.velocity[n + w][1] * wall.normal[1];
+          bodies.velocity[n + w][0] * wall.normal()[0] + bodies.velocity[n + w][1] * wall.normal()[1];
       // The damping took what neither the load nor the primaries gave.
-      const double damping = mass * (before - after) + dt * wall.load - wall.normal_impulse;
+      const double damping = mass * (before - after) + dt * wall.load - normal_impulse[w];
       report.wall_work += dt * wall.load * 0.5 * (before + after);
       report.damping_loss += damping * 0.5 * (before + after);
       report.contact_loss += 0.5 * mass * (before * before - after * after) +
                              (dt * wall.load - damping) * 0.5 * (before + after);
-      wall.velocity = after;
+      wall.speed = after;
     }
-    wall.travel += dt * wall.velocity;
+    wall.travel += dt * wall.speed;
   }
 }
 
@@ -242,7 +247,7 @@ void Dynamics::account(const double dt,
 }
 
 DynamicsReport Dynamics::step(const double dt,
-                              std::vector<MovingWall> &walls,
+                              std::vector<Wall> &walls,
                               const std::vector<std::array<double, 2>> &acceleration)
 {
   DynamicsReport report;

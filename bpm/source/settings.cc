@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/settings.h>
-#include <softgrain/parameters/parameter_values.h>
+#include <softgrain/driving/contact_settings.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -13,7 +13,6 @@ namespace
 using dealii::Patterns::Bool;
 using dealii::Patterns::Double;
 using dealii::Patterns::Integer;
-using dealii::Patterns::Selection;
 
 void declare_primaries(dealii::ParameterHandler &prm)
 {
@@ -35,14 +34,12 @@ void declare_primaries(dealii::ParameterHandler &prm)
 void declare_time(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Time");
-  prm.declare_entry("Time step", "0", Double(0.),
-                    "Length of a step; 0: 'Step fraction' times sqrt(m a0 / F0), the time in which "
-                    "attraction moves a primary by its diameter. Units: s.");
+  StepSettings::declare_parameters(
+      prm,
+      "'Step fraction' times sqrt(m a0 / F0), the time in which attraction moves a primary by its diameter",
+      "1e-3");
   prm.declare_entry("Step fraction", "0.1", Double(1e-6, 10.),
                     "Length of a step over the time sqrt(m a0 / F0), when 'Time step' is 0. Units: none.");
-  prm.declare_entry("Smallest step", "1e-3", Double(1e-12, 1.),
-                    "A step that fails is repeated with half its length. The run gives up when a step is "
-                    "shorter than this share of the length asked for. Units: none.");
   prm.leave_subsection();
 }
 
@@ -67,21 +64,14 @@ void declare_contact(dealii::ParameterHandler &prm)
   prm.declare_entry(
       "Largest penetration", "0.02", Double(1e-6, 1.),
       "A step that leaves a larger overlap is repeated with half its length. Units: mean diameters.");
-  prm.declare_entry(
-      "Tolerance", "1e-3", Double(1e-14, 1.),
-      "Largest residual of a contact solution (natural map), relative to the approach speed. Units: none.");
+  ContactSettings::declare_parameters(
+      prm, "1e-3", {{"accelerated", "sweeps with momentum and restart"}, {"gauss_seidel", "plain sweeps"}});
   prm.declare_entry(
       "Wall tolerance", "0.03", Double(1e-14, 1.),
       "Largest estimated error of the forces on walls, relative to the largest of them. Units: none.");
   prm.declare_entry(
       "Penetration tolerance", "1e-4", Double(1e-14, 1.),
       "Largest overlap that the error of a contact solution may add in one step. Units: mean diameters.");
-  prm.declare_entry("Maximum sweeps", "20000", Integer(1),
-                    "Largest number of Gauss-Seidel sweeps per step. Units: none.");
-  prm.declare_entry("Algorithm", "accelerated", Selection("accelerated|gauss_seidel"),
-                    "accelerated: sweeps with momentum and restart; gauss_seidel: plain sweeps.");
-  prm.declare_entry("Relaxation", "1", Double(0.05, 1.95),
-                    "With 'Algorithm = gauss_seidel': factor on every change of an impulse. Units: none.");
   prm.leave_subsection();
   prm.enter_subsection("Output");
   prm.declare_entry("Inner forces", "true", Bool(),
@@ -108,9 +98,8 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 
   prm.enter_subsection("Time");
-  time_step = prm.get_double("Time step");
+  step.parse_parameters(prm);
   step_fraction = prm.get_double("Step fraction");
-  smallest_step = prm.get_double("Smallest step");
   prm.leave_subsection();
 
   prm.enter_subsection("Contact");
@@ -122,12 +111,14 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   dynamics.skin = prm.get_double("Skin");
   dynamics.solver_penetration = prm.get_double("Penetration tolerance");
   largest_penetration = prm.get_double("Largest penetration");
-  dynamics.solver.tolerance = prm.get_double("Tolerance");
+  ContactSettings common;
+  common.parse_parameters(prm);
+  dynamics.solver.tolerance = common.tolerance;
   dynamics.solver.wall_tolerance = prm.get_double("Wall tolerance");
-  dynamics.solver.max_sweeps = prm.get_integer("Maximum sweeps");
-  dynamics.solver.relaxation = relaxation_of_plain_sweeps(prm);
-  dynamics.solver.algorithm = prm.get("Algorithm") == "accelerated" ? contact::DiskAlgorithm::accelerated
-                                                                    : contact::DiskAlgorithm::gauss_seidel;
+  dynamics.solver.max_sweeps = common.max_sweeps;
+  dynamics.solver.relaxation = common.relaxation;
+  dynamics.solver.algorithm = common.algorithm == "accelerated" ? contact::DiskAlgorithm::accelerated
+                                                                : contact::DiskAlgorithm::gauss_seidel;
   prm.leave_subsection();
 
   prm.enter_subsection("Output");

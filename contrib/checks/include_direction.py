@@ -12,14 +12,21 @@ MAY_INCLUDE = {
     "linear": {"base"},
     "contact": {"base"},
     "constitutive": {"base"},
-    "analysis": {"base"},
+    "geometry": {"base", "parameters"},
+    "analysis": {"base", "geometry"},
     "packing": {"base", "parameters", "contact"},
-    "scene": {"base", "parameters", "packing"},
+    "scene": {"base", "parameters", "geometry", "packing"},
     "model": {"base", "analysis", "scene"},
     "output": {"base", "parameters", "scene", "analysis", "model"},
-    "mpm": {"base", "parameters", "linear", "contact", "constitutive", "scene", "analysis", "model"},
-    "bpm": {"base", "parameters", "contact", "packing", "scene", "analysis", "model"},
-    "app": {"base", "parameters", "contact", "constitutive", "analysis", "packing", "scene", "model", "output", "mpm", "bpm"},
+    "driving": {"base", "parameters", "geometry", "scene", "analysis", "model"},
+    "mpm": {
+        "base", "parameters", "linear", "contact", "constitutive", "geometry", "scene", "analysis", "model", "driving",
+    },
+    "bpm": {"base", "parameters", "contact", "geometry", "packing", "scene", "analysis", "model", "driving"},
+    "app": {
+        "base", "parameters", "contact", "constitutive", "geometry", "analysis", "packing", "scene", "model", "output", "driving", "mpm",
+        "bpm",
+    },
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")')
 

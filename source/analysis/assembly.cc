@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/assembly.h>
-#include <softgrain/analysis/box_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,17 +93,12 @@ Assembly::Assembly(const Snapshot<2> &snapshot) : snapshot(snapshot)
   for (const auto &group : groups)
     contacts.push_back(merged(group.second));
 
-  const auto find = [&snapshot](const std::string &name)
-  {
-    return *std::find_if(snapshot.walls.begin(), snapshot.walls.end(),
-                         [&name](const WallState<2> &wall) { return wall.name == name; });
-  };
-  const auto height = wall_distance(snapshot.walls, "bottom", "top"),
-             width = wall_distance(snapshot.walls, "left", "right");
-  if (height && width && *height > 0. && *width > 0.)
+  const std::optional<Box> size = box_of(snapshot.walls);
+  const auto velocity = [&snapshot](const std::string &name)
+  { return find_wall(snapshot.walls, name)->velocity; };
+  if (size && size->height > 0. && size->width > 0.)
     // Wall velocities count along the normal, inwards.
-    box = {*width, *height, -find("left").velocity - find("right").velocity,
-           -find("bottom").velocity - find("top").velocity};
+    box = {*size, -velocity("left") - velocity("right"), -velocity("bottom") - velocity("top")};
 }
 
 double Assembly::rest_diameter(const unsigned int b) const

@@ -12,30 +12,11 @@ namespace softgrain
 {
 namespace
 {
-std::string with_unit(const double value, const std::string &unit)
-{
-  std::ostringstream text;
-  text << value << (unit.empty() ? "" : " ") << unit;
-  return text.str();
-}
-
-std::string stop_in_words(const StopConditions &stop)
-{
-  std::vector<std::string> conditions;
-  if (stop.end_time > 0)
-    conditions.push_back("t = " + with_unit(stop.end_time, "s"));
-  if (stop.axial_strain > 0)
-    conditions.push_back("axial strain " + with_unit(stop.axial_strain, ""));
-  if (stop.packing_fraction > 0)
-    conditions.push_back("packing fraction " + with_unit(stop.packing_fraction, ""));
-  return join(conditions);
-}
-
 std::string interval_in_words(const double interval, const double end_time)
 {
   if (interval == 0)
     return "none";
-  std::string text = "every " + with_unit(interval, "s");
+  std::string text = "every " + number_in_words(interval, "s");
   if (end_time > 0)
     text += ", " + std::to_string(static_cast<long>(std::floor(end_time / interval * (1 + 1e-9))) + 1) +
             " at most";
@@ -57,10 +38,10 @@ void print_check_report(std::ostream &out, const Input &input, const Model<2> &m
   SizeReport report = {{"model", model.name()},
                        {"materials", join(materials)},
                        {"walls", join(walls)},
-                       {"ends at", stop_in_words(scene.stop)},
+                       {"ends at", input.stop().in_words()},
                        {"results in", run.output_directory},
-                       {"pictures", interval_in_words(run.fields_every, scene.stop.end_time)},
-                       {"snapshots", interval_in_words(run.snapshots_every, scene.stop.end_time)}};
+                       {"pictures", interval_in_words(run.fields_every, scene.end_time)},
+                       {"snapshots", interval_in_words(run.snapshots_every, scene.end_time)}};
   const SizeReport sizes = model.size_report();
   report.insert(report.end(), sizes.begin(), sizes.end());
   print_size_report(out, report);

@@ -219,12 +219,13 @@ bool CommandLine::run() const
   {
     check_may_go_on(folder, state_file);
     state = std::make_unique<CheckpointReader>(state_file);
+    input.complete_scene();
     changes = input.check_restart(*state, state_file);
   }
   else
     check_may_begin_anew(folder, overwrite);
   const std::unique_ptr<Model<2>> created = input.create_model();
-  Simulation simulation(input.scene(), *created, input.run(), input.effective_parameters(), lock, std::cout);
+  Simulation simulation(input, *created, lock, std::cout);
   if (restart)
     simulation.restart(*state, state_file, changes);
   return simulation.run() == "completed";

@@ -8,6 +8,7 @@
 #include <softgrain/model/model_factory.h>
 #include <softgrain/parameters/parameter_listing.h>
 #include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <deal.II/base/utilities.h>
@@ -53,8 +54,12 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   {
     const LawCatalogue laws = Registry<ModelFactory>::instance().create(model)->laws();
     described_scene = SceneParameters(names, laws).parse_parameters(prm);
-    run_parameters.parse_parameters(prm, file_name, described_scene.stop.end_time);
+    stop_conditions.parse_parameters(prm);
+    described_scene.end_time = stop_conditions.end_time();
+    run_parameters.parse_parameters(prm, file_name, described_scene.end_time);
     check_scene(described_scene);
+    stop_conditions.check(described_scene);
+    Registry<ModelFactory>::instance().create(model)->check(described_scene, prm);
     check_output_folder(run_parameters.output_directory);
   }
   catch (const InputError &error)
@@ -63,8 +68,29 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   }
 }
 
+void Input::complete_scene()
+{
+  if (is_complete)
+    return;
+  try
+  {
+    if (described_scene.packing.method)
+    {
+      add_packing(described_scene);
+      check_scene(described_scene);
+    }
+    stop_conditions.check_start(described_scene);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(file.located(error.what()));
+  }
+  is_complete = true;
+}
+
 std::unique_ptr<Model<2>> Input::create_model()
 {
+  complete_scene();
   try
   {
     return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);
@@ -104,6 +130,7 @@ void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &mo
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
   RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
   SceneParameters(names, factory->laws()).declare_parameters(prm);
+  StopConditions::declare_parameters(prm);
   factory->declare_parameters(prm);
 }
 } // namespace softgrain

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/restart_check.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
 
 #include <deal.II/base/utilities.h>
@@ -75,21 +76,13 @@ bool matches(const std::string &path, const std::string &pattern)
                     [](const std::string &w, const std::string &name) { return w == "*" || w == name; });
 }
 
-/// Every number that places or shapes a body, in a row.
+/// Every number that places or shapes a body, in a row, and how many they are.
 std::vector<double> numbers_of(const BodyDescription<2> &body)
 {
-  std::vector<double> numbers = {static_cast<double>(body.material),
-                                 static_cast<double>(body.shape),
-                                 body.center[0],
-                                 body.center[1],
-                                 body.radius,
-                                 body.inner_radius,
-                                 body.size[0],
-                                 body.size[1],
-                                 body.angle,
-                                 static_cast<double>(body.vertices.size())};
-  for (const dealii::Point<2> &vertex : body.vertices)
-    numbers.insert(numbers.end(), {vertex[0], vertex[1]});
+  const std::vector<double> shape = body.shape->numbers();
+  std::vector<double> numbers = {static_cast<double>(body.material), body.center[0], body.center[1],
+                                 static_cast<double>(shape.size())};
+  numbers.insert(numbers.end(), shape.begin(), shape.end());
   return numbers;
 }
 

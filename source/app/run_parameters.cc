@@ -65,7 +65,7 @@ void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std:
       "Output directory", "", Anything(),
       "Folder for the results; empty: output/NAME, where NAME.prm is the parameter file. Units: none.");
   prm.declare_entry("Additional shared libraries", "", List(Anything()),
-                    "Libraries with constitutive laws of your own. Units: none.");
+                    "Libraries with laws and other parts of your own. Units: none.");
   prm.declare_entry("Threads", "0", Integer(0), "Number of threads; 0: one per core. Units: none.");
   declare_output(prm);
 }

@@ -32,20 +32,15 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-Simulation::Simulation(const Scene<2> &scene,
-                       Model<2> &model,
-                       const RunParameters &parameters,
-                       const std::string &effective_parameters,
-                       const RunLock &lock,
-                       std::ostream &terminal)
-    : scene(scene)
+Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &terminal)
+    : scene(input.scene())
+    , stop(input.stop())
     , model(model)
-    , parameters(parameters)
-    , effective_parameters(effective_parameters)
+    , parameters(input.run())
+    , effective_parameters(input.effective_parameters())
     , lock(lock)
     , log(terminal)
     , walls_at_start(model.walls())
-    , packing_at_start(packing_fraction(walls_at_start, model.solid_area()))
     , statistics(model)
     , progress(log, isatty(STDOUT_FILENO) != 0)
     , history(parameters.output_directory)
@@ -215,7 +210,7 @@ std::string Simulation::loop()
 
 double Simulation::next_target() const
 {
-  const double end = scene.stop.end_time > 0 ? scene.stop.end_time : std::numeric_limits<double>::infinity();
+  const double end = stop.end_time() > 0 ? stop.end_time() : std::numeric_limits<double>::infinity();
   return std::min({end, field_schedule.next(), snapshot_schedule.next()});
 }
 
@@ -226,22 +221,7 @@ bool Simulation::finished() const
 
 double Simulation::fraction_done() const
 {
-  const StopConditions &stop = scene.stop;
-  double fraction = 0;
-  if (stop.end_time > 0)
-    fraction = model.time() >= stop.end_time - planner.slack() ? 1 : model.time() / stop.end_time;
-  if (stop.axial_strain > 0)
-    fraction =
-        std::max(fraction, axial_strain(walls_at_start, model.walls()).value_or(0.) / stop.axial_strain);
-  if (stop.packing_fraction > 0)
-  {
-    const double packing = packing_fraction(model.walls(), model.solid_area()).value_or(0.);
-    const double start = packing_at_start.value_or(packing);
-    // The box shrinks like 1/packing: this measures the way of the walls.
-    const double way = packing > 0 ? (1 / start - 1 / packing) / (1 / start - 1 / stop.packing_fraction) : 0.;
-    fraction = std::max(fraction, packing >= stop.packing_fraction ? 1. : std::max(0., way));
-  }
-  return fraction;
+  return stop.fraction_done({model, walls_at_start, planner.slack()});
 }
 
 void Simulation::write_due_output(const StepReport &report)

@@ -6,6 +6,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -116,5 +117,20 @@ std::vector<Expression> vector_expression(const std::string &text,
     throw InputError("'" + text + "' must be " + std::to_string(n_components) +
                      " formulas separated by ';', not " + std::to_string(components.size()));
   return components;
+}
+
+Expression formula_of_time(const std::string &text, const std::string &parameter)
+{
+  try
+  {
+    Expression formula(text, {"t"});
+    if (!std::isfinite(formula({0.})))
+      throw InputError("'" + text + "' is not finite at the start");
+    return formula;
+  }
+  catch (const InputError &error)
+  {
+    throw InputError("'" + parameter + "': " + error.what());
+  }
 }
 } // namespace softgrain

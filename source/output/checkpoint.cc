@@ -17,7 +17,7 @@ namespace softgrain
 namespace
 {
 const std::string format_start = "softgrain checkpoint ";
-const std::string format_name = format_start + "2";
+const std::string format_name = format_start + "3";
 
 /// Of name, type and content, so that no array can pass for another.
 std::uint64_t checksum(const std::string &name, const char type, const void *data, const std::size_t n_bytes)

@@ -65,6 +65,7 @@ Packing read_packing(const std::string &file)
   if (line != heading && !with_material)
     complain(1);
   Packing packing;
+  packing.file = file;
   for (std::size_t number = 2; next_line(line); ++number)
   {
     Packing::Disk disk;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/exceptions.h>
 #include <softgrain/parameters/parameter_values.h>
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 namespace softgrain
@@ -23,15 +21,5 @@ std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text)
   for (const std::string &part : dealii::Utilities::split_string_list(text, ";"))
     pairs.push_back(pair_of_numbers(part));
   return pairs;
-}
-
-double relaxation_of_plain_sweeps(const dealii::ParameterHandler &prm)
-{
-  const double relaxation = prm.get_double("Relaxation");
-  if (relaxation != 1. && prm.get("Algorithm") != "gauss_seidel")
-    throw InputError(
-        "'Contact/Relaxation' = '" + prm.get("Relaxation") +
-        "' is for plain sweeps only: leave it at 1, or set 'Contact/Algorithm' = 'gauss_seidel'");
-  return relaxation;
 }
 } // namespace softgrain

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/scene/body_parameters.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
@@ -16,19 +16,13 @@ namespace
 void declare_shape(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  const List pair(Double(), 2, 2, ",");
-  prm.declare_entry("Shape", "disk", Selection("disk|rectangle|polygon"),
-                    "disk: Center, Radius, and Inner radius for a ring; rectangle: Center, Size, Angle; "
-                    "polygon: Vertices.");
-  prm.declare_entry("Center", "0, 0", pair, "Center of a disk or rectangle, \"x, y\". Units: m.");
-  prm.declare_entry("Radius", "0", Double(0), "Radius of a disk. Units: m.");
-  prm.declare_entry("Inner radius", "0", Double(0), "Radius of the hole of a ring; 0: no hole. Units: m.");
-  prm.declare_entry("Size", "0, 0", List(Double(0), 2, 2, ","),
-                    "Edge lengths of a rectangle, \"width, height\". Units: m.");
-  prm.declare_entry("Angle", "0", Double(-360, 360),
-                    "Rotation of a rectangle, counter-clockwise. Units: degrees.");
-  prm.declare_entry("Vertices", "", List(pair, 0, List::max_int_value, ";"),
-                    "Corners of a polygon in order, \"x1, y1; x2, y2; ...\". Units: m.");
+  const Registry<Shape<2>> &shapes = Registry<Shape<2>>::instance();
+  prm.declare_entry("Shape", "disk", Selection(shapes.choice()),
+                    "Shape at rest, with its parameters; " + shapes.choice_in_words());
+  prm.declare_entry("Center", "0, 0", List(Double(), 2, 2, ","),
+                    "Center of a disk or rectangle, \"x, y\". Units: m.");
+  for (const std::string &shape : shapes.names())
+    shapes.create(shape)->declare_parameters(prm);
 }
 
 void declare_motion(dealii::ParameterHandler &prm)
@@ -51,17 +45,10 @@ BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler 
 {
   BodyDescription<2> body;
   body.name = name;
-  const std::string shape = prm.get("Shape");
-  body.shape = shape == "disk"        ? BodyShape::disk
-               : shape == "rectangle" ? BodyShape::rectangle
-                                      : BodyShape::polygon;
   body.center = dealii::Point<2>(pair_of_numbers(prm.get("Center")));
-  body.radius = prm.get_double("Radius");
-  body.inner_radius = prm.get_double("Inner radius");
-  body.size = pair_of_numbers(prm.get("Size"));
-  body.angle = prm.get_double("Angle") * dealii::numbers::PI / 180.;
-  for (const dealii::Tensor<1, 2> &vertex : list_of_pairs(prm.get("Vertices")))
-    body.vertices.emplace_back(vertex);
+  std::shared_ptr<Shape<2>> shape = Registry<Shape<2>>::instance().create(prm.get("Shape"));
+  shape->parse_parameters(prm, body.center);
+  body.shape = shape;
   body.velocity = prm.get("Velocity");
   body.angular_velocity = prm.get_double("Angular velocity");
   body.body_force = prm.get("Body force");

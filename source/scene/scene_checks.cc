@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
-#include <softgrain/scene/body_geometry.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <algorithm>
@@ -20,47 +20,6 @@ std::string number(const double value)
   std::ostringstream text;
   text << value;
   return text.str();
-}
-
-double size_of(const BodyDescription<2> &body)
-{
-  const auto box = bounding_box(body);
-  return box.first.distance(box.second);
-}
-
-void check_shape(const BodyDescription<2> &body)
-{
-  const std::string path = "'Bodies/" + body.name + "/";
-  if (body.shape == BodyShape::disk)
-  {
-    if (!(body.radius > 0))
-      throw InputError(path + "Radius' = '" + number(body.radius) +
-                       "' leaves the body empty: it must be greater than 0");
-    if (body.inner_radius >= body.radius)
-      throw InputError(path + "Inner radius' = '" + number(body.inner_radius) +
-                       "' leaves the body empty: it must be less than Radius = " + number(body.radius));
-  }
-  else if (body.shape == BodyShape::rectangle)
-  {
-    if (!(body.size[0] > 0 && body.size[1] > 0))
-      throw InputError(path + "Size' = '" + number(body.size[0]) + ", " + number(body.size[1]) +
-                       "' leaves the body empty: both must be greater than 0");
-  }
-  else
-  {
-    const std::string vertices = path + "Vertices'";
-    if (body.vertices.size() < 3)
-      throw InputError(vertices + " has " + std::to_string(body.vertices.size()) +
-                       " points: a polygon needs at least 3");
-    if (crosses_itself(body.vertices))
-      throw InputError(vertices + ": the polygon crosses itself");
-    const double size = size_of(body);
-    if (!(std::abs(signed_area(body.vertices)) > touching * size * size))
-      throw InputError(vertices + ": the polygon encloses no area, the body is empty");
-    for (std::size_t i = 0; i < body.vertices.size(); ++i)
-      if (body.vertices[i].distance(body.vertices[(i + 1) % body.vertices.size()]) <= touching * size)
-        throw InputError(vertices + ": point " + std::to_string(i + 1) + " is the same as the next one");
-  }
 }
 
 void check_finite(const std::string &path,
@@ -88,12 +47,8 @@ std::vector<Expression> parse_at(const std::string &path, const Parse &parse)
 
 void check_formulas(const BodyDescription<2> &body)
 {
-  // A place in the body; the centre of a ring is not.
-  const double middle = body.inner_radius > 0. ? 0.5 * (body.inner_radius + body.radius) : 0.;
-  const double x = body.shape == BodyShape::polygon ? body.vertices[0][0]
-                   : body.shape == BodyShape::disk  ? body.center[0] + middle
-                                                    : body.center[0];
-  const double y = body.shape == BodyShape::polygon ? body.vertices[0][1] : body.center[1];
+  const dealii::Point<2> place = body.shape->some_place();
+  const double x = place[0], y = place[1];
   const std::string velocity = "Bodies/" + body.name + "/Velocity";
   check_finite(velocity,
                parse_at(velocity,
@@ -110,24 +65,10 @@ void check_formulas(const BodyDescription<2> &body)
                {x, y, x, y, 0.});
 }
 
-void check_formulas(const WallDescription<2> &wall)
-{
-  const std::string velocity = "Walls/" + wall.name + "/Velocity";
-  check_finite(velocity,
-               parse_at(velocity, [&] { return std::vector<Expression>{Expression(wall.velocity, {"t"})}; }),
-               {0.});
-  if (wall.pressure.empty())
-    return;
-  const std::string pressure = "Walls/" + wall.name + "/Pressure";
-  check_finite(pressure,
-               parse_at(pressure, [&] { return std::vector<Expression>{Expression(wall.pressure, {"t"})}; }),
-               {0.});
-}
-
 void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall)
 {
-  const auto distances = distances_from_plane(body, wall.point, wall.normal);
-  const double tolerance = touching * size_of(body);
+  const auto distances = body.shape->distances_from_plane(wall.point, wall.normal);
+  const double tolerance = touching * body.shape->size();
   if (distances.second <= tolerance)
     throw InputError("body '" + body.name + "' lies behind the wall '" + wall.name +
                      "'; its normal must point to the bodies");
@@ -147,74 +88,30 @@ void check_walls(const std::vector<WallDescription<2>> &walls)
 
 void check_bodies_apart(const std::vector<BodyDescription<2>> &bodies)
 {
-  for (auto a = bodies.begin(); a != bodies.end(); ++a)
-    for (auto b = bodies.begin(); b != a; ++b)
-      if (overlap(*a, *b, touching * std::max(size_of(*a), size_of(*b))))
-        throw InputError("the bodies '" + b->name + "' and '" + a->name + "' overlap at the start");
-}
-
-double box_area(const Scene<2> &scene)
-{
-  const auto wall = [&scene](const std::string &name) -> const WallDescription<2> &
-  {
-    return *std::find_if(scene.walls.begin(), scene.walls.end(),
-                         [&name](const WallDescription<2> &w) { return w.name == name; });
-  };
-  return std::abs((wall("top").point - wall("bottom").point) * wall("bottom").normal) *
-         std::abs((wall("right").point - wall("left").point) * wall("left").normal);
-}
-
-void check_stop(const Scene<2> &scene)
-{
-  const StopConditions &stop = scene.stop;
-  if (!(stop.end_time > 0) && stop.axial_strain < 0 && stop.packing_fraction < 0)
-    throw InputError("the run would never end: set 'Stop/End time', 'Stop/Axial strain' or 'Stop/Packing "
-                     "fraction' greater than 0");
-  const auto need_walls = [&scene](const std::string &key, const std::vector<std::string> &names)
-  {
-    for (const std::string &name : names)
-      if (!has_wall(scene, name))
-        throw InputError("'Stop/" + key + "' cannot be measured: there is no wall named '" + name + "'");
-  };
-  if (stop.axial_strain >= 0)
-    need_walls("Axial strain", {"bottom", "top"});
-  if (stop.packing_fraction >= 0)
-  {
-    need_walls("Packing fraction", {"bottom", "top", "left", "right"});
-    double solid = 0;
-    for (const BodyDescription<2> &body : scene.bodies)
-      solid += area(body);
-    if (solid / box_area(scene) >= stop.packing_fraction)
-      throw InputError("'Stop/Packing fraction' = '" + number(stop.packing_fraction) +
-                       "' is already reached: the bodies fill " + number(solid / box_area(scene)) +
-                       " of the box at the start");
-  }
+  std::vector<double> sizes;
+  for (const BodyDescription<2> &body : bodies)
+    sizes.push_back(body.shape->size());
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (overlap(*bodies[a].shape, *bodies[b].shape, touching * std::max(sizes[a], sizes[b])))
+        throw InputError("the bodies '" + bodies[b].name + "' and '" + bodies[a].name +
+                         "' overlap at the start");
 }
 } // namespace
 
-bool has_wall(const Scene<2> &scene, const std::string &name)
-{
-  return std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [&name](const WallDescription<2> &wall) { return wall.name == name; });
-}
-
 void check_scene(const Scene<2> &scene)
 {
-  if (scene.bodies.empty())
+  if (scene.bodies.empty() && !scene.packing.method)
     throw InputError("there is nothing to compute: 'Bodies/Names' is empty");
   for (const BodyDescription<2> &body : scene.bodies)
   {
-    check_shape(body);
+    body.shape->check("Bodies/" + body.name);
     check_formulas(body);
   }
   check_walls(scene.walls);
   for (const WallDescription<2> &wall : scene.walls)
-  {
-    check_formulas(wall);
     for (const BodyDescription<2> &body : scene.bodies)
       check_inside(body, wall);
-  }
   check_bodies_apart(scene.bodies);
-  check_stop(scene);
 }
 } // namespace softgrain

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/scene/wall_drive.h>
 #include <softgrain/scene/wall_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace softgrain
 {
@@ -17,6 +21,33 @@ std::string usual_normal(const std::string &name)
          : name == "left"  ? "1, 0"
          : name == "right" ? "-1, 0"
                            : "";
+}
+
+/// What a drive declares: names and defaults.
+std::vector<ParameterEntry> parameters_of(const std::string &drive)
+{
+  dealii::ParameterHandler own;
+  Registry<WallDrive>::instance().create(drive)->declare_parameters(own);
+  return parameter_tree(own).entries;
+}
+
+/// @throw InputError when something is set that belongs to another drive
+std::shared_ptr<const WallDrive> parse_drive(const dealii::ParameterHandler &prm, const std::string &wall)
+{
+  const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
+  const std::string chosen = prm.get("Drive");
+  std::shared_ptr<WallDrive> drive = drives.create(chosen);
+  drive->parse_parameters(prm, wall);
+  const std::vector<ParameterEntry> own = parameters_of(chosen);
+  for (const std::string &other : drives.names())
+    for (const ParameterEntry &entry : parameters_of(other))
+      if (prm.get(entry.name) != entry.default_value &&
+          std::none_of(own.begin(), own.end(),
+                       [&entry](const ParameterEntry &mine) { return mine.name == entry.name; }))
+        throw InputError("'" + wall + "/" + entry.name + "' = '" + prm.get(entry.name) +
+                         "' has no effect with 'Drive' = '" + chosen + "': leave it out, or choose '" +
+                         other + "'");
+  return drive;
 }
 } // namespace
 
@@ -40,19 +71,10 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
     prm.declare_entry("Normal", usual_normal(name), List(Double(), 0, 2, ","),
                       "Normal that points to the bodies, of any length; may be left out for bottom, top, "
                       "left and right. Units: none.");
-    prm.declare_entry("Velocity", "0", Anything(),
-                      "Velocity along the normal, positive towards the bodies; a formula of t "
-                      "(doc/formulas.md). Units: m/s.");
-    prm.declare_entry("Drive", "velocity", Selection("velocity|pressure"),
-                      "velocity: the wall moves as 'Velocity' says; pressure: it has a 'Mass' and moves "
-                      "along its normal under 'Pressure'.");
-    prm.declare_entry("Pressure", "0", Anything(),
-                      "With 'Drive = pressure': pressure towards the bodies, acting on the length between "
-                      "the walls beside it; a formula of t (doc/formulas.md). Units: Pa.");
-    prm.declare_entry("Mass", "0", Double(0), "With 'Drive = pressure': mass of the wall. Units: kg/m.");
-    prm.declare_entry(
-        "Damping", "0", Double(0),
-        "With 'Drive = pressure': force that resists the motion, per velocity. Units: kg/(m s).");
+    const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
+    prm.declare_entry("Drive", "velocity", Selection(drives.choice()), drives.choice_in_words());
+    for (const std::string &drive : drives.names())
+      drives.create(drive)->declare_parameters(prm);
     prm.declare_entry("Friction", "0", Double(0),
                       "Coefficient of friction between the wall and bodies. Units: none.");
     prm.leave_subsection();
@@ -84,25 +106,8 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
     if (wall.normal.norm() == 0)
       throw InputError("'Walls/" + name + "/Normal' = '" + normal + "' is not allowed: it must not be zero");
     wall.normal /= wall.normal.norm();
-    wall.velocity = prm.get("Velocity");
     wall.friction = prm.get_double("Friction");
-    if (prm.get("Drive") == "pressure")
-    {
-      wall.pressure = prm.get("Pressure");
-      wall.mass = prm.get_double("Mass");
-      wall.damping = prm.get_double("Damping");
-      if (!(wall.mass > 0.))
-        throw InputError("'Walls/" + name + "/Mass' = '" + prm.get("Mass") +
-                         "' is not allowed with 'Drive' = 'pressure': it must be greater than 0");
-      if (wall.velocity != "0")
-        throw InputError("'Walls/" + name + "/Velocity' = '" + wall.velocity +
-                         "' has no effect with 'Drive' = 'pressure': leave it out");
-    }
-    else
-      for (const char *key : {"Pressure", "Mass", "Damping"})
-        if (prm.get(key) != "0")
-          throw InputError("'Walls/" + name + "/" + key + "' = '" + prm.get(key) +
-                           "' has no effect without 'Drive' = 'pressure'");
+    wall.drive = parse_drive(prm, "Walls/" + name);
     walls.push_back(wall);
     prm.leave_subsection();
   }

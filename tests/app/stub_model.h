@@ -6,11 +6,10 @@
 // formulas. The midpoint rule keeps its energy to rounding.
 #include <softgrain/app/command_line.h>
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/expression.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/model/state_file.h>
-#include <softgrain/scene/body_geometry.h>
-#include <softgrain/scene/polygon.h>
+#include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -36,7 +35,6 @@ public:
       state.normal = wall.normal;
       state.position = wall.normal[0] != 0 ? wall.point[0] : wall.point[1];
       wall_states.push_back(state);
-      formulas.emplace_back(wall.velocity, std::vector<std::string>{"t"});
     }
   }
 
@@ -56,7 +54,7 @@ public:
     x = x_new;
     for (unsigned int w = 0; w < wall_states.size(); ++w)
     {
-      wall_states[w].velocity = formulas[w]({t});
+      wall_states[w].velocity = scene.walls[w].drive->demand({t, 0., 0.}).velocity;
       wall_states[w].point += report.dt * wall_states[w].velocity * wall_states[w].normal;
       wall_states[w].position =
           wall_states[w].normal[0] != 0 ? wall_states[w].point[0] : wall_states[w].point[1];
@@ -80,8 +78,8 @@ public:
     {
       BodyState<2> body;
       body.name = description.name;
-      body.outline = make_outline(description, 0.1);
-      body.area = body.reference_area = body.mass = area(description);
+      body.outline = description.shape->outline(0.1);
+      body.area = body.reference_area = body.mass = description.shape->area();
       body.center = description.center;
       result.bodies.push_back(body);
     }
@@ -104,7 +102,7 @@ public:
   {
     double sum = 0;
     for (const BodyDescription<2> &body : scene.bodies)
-      sum += area(body);
+      sum += body.shape->area();
     return sum;
   }
 
@@ -147,7 +145,6 @@ private:
   const double dt;
   const unsigned int fails_at, stops_at;
   std::vector<WallState<2>> wall_states;
-  std::vector<Expression> formulas;
   double t = 0, x = 1, v = 0;
   std::size_t n_steps = 0;
 };

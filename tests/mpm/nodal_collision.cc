@@ -3,6 +3,7 @@
 // friction. Known: momentum stays to rounding, energy is never created, and lumped contact has the solution
 // of condensed contact.
 #include <softgrain/constitutive/law_registry.h>
+#include <softgrain/geometry/shapes_2d.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <iostream>
@@ -29,7 +30,7 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
     BodyDescription<2> body;
     body.name = name;
     body.center = dealii::Point<2>(x, y);
-    body.radius = radius;
+    body.shape = std::make_shared<Disk2D>(body.center, radius);
     body.velocity = velocity;
     scene.bodies.push_back(body);
   };
@@ -46,7 +47,8 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
   settings.cfl_multiple = 0.3;
   settings.displacement_tolerance = 1e-9;
   settings.max_newton = 400;
-  settings.contact_kind = ContactKind::nodes;
+  settings.contact_geometry = "nodes";
+  settings.contact_on_boundaries = false;
   settings.coupling = coupling;
   settings.contact_solver.tolerance = 1e-10;
 

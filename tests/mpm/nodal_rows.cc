@@ -4,6 +4,7 @@
 // for every pair.
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law_registry.h>
+#include <softgrain/geometry/shapes_2d.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/contact/nodal_contact.h>
 
@@ -32,9 +33,9 @@ public:
   {
     BodyDescription<2> description;
     description.name = std::string(1, static_cast<char>('a' + bodies.size()));
-    description.shape = BodyShape::rectangle;
     description.center = dealii::Point<2>(0.5 * (left + right), 0.5 * (bottom + top));
-    description.size = dealii::Tensor<1, 2>({right - left, top - bottom});
+    description.shape =
+        std::make_shared<Rectangle2D>(description.center, dealii::Tensor<1, 2>({right - left, top - bottom}));
     const BuildContext context{lattice, *shape, settings, points};
     bodies.push_back(make_body(description, bodies.size(),
                                Registry<constitutive::Law<2>>::instance().create("linear_elastic"), 1000.,

@@ -3,6 +3,7 @@
 #define softgrain_analysis_assembly_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/geometry/box.h>
 
 #include <optional>
 #include <vector>
@@ -25,15 +26,11 @@ struct BodyContact
   bool with_wall() const { return body_b == ContactState<2>::not_a_body; }
 };
 
-/// The rectangle between the walls bottom, top, left and right.
-struct Box
+/// The box, and how fast it changes.
+struct MovingBox : Box
 {
-  double width = 0;       ///< [m]
-  double height = 0;      ///< [m]
   double width_rate = 0;  ///< [m/s]
   double height_rate = 0; ///< [m/s]
-
-  double area() const { return width * height; } ///< [m^2]
 };
 
 /**
@@ -54,7 +51,7 @@ public:
   /// In the order of body_a, then body_b, then walls.
   std::vector<BodyContact> contacts;
   /// Nothing unless all four walls are there.
-  std::optional<Box> box;
+  std::optional<MovingBox> box;
 };
 } // namespace softgrain
 

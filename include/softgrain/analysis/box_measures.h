@@ -5,15 +5,10 @@
 #include <softgrain/analysis/snapshot.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace softgrain
 {
-/// Distance of two walls along the normal of the first, or nothing when one is missing [m].
-std::optional<double>
-wall_distance(const std::vector<WallState<2>> &walls, const std::string &from, const std::string &to);
-
 /// ln(h0/h) of the distance of bottom and top; nothing without these walls.
 std::optional<double> axial_strain(const std::vector<WallState<2>> &start,
                                    const std::vector<WallState<2>> &now);

@@ -3,6 +3,7 @@
 #define softgrain_app_input_h
 
 #include <softgrain/app/run_parameters.h>
+#include <softgrain/driving/stop_condition.h>
 #include <softgrain/model/model.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
@@ -19,7 +20,8 @@ namespace softgrain
 class StateReader;
 
 /**
- * @brief A parameter file together with the words of the command line, read, checked and understood.
+ * @brief A parameter file together with the words of the command line, read, checked and understood; nothing
+ * is computed yet.
  */
 class Input
 {
@@ -32,9 +34,15 @@ public:
   Input(const std::string &file_name, const std::vector<std::string> &assignments);
 
   const RunParameters &run() const { return run_parameters; }
+  /// As described; with the bodies of its packing after complete_scene().
   const Scene<2> &scene() const { return described_scene; }
+  const StopConditions &stop() const { return stop_conditions; }
 
-  /// @throw InputError when the scene does not suit the model.
+  /// Makes the packing of the scene, once, on all threads. @throw InputError when it cannot be made, or its
+  /// bodies do not suit walls and other bodies.
+  void complete_scene();
+
+  /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
   std::unique_ptr<Model<2>> create_model();
 
   /**
@@ -52,6 +60,8 @@ private:
   dealii::ParameterHandler prm;
   RunParameters run_parameters;
   Scene<2> described_scene;
+  StopConditions stop_conditions;
+  bool is_complete = false;
 };
 
 /// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these

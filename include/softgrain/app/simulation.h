@@ -3,17 +3,15 @@
 #define softgrain_app_simulation_h
 
 #include <softgrain/analysis/measure.h>
+#include <softgrain/app/input.h>
 #include <softgrain/app/interrupt.h>
 #include <softgrain/app/output_schedule.h>
 #include <softgrain/app/progress.h>
 #include <softgrain/app/run_lock.h>
 #include <softgrain/app/run_log.h>
-#include <softgrain/app/run_parameters.h>
 #include <softgrain/app/run_statistics.h>
-#include <softgrain/model/model.h>
 #include <softgrain/output/history.h>
 #include <softgrain/output/snapshot_file.h>
-#include <softgrain/scene/scene.h>
 
 #include <iosfwd>
 #include <optional>
@@ -28,12 +26,7 @@ namespace softgrain
 class Simulation
 {
 public:
-  Simulation(const Scene<2> &scene,
-             Model<2> &model,
-             const RunParameters &parameters,
-             const std::string &effective_parameters,
-             const RunLock &lock,
-             std::ostream &terminal);
+  Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &terminal);
 
   /**
    * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
@@ -74,6 +67,7 @@ private:
   void print_end(const std::string &status);
 
   const Scene<2> &scene;
+  const StopConditions &stop;
   Model<2> &model;
   const RunParameters &parameters;
   const std::string effective_parameters;
@@ -81,7 +75,6 @@ private:
   RunLog log;
 
   const std::vector<WallState<2>> walls_at_start;
-  const std::optional<double> packing_at_start;
   RunStatistics statistics;
   Progress progress;
   HistoryWriter history;

@@ -40,6 +40,10 @@ private:
 std::vector<Expression> vector_expression(const std::string &text,
                                           const std::vector<std::string> &variables,
                                           unsigned int n_components = 2);
+
+/// A formula of the time t [s], finite at t = 0. @param parameter that it stands in, "Walls/top/Velocity".
+/// @throw InputError naming the parameter when it is not a formula or not finite
+Expression formula_of_time(const std::string &text, const std::string &parameter);
 } // namespace softgrain
 
 #endif

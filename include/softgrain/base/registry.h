@@ -55,6 +55,24 @@ public:
     return result;
   }
 
+  /// "a|b|c", what a parameter that selects a member may say (dealii::Patterns::Selection).
+  std::string choice() const
+  {
+    std::string result;
+    for (const auto &entry : entries)
+      result += (result.empty() ? "" : "|") + entry.first;
+    return result;
+  }
+
+  /// "a: what it is; b: what it is.", for the documentation of such a parameter.
+  std::string choice_in_words() const
+  {
+    std::string result;
+    for (const auto &entry : entries)
+      result += (result.empty() ? "" : "; ") + entry.first + ": " + entry.second.description;
+    return result + ".";
+  }
+
   const std::string &description(const std::string &name) const { return find(name).description; }
 
   /// @throw InputError with the known names and the nearest one when @p name is unknown.

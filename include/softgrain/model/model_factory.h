@@ -41,6 +41,14 @@ public:
   virtual LawCatalogue laws() const = 0;
 
   /**
+   * @brief Refuses what does not fit together, before anything is computed.
+   *
+   * @p prm as for create(); the packing of @p scene may not be made yet.
+   * @throw InputError
+   */
+  virtual void check(const Scene<2> & /*scene*/, dealii::ParameterHandler & /*prm*/) const {}
+
+  /**
    * @brief The model of @p scene at time zero.
    *
    * @p prm stands at its top, filled; the laws of `Materials/NAME` are the model's to read.

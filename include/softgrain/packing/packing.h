@@ -23,7 +23,8 @@ struct Packing
   };
   std::vector<Disk> disks;
   std::vector<std::string>
-      materials; ///< name of each disk's material; empty: the disks have none of their own
+      materials;    ///< name of each disk's material; empty: the disks have none of their own
+  std::string file; ///< that the disks were read from; empty: none
 
   double solid_area() const;
 };

@@ -7,11 +7,6 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace softgrain
 {
 /// "a, b" as numbers; the pattern of the parameter has checked the form.
@@ -19,10 +14,6 @@ dealii::Tensor<1, 2> pair_of_numbers(const std::string &text);
 
 /// "a, b; c, d; …" as numbers; the pattern of the parameter has checked the form.
 std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text);
-
-/// 'Relaxation' of the section that @p prm is in, the contact solver's of any model.
-/// @throw InputError when it is not 1 and 'Algorithm' is another than 'gauss_seidel', which would ignore it.
-double relaxation_of_plain_sweeps(const dealii::ParameterHandler &prm);
 } // namespace softgrain
 
 #endif

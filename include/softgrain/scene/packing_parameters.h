@@ -2,7 +2,6 @@
 #ifndef softgrain_scene_packing_parameters_h
 #define softgrain_scene_packing_parameters_h
 
-#include <softgrain/packing/packing.h>
 #include <softgrain/scene/scene.h>
 
 #include <vector>
@@ -14,17 +13,24 @@ class ParameterHandler;
 
 namespace softgrain
 {
-/// Section `Packing`: many disks at once, made at random or read from a file, as bodies of one material.
+/// Section `Packing`: many disks at once, as bodies of one material.
 class PackingParameters
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Bodies grain_1, grain_2, …; none when the section asks for none. @throw InputError as make_packing() and
-  /// read_packing(), and when the material is not known.
-  static std::vector<BodyDescription<2>> parse_parameters(dealii::ParameterHandler &prm,
-                                                          const std::vector<MaterialDescription> &materials);
+  /// What is to be packed, checked as far as it can be before it is. @throw InputError as the method's, and
+  /// when the material is not known.
+  static PackingDescription parse_parameters(dealii::ParameterHandler &prm,
+                                             const std::vector<MaterialDescription> &materials);
 };
+
+/**
+ * @brief Makes the packing of @p scene: bodies grain_1, grain_2, … are added to its bodies, and the file that
+ * the disks are saved to is written.
+ * @throw InputError when the disks do not fit or cannot be read
+ */
+void add_packing(Scene<2> &scene);
 } // namespace softgrain
 
 #endif

@@ -11,6 +11,13 @@
 
 namespace softgrain
 {
+class PackingMethod;
+template <int dim>
+class Shape;
+template <>
+class Shape<2>;
+class WallDrive;
+
 /// A material as the scene names it; the law itself is created by the model from `law` and the law's own
 /// subsection.
 struct MaterialDescription
@@ -20,31 +27,18 @@ struct MaterialDescription
   double density = 0.0; ///< at rest [kg/m^3]
 };
 
-/// How a body looks at the start.
-enum class BodyShape
-{
-  disk,      ///< centre, radius, and an inner radius when it is a ring
-  rectangle, ///< centre, size, angle
-  polygon    ///< vertices, counter-clockwise
-};
-
 /// One body of the scene.
 template <int dim>
 struct BodyDescription
 {
   std::string name;
-  unsigned int material = 0; ///< index into Scene::materials
-  BodyShape shape = BodyShape::disk;
-  dealii::Point<dim> center;
-  double radius = 0;                        ///< [m]
-  double inner_radius = 0;                  ///< [m], 0: no hole
-  dealii::Tensor<1, dim> size;              ///< edge lengths of a rectangle [m]
-  double angle = 0;                         ///< rotation of a rectangle, counter-clockwise [rad]
-  std::vector<dealii::Point<dim>> vertices; ///< of a polygon [m]
-  std::string velocity;                     ///< initial velocity, expressions of x, y: "vx; vy" [m/s]
-  double angular_velocity = 0;              ///< added about the centre, counter-clockwise [rad/s]
-  std::string body_force;                   ///< expressions of x, y (now), X, Y (at rest), t: "bx; by" [N/kg]
-  bool driven = false;                      ///< moves rigidly with its initial velocity, whatever it meets
+  unsigned int material = 0;               ///< index into Scene::materials
+  std::shared_ptr<const Shape<dim>> shape; ///< at the start, in its place
+  dealii::Point<dim> center;               ///< about which it turns [m]
+  std::string velocity;                    ///< initial velocity, expressions of x, y: "vx; vy" [m/s]
+  double angular_velocity = 0;             ///< added about the centre, counter-clockwise [rad/s]
+  std::string body_force;                  ///< expressions of x, y (now), X, Y (at rest), t: "bx; by" [N/kg]
+  bool driven = false;                     ///< moves rigidly with its initial velocity, whatever it meets
 };
 
 /// A straight rigid wall; the domain lies on the side its normal points to.
@@ -59,34 +53,31 @@ struct WallDescription
 
   std::string name;
   Type type = Type::plane;
-  dealii::Point<dim> point;      ///< a point of the plane at the start [m]
-  dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  std::string velocity;          ///< along the normal, an expression of t [m/s]
-  std::string pressure;          ///< that moves it along its normal, an expression of t [Pa]; empty: velocity
-  double mass = 0;               ///< of a wall that pressure moves [kg/m in 2D]
-  double damping = 0;            ///< force per velocity on such a wall [kg/(m s) in 2D]
+  dealii::Point<dim> point;               ///< a point of the plane at the start [m]
+  dealii::Tensor<1, dim> normal;          ///< unit, into the domain
+  std::shared_ptr<const WallDrive> drive; ///< how it moves
   double friction = 0;
 };
 
-/// When a run ends, whichever comes first.
-struct StopConditions
+/// Many grains at once, made when everything else is known to be right; see add_packing().
+struct PackingDescription
 {
-  double end_time = 0;          ///< [s]
-  double axial_strain = -1;     ///< ln(h0/h) of the bottom-top distance; negative: no condition
-  double packing_fraction = -1; ///< negative: no condition
+  std::shared_ptr<const PackingMethod> method; ///< null: no packing
+  std::string material;                        ///< of disks whose file names none; empty: the only one
+  std::string save_to;                         ///< file for the disks; empty: none
 };
 
-/// What a parameter file says of the world: bodies, walls, loads and when to stop. Nothing of how it is
-/// solved.
+/// What a parameter file says of the world: bodies, walls and loads. Nothing of how it is solved.
 template <int dim>
 struct Scene
 {
   std::vector<MaterialDescription> materials;
-  std::vector<BodyDescription<dim>> bodies;
+  std::vector<BodyDescription<dim>> bodies; ///< with those of the packing, once it is made
+  PackingDescription packing;
   std::vector<WallDescription<dim>> walls;
   dealii::Tensor<1, dim> gravity; ///< [m/s^2]
   double friction = 0;            ///< between bodies
-  StopConditions stop;
+  double end_time = 0;            ///< of the run, if it has one [s]
 };
 } // namespace softgrain
 

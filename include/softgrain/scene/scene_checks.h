@@ -7,18 +7,14 @@
 namespace softgrain
 {
 /**
- * @brief Looks at a whole scene before anything is computed.
+ * @brief Looks at a whole scene before anything is computed, and again when its packing has been made.
  *
  * Bodies must have an area, lie on the inner side of every wall and not overlap (touching within 1e-9 of
- * their size is fine); opposing walls must leave room; formulas must parse and be finite at the start; there
- * must be a stop condition, and one that can be measured.
+ * their size is fine); opposing walls must leave room; formulas must parse and be finite at the start.
  *
  * @throw InputError naming what is wrong and by how much.
  */
 void check_scene(const Scene<2> &scene);
-
-/// Whether the scene has a wall of this name.
-bool has_wall(const Scene<2> &scene, const std::string &name);
 } // namespace softgrain
 
 #endif

@@ -22,7 +22,7 @@ struct SceneNames
 };
 
 /**
- * @brief All sections that make a Scene: Materials, Bodies, Walls, Contact (friction), Loads, Stop.
+ * @brief All sections that make a Scene: Materials, Bodies, Packing, Walls, Contact (friction), Loads.
  */
 class SceneParameters
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/measure.h>
+#include <softgrain/analysis/touching_pairs.h>
 
 namespace softgrain
 {
@@ -24,15 +25,19 @@ public:
     const std::size_t n = assembly.snapshot.bodies.size();
     if (n == 0)
       return {std::nullopt, std::nullopt, std::nullopt, std::nullopt};
-    double ends = 0., between_bodies = 0.;
+    TouchingPairs pairs;
+    double between_bodies = 0.;
     std::vector<unsigned int> degree(n, 0);
     std::vector<std::vector<unsigned int>> neighbours(n);
     for (const BodyContact &contact : assembly.contacts)
     {
       ++degree[contact.body_a];
-      ends += contact.with_wall() ? 1. : 2.;
       if (contact.with_wall())
+      {
+        pairs.add_wall(contact.body_a, contact.wall);
         continue;
+      }
+      pairs.add_bodies(contact.body_a, contact.body_b);
       ++degree[contact.body_b];
       between_bodies += 2.;
       neighbours[contact.body_a].push_back(contact.body_b);
@@ -64,7 +69,7 @@ public:
       if (!rattles[b])
         kept += degree[b];
     const std::size_t n_kept = n - n_rattlers;
-    return {ends / n, between_bodies / n, n_kept > 0 ? kept / n_kept : 0.,
+    return {pairs.coordination(n), between_bodies / n, n_kept > 0 ? kept / n_kept : 0.,
             static_cast<double>(n_rattlers) / n};
   }
 };

@@ -68,7 +68,7 @@ private:
       area += assembly.snapshot.bodies[b].reference_area;
       diameter += assembly.rest_diameter(b) / assembly.snapshot.bodies.size();
     }
-    const Box &box = *assembly.box;
+    const MovingBox &box = *assembly.box;
     const double rate =
         std::max(std::abs(box.height_rate) / box.height, std::abs(box.width_rate) / box.width);
     return rate * diameter * std::sqrt(mass / area / p);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/geometry/shapes_2d.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_generator.h>
-#include <softgrain/scene/polygon.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,27 +68,22 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   Boundary<2> &boundary = body.boundary;
   boundary.contact_stride = pieces;
   boundary.loop_start.assign(1, 0);
-  for (const Polygon &coarse : make_outline(description, step))
+  for (const Polygon &coarse : description.shape->outline(step))
   {
     // A loop of a whole number of strides; disks keep their circle.
     const unsigned int n = coarse.size();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int k = 0; k < pieces; ++k)
       {
-        dealii::Point<2> x =
+        const dealii::Point<2> on_edge =
             coarse[i] + (static_cast<double>(k) / pieces) * (coarse[(i + 1) % n] - coarse[i]);
-        if (description.shape == BodyShape::disk)
-        {
-          const dealii::Tensor<1, 2> ray = x - description.center;
-          x = description.center + ray * (coarse[i].distance(description.center) / ray.norm());
-        }
-        boundary.grid_position.push_back(x);
+        boundary.grid_position.push_back(description.shape->project(on_edge, coarse[i]));
       }
     boundary.loop_start.push_back(boundary.grid_position.size());
   }
   boundary.position = boundary.grid_position;
   find_corners(boundary);
-  boundary.smooth = description.shape == BodyShape::disk && !boundary.corner.empty() &&
+  boundary.smooth = description.shape->round() && !boundary.corner.empty() &&
                     std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
 }
 
@@ -359,17 +354,18 @@ BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext 
   const auto &settings = context.settings;
   BodyDescription<2> slab;
   slab.name = wall.name;
-  slab.shape = BodyShape::rectangle;
   slab.driven = true;
-  slab.size[axis] = thickness;
-  slab.size[1 - axis] = settings.mesh_upper[1 - axis] - settings.mesh_lower[1 - axis] - 2. * h;
+  dealii::Tensor<1, 2> edges;
+  edges[axis] = thickness;
+  edges[1 - axis] = settings.mesh_upper[1 - axis] - settings.mesh_lower[1 - axis] - 2. * h;
   slab.center[axis] = wall.point[axis] - 0.5 * thickness * wall.normal[axis];
   slab.center[1 - axis] = 0.5 * (settings.mesh_upper[1 - axis] + settings.mesh_lower[1 - axis]);
   if (slab.center[axis] - 0.5 * thickness < settings.mesh_lower[axis] + h ||
-      slab.center[axis] + 0.5 * thickness > settings.mesh_upper[axis] - h || slab.size[1 - axis] <= 0.)
+      slab.center[axis] + 0.5 * thickness > settings.mesh_upper[axis] - h || edges[1 - axis] <= 0.)
     throw InputError("'Walls/" + wall.name +
                      "' is made of material points and needs four cells of mesh behind its face: enlarge "
                      "'Mesh/Lower' and 'Mesh/Upper'");
+  slab.shape = std::make_shared<Rectangle2D>(slab.center, edges);
   return slab;
 }
 } // namespace softgrain::mpm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/geometry/shape.h>
 #include <softgrain/mpm/body/point_generator.h>
-#include <softgrain/scene/polygon.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ GeneratedPoints<2>
 generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, const unsigned int per_direction)
 {
   const double part = lattice.cell_size() / per_direction;
-  const BoundaryCutter boundary(make_outline(body, part / 16.), part);
+  const BoundaryCutter boundary(body.shape->outline(part / 16.), part);
   GeneratedPoints<2> points;
   int first[2], last[2];
   for (unsigned int d = 0; d < 2; ++d)
@@ -89,12 +89,12 @@ generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, const
     }
   }
   // The polygon through points of a circle lacks a sliver: restore the exact area of the body.
-  if (body.shape == BodyShape::disk && !points.volume.empty())
+  if (body.shape->round() && !points.volume.empty())
   {
     double sum = 0.;
     for (const double v : points.volume)
       sum += v;
-    const double exact = M_PI * (body.radius * body.radius - body.inner_radius * body.inner_radius);
+    const double exact = body.shape->area();
     for (double &v : points.volume)
       v *= exact / sum;
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/field/shape_function.h>
 
-#include <softgrain/base/registry.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +10,7 @@ namespace softgrain::mpm
 {
 namespace
 {
+/// Hats on the vertices, FE_Q(1).
 class LinearShape final : public ShapeFunction
 {
 public:
@@ -26,6 +25,7 @@ public:
   }
 };
 
+/// Hats averaged over the initial extent of the point (uniform GIMP, Bardenhagen and Kober 2004).
 class GimpShape final : public ShapeFunction
 {
 public:
@@ -55,6 +55,8 @@ private:
   }
 };
 
+/// Uniform quadratic B-splines with knots on the cell faces, one coefficient per cell centre (Steffen et al.
+/// 2008).
 class BSplineShape final : public ShapeFunction
 {
 public:
@@ -72,10 +74,12 @@ public:
 using ShapeRegistry = Registry<ShapeFunction>;
 
 [[maybe_unused]] const bool registered[] = {
-    ShapeRegistry::instance().add(
-        "linear", "hats on the vertices (the thesis)", [] { return std::make_unique<LinearShape>(); }),
-    ShapeRegistry::instance().add(
-        "gimp", "hats averaged over the extent of the point", [] { return std::make_unique<GimpShape>(); }),
+    ShapeRegistry::instance().add("linear",
+                                  "hat functions on the corners of the cells (the thesis)",
+                                  [] { return std::make_unique<LinearShape>(); }),
+    ShapeRegistry::instance().add("gimp",
+                                  "hat functions averaged over the extent of a point",
+                                  [] { return std::make_unique<GimpShape>(); }),
     ShapeRegistry::instance().add(
         "bspline", "uniform quadratic B-splines", [] { return std::make_unique<BSplineShape>(); })};
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/constitutive/law_registry.h>
+#include <softgrain/driving/contact_settings.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
@@ -17,24 +18,34 @@ public:
 
   std::vector<std::string> changeable_on_restart() const override
   {
-    return {"Time/Time step",         "Time/CFL multiple",
-            "Time/Smallest step",     "Newton/",
-            "Linear solver/",         "Contact/Tolerance",
-            "Contact/Algorithm",      "Contact/Relaxation",
-            "Contact/Maximum sweeps", "Contact/Keep failed problems in"};
+    std::vector<std::string> names = ContactSettings::names();
+    names.insert(names.end(), {"Time/Time step", "Time/CFL multiple", "Time/Smallest step", "Newton/",
+                               "Linear solver/", "Contact/Keep failed problems in"});
+    return names;
   }
 
   LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
 
+  void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
+
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
+  {
+    auto [settings, laws] = read(scene, prm);
+    return std::make_unique<MpmModel>(scene, settings, std::move(laws));
+  }
+
+private:
+  using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
+
+  static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm);
     for (const WallDescription<2> &wall : scene.walls)
-      if (!wall.pressure.empty())
-        throw InputError("'Walls/" + wall.name +
-                         "/Drive' = 'pressure' is not allowed with 'Model' = 'mpm': choose 'velocity'");
-    std::vector<std::shared_ptr<const constitutive::Law<2>>> laws;
+      if (!wall.drive->prescribed())
+        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
+                         "' is not allowed with 'Model' = 'mpm': choose 'velocity'");
+    Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
       prm.enter_subsection("Materials");
@@ -50,7 +61,7 @@ public:
       prm.leave_subsection();
       prm.leave_subsection();
     }
-    return std::make_unique<MpmModel>(scene, settings, std::move(laws));
+    return {settings, laws};
   }
 };
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
-#include <softgrain/mpm/contact/nodal_contact.h>
-#include <softgrain/mpm/contact/surface_contact.h>
+#include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
-#include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -53,22 +50,16 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   for (const BodyDescription<2> &body : descriptions)
     world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
                                      world.scene.materials[body.material].density, context));
-  for (const WallDescription<2> &description : world.scene.walls)
-  {
-    Wall wall;
-    wall.description = description;
-    if (!description.velocity.empty())
-      wall.velocity = vector_expression(description.velocity, {"t"}, 1);
-    if (description.type == WallDescription<2>::Type::material_points)
+  world.walls = make_walls(world.scene.walls);
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+    if (world.walls[w].description.type == WallDescription<2>::Type::material_points)
     {
-      wall.body = world.bodies.size();
-      descriptions.push_back(wall_slab(description, context));
-      world.bodies.push_back(
-          make_body(descriptions.back(), wall.body, laws[0], world.scene.materials[0].density, context));
-      world.bodies.back().wall = world.walls.size();
+      world.walls[w].body = world.bodies.size();
+      descriptions.push_back(wall_slab(world.walls[w].description, context));
+      world.bodies.push_back(make_body(descriptions.back(), world.walls[w].body, laws[0],
+                                       world.scene.materials[0].density, context));
+      world.bodies.back().wall = w;
     }
-    world.walls.push_back(std::move(wall));
-  }
   world.sort_points();
   for (Body<2> &body : world.bodies)
     start_body(body, descriptions[body.index], context);
@@ -87,14 +78,14 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
           create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
-  if (settings.contact_kind == ContactKind::nodes)
-    world.geometry = std::make_unique<NodalContact>(*world.shape, settings.nodal_gap);
-  else
-    world.geometry = std::make_unique<SurfaceContact>();
+  integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
+  world.geometry = Registry<ContactGeometryKind>::instance()
+                       .create(settings.contact_geometry)
+                       ->create(*world.shape, settings);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;
-    message << "'Time/Time step' = " << settings.time_step
+    message << "'Time/Time step' = " << settings.step.time_step
             << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
             << cfl_step() << " s";
     throw InputError(message.str());
@@ -126,62 +117,33 @@ double MpmModel::cfl_step() const
 double MpmModel::wanted_step() const
 {
   const Settings &settings = world.settings;
-  if (settings.time_step > 0.)
-    return settings.time_step;
   // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
-  return (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) *
-         cfl_step();
-}
-
-StepOutcome MpmModel::attempt(const double dt, const double wanted)
-{
-  const TimeScheme &scheme = world.settings.scheme;
-  if (!scheme.implicit)
-    return explicit_step(world, dt);
-  return scheme.inertia ? implicit_step(world, {dt, false, 0.}) : quasi_static_step(world, dt, wanted);
+  return settings.step.wanted(
+      (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl_step());
 }
 
 StepReport MpmModel::advance(const double dt_limit)
 {
   StepReport report;
-  const double wanted = wanted_step(), scale_before = step_scale;
-  double dt = std::min(wanted * step_scale, dt_limit);
-  for (;; ++report.attempts)
+  const Settings &settings = world.settings;
+  const double wanted = wanted_step();
+  const auto try_step = [&](const double dt) -> Attempt
   {
-    StepOutcome outcome;
-    try
-    {
-      outcome = attempt(dt, wanted);
-    }
-    catch (const Interrupted &)
-    {
-      step_scale = scale_before; // attempts change nothing else that lasts
-      throw;
-    }
+    const StepOutcome outcome = integrator->step(world, dt, wanted);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
-    if (outcome.accepted)
-    {
-      report.newton_residual = outcome.newton_residual;
-      report.contact_residual = outcome.contact_residual;
-      report.max_penetration = outcome.max_penetration;
-      held_steps += outcome.held_steps;
-      last_unbalanced = outcome.unbalanced;
-      if (outcome.newton_iterations <= (1 + outcome.held_steps) * world.settings.max_newton / 2)
-        step_scale = std::min(1., 1.5 * step_scale);
-      break;
-    }
-    dt *= 0.5;
-    step_scale = std::min(step_scale, dt / wanted);
-    if (dt < world.settings.smallest_step * std::min(wanted, dt_limit))
-    {
-      std::ostringstream message;
-      message << "at time " << world.time << " s no step longer than " << dt
-              << " s succeeds: " << outcome.reason;
-      throw ComputationError(message.str());
-    }
-  }
-  report.dt = last_dt = dt;
+    if (!outcome.accepted)
+      return {false, outcome.reason};
+    report.newton_residual = outcome.newton_residual;
+    report.contact_residual = outcome.contact_residual;
+    report.max_penetration = outcome.max_penetration;
+    held_steps += outcome.held_steps;
+    last_unbalanced = outcome.unbalanced;
+    return {true, "", outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
+  };
+  const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, world.time, try_step);
+  report.attempts = taken.attempts;
+  report.dt = last_dt = taken.dt;
   ++steps;
   for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
     report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
@@ -211,7 +173,7 @@ void MpmModel::check_energy() const
 void MpmModel::update_momentum_scale()
 {
   // The sum over bodies, or over the nodes of a body that vibrates, may vanish while everything moves.
-  double scale = std::max(world.balance.wall_impulse.norm(), world.balance.body_force_impulse.norm());
+  double scale = 0.;
   for (const Body<2> &body : world.bodies)
   {
     double sum = 0.;
@@ -219,7 +181,7 @@ void MpmModel::update_momentum_scale()
       sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
     scale = std::max(scale, sum);
   }
-  world.balance.largest_momentum = std::max(world.balance.largest_momentum, scale);
+  world.balance.note_momentum(scale);
 }
 
 void MpmModel::refresh_forces(Body<2> &body)
@@ -290,12 +252,7 @@ dealii::Tensor<1, 2> MpmModel::momentum() const
 
 double MpmModel::momentum_error() const
 {
-  const Balance &balance = world.balance;
-  if (!world.settings.scheme.inertia)
-    return 0.;
-  const auto error =
-      momentum() - balance.initial_momentum - balance.wall_impulse - balance.body_force_impulse;
-  return balance.largest_momentum > 0. ? error.norm() / balance.largest_momentum : error.norm();
+  return world.settings.scheme.inertia ? world.balance.momentum_error(momentum()) : 0.;
 }
 
 Energies MpmModel::energies() const
@@ -322,7 +279,7 @@ Energies MpmModel::energies() const
   energies.elastic += world.balance.subgrid_energy;
   energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
                         world.balance.regularisation_work;
-  energies.external_work = world.balance.wall_work + world.balance.body_force_work;
+  energies.external_work = world.balance.external_work();
   return energies;
 }
 
@@ -361,9 +318,8 @@ SizeReport MpmModel::size_report() const
           {"time scheme", world.settings.scheme.name},
           {"CFL step", text(cfl_step(), " s")},
           {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
-          {"steps to the end time", world.scene.stop.end_time > 0.
-                                        ? text(std::ceil(world.scene.stop.end_time / wanted_step()), "")
-                                        : "open"}};
+          {"steps to the end time",
+           world.scene.end_time > 0. ? text(std::ceil(world.scene.end_time / wanted_step()), "") : "open"}};
 }
 
 std::map<std::string, double> MpmModel::phases() const

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/analysis/wall_position.h>
+#include <softgrain/analysis/touching_pairs.h>
+#include <softgrain/geometry/polygon.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/stress.h>
-#include <softgrain/scene/polygon.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace softgrain::mpm
 {
@@ -159,20 +158,7 @@ Snapshot<2> MpmModel::snapshot() const
 
 std::vector<WallState<2>> MpmModel::walls() const
 {
-  std::vector<WallState<2>> states;
-  for (const Wall &wall : world.walls)
-  {
-    WallState<2> state;
-    state.name = wall.description.name;
-    state.point = wall.point();
-    state.normal = wall.description.normal;
-    state.position = wall_position(state.point, state.normal);
-    state.velocity = wall.speed;
-    state.normal_force = -(wall.force * state.normal);
-    state.tangential_force = wall.force * dealii::Tensor<1, 2>({state.normal[1], -state.normal[0]});
-    states.push_back(state);
-  }
-  return states;
+  return states_of(world.walls);
 }
 
 double MpmModel::solid_area() const
@@ -186,17 +172,17 @@ double MpmModel::solid_area() const
 
 double MpmModel::coordination() const
 {
-  std::set<std::pair<unsigned int, unsigned int>> touching;
+  TouchingPairs touching;
   const auto &rows = world.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (world.contact.impulses()[r * world.contact.n_components()] > 0.)
     {
-      const bool wall = rows[r].wall != Row::none;
-      touching.emplace(rows[r].body, wall ? world.bodies.size() + rows[r].wall : rows[r].partner);
-      if (!wall)
-        touching.emplace(rows[r].partner, rows[r].body);
+      if (rows[r].wall != Row::none)
+        touching.add_wall(rows[r].body, rows[r].wall);
+      else
+        touching.add_bodies(rows[r].body, rows[r].partner);
     }
-  return world.scene.bodies.empty() ? 0. : static_cast<double>(touching.size()) / world.scene.bodies.size();
+  return touching.coordination(world.scene.bodies.size());
 }
 
 double MpmModel::rotational_energy() const

@@ -93,20 +93,14 @@ void load_points(PointStore<2> &store, const StateReader &in)
 void MpmModel::save(StateWriter &out) const
 {
   const Balance &b = world.balance;
-  out.write("mpm/scalars",
-            std::vector<double>{world.time, step_scale, last_dt, world.contact.memory_step, last_unbalanced});
+  out.write("mpm/scalars", std::vector<double>{world.time, step_control.scale, last_dt,
+                                               world.contact.memory_step, last_unbalanced});
   out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves, held_steps});
-  out.write("mpm/balance",
-            std::vector<double>{b.initial_momentum[0], b.initial_momentum[1], b.body_force_impulse[0],
-                                b.body_force_impulse[1], b.wall_impulse[0], b.wall_impulse[1],
-                                b.largest_momentum, b.wall_work, b.body_force_work, b.contact_loss,
-                                b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
+  b.save(out, "mpm/balance/common");
+  out.write("mpm/balance/own",
+            std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
                                 b.carried_load[0], b.carried_load[1]});
-  std::vector<double> walls;
-  for (const Wall &wall : world.walls)
-    walls.insert(walls.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
-                               wall.impulse[1], wall.carried[0], wall.carried[1]});
-  out.write("mpm/walls", walls);
+  save_walls(out, "mpm/walls", world.walls);
 
   // Sorted by key, so that equal states give equal files.
   std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(),
@@ -138,11 +132,10 @@ void MpmModel::save(StateWriter &out) const
 
 void MpmModel::load(StateReader &in)
 {
-  const std::vector<double> scalars = in.read_doubles("mpm/scalars"), walls = in.read_doubles("mpm/walls");
-  if (walls.size() != 8 * world.walls.size())
-    throw InputError("the checkpoint was made with another number of walls");
+  const std::vector<double> scalars = in.read_doubles("mpm/scalars");
+  load_walls(in, "mpm/walls", world.walls);
   world.time = scalars.at(0);
-  step_scale = scalars.at(1);
+  step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
   world.contact.memory_step = scalars.at(3);
   last_unbalanced = scalars.at(4);
@@ -150,28 +143,14 @@ void MpmModel::load(StateReader &in)
   steps = counts.at(0);
   world.contact.plain_solves = counts.at(1);
   held_steps = counts.at(2);
-  const std::vector<double> b = in.read_doubles("mpm/balance");
-  world.balance = {dealii::Tensor<1, 2>({b.at(0), b.at(1)}),
-                   dealii::Tensor<1, 2>({b.at(2), b.at(3)}),
-                   dealii::Tensor<1, 2>({b.at(4), b.at(5)}),
-                   b.at(6),
-                   b.at(7),
-                   b.at(8),
-                   b.at(9),
-                   b.at(10),
-                   b.at(11),
-                   b.at(12),
-                   b.at(13),
-                   dealii::Tensor<1, 2>({b.at(14), b.at(15)})};
-  for (unsigned int w = 0; w < world.walls.size(); ++w)
-  {
-    const double *v = &walls[8 * w];
-    world.walls[w].travel = v[0];
-    world.walls[w].speed = v[1];
-    world.walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
-    world.walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
-    world.walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
-  }
+  const std::vector<double> own = in.read_doubles("mpm/balance/own");
+  Balance &b = world.balance;
+  b.load(in, "mpm/balance/common");
+  b.law_loss = own.at(0);
+  b.scheme_damping = own.at(1);
+  b.subgrid_energy = own.at(2);
+  b.regularisation_work = own.at(3);
+  b.carried_load = dealii::Tensor<1, 2>({own.at(4), own.at(5)});
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
   for (std::size_t k = 0; k < keys.size(); ++k)

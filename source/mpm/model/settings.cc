@@ -2,7 +2,11 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/contact/active_set.h>
+#include <softgrain/driving/contact_settings.h>
+#include <softgrain/mpm/contact/contact_geometry_kind.h>
+#include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/parameter_values.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -45,10 +49,10 @@ void declare_discretisation(dealii::ParameterHandler &prm)
       prm, "Material points",
       [&]
       {
-        prm.declare_entry(
-            "Shape function", "bspline", Selection("linear|gimp|bspline"),
-            "linear: hat functions on the corners of the cells (the thesis); gimp: hat functions averaged "
-            "over the extent of a point; bspline: uniform quadratic B-splines.");
+        prm.declare_entry("Shape function", "bspline",
+                          Selection(Registry<ShapeFunction>::instance().choice()),
+                          "Functions that interpolate between points and grid; " +
+                              Registry<ShapeFunction>::instance().choice_in_words());
         prm.declare_entry("Points per direction", "2", Integer(1, 8),
                           "Material points per cell and direction at the start. Units: none.");
         prm.declare_entry(
@@ -81,21 +85,15 @@ void declare_time(dealii::ParameterHandler &prm)
       prm, "Time",
       [&]
       {
-        prm.declare_entry(
-            "Scheme", "moreau_jean", Selection("moreau_jean|newmark|explicit|quasi_static"),
-            "moreau_jean: theta scheme of contact dynamics; newmark: the thesis, (3.14)-(3.22); explicit: "
-            "symplectic Euler; quasi_static: no inertia.");
+        prm.declare_entry("Scheme", "moreau_jean", Selection(Registry<TimeIntegrator>::instance().choice()),
+                          Registry<TimeIntegrator>::instance().choice_in_words());
         prm.declare_entry("Theta", "0.55", Double(0.5, 1.),
                           "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
                           "Euler. Units: none.");
-        prm.declare_entry("Time step", "0", Double(0.),
-                          "Length of a step; 0: 'CFL multiple' times the CFL step. Units: s.");
+        StepSettings::declare_parameters(prm, "'CFL multiple' times the CFL step", "1e-4");
         prm.declare_entry("CFL multiple", "20", Double(1e-6),
                           "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
                           "'Time step' is 0. Units: none.");
-        prm.declare_entry("Smallest step", "1e-4", Double(1e-12, 1.),
-                          "A step that fails is repeated with half its length. The run gives up when a step "
-                          "is shorter than this share of the length asked for. Units: none.");
       });
   in_section(prm, "Newton",
              [&]
@@ -165,9 +163,8 @@ void declare_contact(dealii::ParameterHandler &prm)
       [&]
       {
         prm.declare_entry(
-            "Geometry", "surface", Selection("surface|nodes"),
-            "surface: markers on the boundaries look for contact with boundaries and walls; nodes: contact "
-            "at grid nodes that bodies share (the thesis; needs 'Grid update = every step').");
+            "Geometry", "surface", Selection(Registry<ContactGeometryKind>::instance().choice()),
+            "Where contact is looked for; " + Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
@@ -182,20 +179,14 @@ void declare_contact(dealii::ParameterHandler &prm)
                           "than a cell, by a "
                           "law measured against finite elements. With B-splines, geometry surface and scheme "
                           "quasi_static only.");
-        prm.declare_entry("Tolerance", "1e-7", Double(1e-14, 1e-1),
-                          "Largest residual of a contact solution (natural map), relative to the approach "
-                          "speed. Units: none.");
-        prm.declare_entry("Maximum sweeps", "20000", Integer(1),
-                          "Largest number of Gauss-Seidel sweeps of one contact solve. Units: none.");
-        prm.declare_entry(
-            "Relaxation", "1", Double(0.05, 1.95),
-            "With 'Algorithm = gauss_seidel': factor on every change of an impulse. Units: none.");
-        prm.declare_entry(
-            "Algorithm", "automatic", Selection("automatic|accelerated|gauss_seidel|active_set"),
-            "gauss_seidel: plain sweeps; accelerated: sweeps with momentum and restart; active_set: Newton "
-            "on the active set; automatic: active_set with quasi_static, otherwise accelerated, and Newton "
-            "when "
-            "the sweeps do not converge.");
+        ContactSettings::declare_parameters(
+            prm, "1e-7",
+            {{"automatic",
+              "active_set with quasi_static, otherwise accelerated, and Newton when the sweeps do not "
+              "converge"},
+             {"accelerated", "sweeps with momentum and restart"},
+             {"gauss_seidel", "plain sweeps"},
+             {"active_set", "Newton on the active set"}});
         prm.declare_entry("Keep failed problems in", "", dealii::Patterns::Anything(),
                           "Folder in which contact problems that do not converge are kept, to be solved "
                           "again for study; empty: none are kept.");
@@ -253,9 +244,8 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
              [&]
              {
                scheme = TimeScheme::create(prm.get("Scheme"), prm.get_double("Theta"));
-               time_step = prm.get_double("Time step");
+               step.parse_parameters(prm);
                cfl_multiple = prm.get_double("CFL multiple");
-               smallest_step = prm.get_double("Smallest step");
              });
   in_section(prm, "Quasi-static",
              [&]
@@ -286,23 +276,27 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
       prm, "Contact",
       [&]
       {
-        contact_kind = prm.get("Geometry") == "surface" ? ContactKind::surface : ContactKind::nodes;
+        contact_geometry = prm.get("Geometry");
+        contact_on_boundaries =
+            Registry<ContactGeometryKind>::instance().create(contact_geometry)->on_boundaries();
         nodal_gap = prm.get_bool("Nodal gap");
         coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         marker_spacing = prm.get_double("Marker spacing");
         subgrid = prm.get_bool("Sub-grid compliance");
-        contact_solver.tolerance = prm.get_double("Tolerance");
-        contact_solver.max_sweeps = prm.get_integer("Maximum sweeps");
-        contact_solver.relaxation = relaxation_of_plain_sweeps(prm);
-        contact_solver.algorithm = contact::algorithms().at(prm.get("Algorithm"));
+        ContactSettings common;
+        common.parse_parameters(prm);
+        contact_solver.tolerance = common.tolerance;
+        contact_solver.max_sweeps = common.max_sweeps;
+        contact_solver.relaxation = common.relaxation;
+        contact_solver.algorithm = contact::algorithms().at(common.algorithm);
         // Without inertia bodies answer an imbalance without bound, and sweeps find no balance.
         if (contact_solver.algorithm == contact::Algorithm::automatic && !scheme.inertia)
           contact_solver.algorithm = contact::Algorithm::active_set;
         failed_problem_directory = prm.get("Keep failed problems in");
-        if (contact_kind == ContactKind::nodes && grid_update != GridUpdate::every_step)
-          throw InputError(
-              "'Contact/Geometry' = 'nodes' needs 'Material points/Grid update' = 'every step': bodies share "
-              "nodes only where the grid lies under all of them now");
+        if (!contact_on_boundaries && grid_update != GridUpdate::every_step)
+          throw InputError("'Contact/Geometry' = '" + contact_geometry +
+                           "' needs 'Material points/Grid update' = 'every step': bodies share "
+                           "nodes only where the grid lies under all of them now");
         if (coupling == ContactCoupling::lumped && !scheme.inertia)
           throw InputError(
               "'Contact/Solver' = 'lumped' is not allowed with 'Time/Scheme' = 'quasi_static', which has no "

@@ -37,12 +37,10 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
 {
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
-    // The middle of the step: exact for speeds linear in time.
-    motion.push_back({wall.point(), wall.description.normal,
-                      wall.velocity.empty() || plan.held ? 0. : wall.velocity[0]({time + 0.5 * plan.dt}),
-                      wall.description.friction, wall.body == ContactRow<2>::none});
+    motion.push_back({wall.point(), wall.normal(), plan.held ? 0. : wall.demand(time, plan.dt).velocity,
+                      wall.description.friction, wall.body == Wall::no_body});
   for (unsigned int w = 0; w < walls.size(); ++w)
-    if (walls[w].body != ContactRow<2>::none)
+    if (walls[w].body != Wall::no_body)
       bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
   return motion;
 }
@@ -126,10 +124,9 @@ void account_contacts(World &world,
   const bool balanced = !world.settings.scheme.inertia;
   const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
   {
-    wall.force -= given / dt;
-    wall.impulse += given;
+    wall.give(given, dt);
     world.balance.wall_impulse += given;
-    world.balance.wall_work += given * (wall.speed * wall.description.normal);
+    world.balance.wall_work += given * wall.velocity();
   };
   if (half)
     for (Wall &wall : world.walls)
@@ -158,7 +155,7 @@ void account_contacts(World &world,
       {
         Wall &wall = world.walls[rows[r].wall];
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
-        const dealii::Tensor<1, 2> drive = wall.speed * wall.description.normal;
+        const dealii::Tensor<1, 2> drive = wall.velocity();
         give(wall, given);
         if (half)
           wall.carried += 2. / dt * given;

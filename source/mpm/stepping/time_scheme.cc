@@ -1,28 +1,73 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/nearest_name.h>
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
+
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::TimeIntegrator)
 
 namespace softgrain::mpm
 {
-std::vector<std::string> TimeScheme::names()
-{
-  return {"moreau_jean", "newmark", "explicit", "quasi_static"};
-}
-
 TimeScheme TimeScheme::create(const std::string &name, const double theta)
 {
   if (!(theta >= 0.5 && theta <= 1.))
     throw InputError("'Time/Theta' = " + std::to_string(theta) +
                      " is not allowed: a number from 0.5 to 1 is needed");
-  if (name == "moreau_jean")
-    return {name, theta, true, true, false, 0.5, true};
-  if (name == "newmark")
-    return {name, 0.5, true, true, true};
-  if (name == "explicit")
-    return {name, 1., true, false, false};
-  if (name == "quasi_static")
-    return {name, 1., false, true, false, 1., true};
-  throw InputError("'Time/Scheme' = '" + name + "' is not known; known are: " + join(names()));
+  TimeScheme scheme = Registry<TimeIntegrator>::instance().create(name)->terms(theta);
+  scheme.name = name;
+  return scheme;
 }
+
+namespace
+{
+class MoreauJean final : public TimeIntegrator
+{
+public:
+  TimeScheme terms(const double theta) const override { return {"", theta, true, true, false, 0.5, true}; }
+  StepOutcome step(World &world, const double dt, double) const override
+  {
+    return implicit_step(world, {dt, false, 0.});
+  }
+};
+
+class Newmark final : public TimeIntegrator
+{
+public:
+  TimeScheme terms(double) const override { return {"", 0.5, true, true, true}; }
+  StepOutcome step(World &world, const double dt, double) const override
+  {
+    return implicit_step(world, {dt, false, 0.});
+  }
+};
+
+class SymplecticEuler final : public TimeIntegrator
+{
+public:
+  TimeScheme terms(double) const override { return {"", 1., true, false, false}; }
+  StepOutcome step(World &world, const double dt, double) const override { return explicit_step(world, dt); }
+};
+
+class QuasiStatic final : public TimeIntegrator
+{
+public:
+  TimeScheme terms(double) const override { return {"", 1., false, true, false, 1., true}; }
+  StepOutcome step(World &world, const double dt, const double wanted) const override
+  {
+    return quasi_static_step(world, dt, wanted);
+  }
+};
+
+template <typename Member>
+bool add(const std::string &name, const std::string &description)
+{
+  return Registry<TimeIntegrator>::instance().add(name, description,
+                                                  [] { return std::make_unique<Member>(); });
+}
+
+[[maybe_unused]] const bool registered[] = {
+    add<MoreauJean>("moreau_jean", "theta scheme of contact dynamics"),
+    add<Newmark>("newmark", "the thesis, (3.14)-(3.22)"),
+    add<SymplecticEuler>("explicit", "symplectic Euler"), add<QuasiStatic>("quasi_static", "no inertia")};
+} // namespace
 } // namespace softgrain::mpm

@@ -5,6 +5,9 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settings.h>
+#include <softgrain/driving/balance.h>
+#include <softgrain/driving/step_control.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/model/model.h>
 #include <softgrain/scene/scene.h>
 
@@ -58,20 +61,13 @@ public:
   void load(StateReader &) override;
 
 private:
-  struct Bookkeeping
-  {
-    dealii::Tensor<1, 2> initial_momentum, wall_impulse, body_force_impulse;
-    double largest_momentum = 0;
-    double wall_work = 0, body_force_work = 0, contact_loss = 0, damping_loss = 0;
-  };
-
   Primaries fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,
                         const std::vector<std::string> &law_texts);
-  void set_up_walls();
   void check_places() const;
   double wanted_step() const;
-  double pressed_length(std::size_t wall) const;
   void drive_walls(double dt);
+  /// Why a step that was not good enough is refused; @p limit of the penetration [m].
+  std::string why_not(const DynamicsReport &report, double limit) const;
   void accelerate();
   void keep_books(const DynamicsReport &report, double dt);
   dealii::Tensor<1, 2> momentum() const;
@@ -85,8 +81,7 @@ private:
   Settings settings;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
-  std::vector<MovingWall> moving_walls;
-  std::vector<Expression> wall_drive; ///< velocity or pressure of t
+  std::vector<Wall> moving_walls;
   std::vector<std::uint32_t> first_of_body;
   std::vector<bool> fixed;
   std::vector<double> density; ///< of every body
@@ -96,10 +91,11 @@ private:
   std::vector<std::array<double, 2>> start_position; ///< only when a load asks for X or Y
   std::vector<std::array<double, 2>> acceleration;   ///< of every primary, empty when nothing pulls
 
-  double now = 0, step_scale = 1, last_dt = 0;
+  double now = 0, last_dt = 0;
+  StepControl step_control{1.25};
   std::size_t steps = 0;
   std::size_t fallbacks = 0; ///< steps in which the accelerated contact solver gave way to plain sweeps
-  Bookkeeping books;
+  Balance balance;
   std::vector<double> area_at_start;    ///< enclosed by the outline of every body [m^2]
   mutable double area_now = -1;         ///< enclosed by all outlines when it was last measured [m^2]
   mutable std::size_t area_of_list = 0; ///< number of neighbour lists made by then

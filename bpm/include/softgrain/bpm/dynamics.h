@@ -3,11 +3,11 @@
 #define softgrain_bpm_dynamics_h
 
 #include <softgrain/bpm/attraction.h>
-#include <softgrain/bpm/moving_wall.h>
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
+#include <softgrain/driving/wall.h>
 
 #include <memory>
 #include <vector>
@@ -35,14 +35,15 @@ struct DynamicsSettings
   contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
 
   /// Whether rotations of the primaries matter.
-  bool rotations(const std::vector<MovingWall> &walls) const;
+  bool rotations(const std::vector<Wall> &walls) const;
 };
 
 /// What one step did.
 struct DynamicsReport
 {
   contact::DiskSolverReport solver;
-  double contact_loss = 0;    ///< kinetic energy that contacts took [J/m]
+  dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
+  double contact_loss = 0;           ///< kinetic energy that contacts took [J/m]
   double wall_work = 0;       ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
   double damping_loss = 0;    ///< in the damping of walls [J/m]
   double force_work = 0;      ///< done by body forces [J/m]
@@ -71,17 +72,18 @@ public:
 
   /// Forces and contacts of the present places; called once before the first step and after a change of
   /// state.
-  void detect(const std::vector<MovingWall> &walls);
+  void detect(const std::vector<Wall> &walls);
 
   /**
    * @brief One step of @p dt [s].
    * @param dt length [s]
-   * @param walls with the velocities they are to have (prescribed) or had (with mass); come back moved
+   * @param walls with the speed they are to have (prescribed) or had and the load on them (free); come back
+   * moved
    * @param acceleration of every primary by body forces [m/s^2], or empty
    * @throw ComputationError when something is not finite.
    */
   DynamicsReport
-  step(double dt, std::vector<MovingWall> &walls, const std::vector<std::array<double, 2>> &acceleration);
+  step(double dt, std::vector<Wall> &walls, const std::vector<std::array<double, 2>> &acceleration);
 
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
@@ -124,8 +126,8 @@ private:
   double contact_reach() const;
   struct Scratch;
   void attract_and_find(std::size_t tile, Scratch &scratch);
-  void collect(const std::vector<MovingWall> &walls);
-  void collect_walls(const std::vector<MovingWall> &walls);
+  void collect(const std::vector<Wall> &walls);
+  void collect_walls(const std::vector<Wall> &walls);
   bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
   void resize_rows(std::size_t n);
   void set_row(std::size_t row,
@@ -137,11 +139,11 @@ private:
                double rolling,
                const contact::NeighbourList::Memory &memory);
   void prepare_bodies(double dt,
-                      const std::vector<MovingWall> &walls,
+                      const std::vector<Wall> &walls,
                       const std::vector<std::array<double, 2>> &acceleration);
-  void prepare_gap_velocities(double dt, const std::vector<MovingWall> &walls);
+  void prepare_gap_velocities(double dt, const std::vector<Wall> &walls);
   void remember();
-  void move_walls(double dt, std::vector<MovingWall> &walls, DynamicsReport &report) const;
+  void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report) const;
   void
   account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
 

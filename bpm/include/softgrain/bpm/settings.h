@@ -3,6 +3,7 @@
 #define softgrain_bpm_settings_h
 
 #include <softgrain/bpm/dynamics.h>
+#include <softgrain/driving/step_control.h>
 #include <softgrain/packing/size_distribution.h>
 
 #include <cstdint>
@@ -29,9 +30,8 @@ struct PrimarySettings
 struct Settings
 {
   PrimarySettings primaries;
-  double time_step = 0; ///< [s]; 0: step_fraction times the time in which attraction closes a gap
-  double step_fraction = 0;
-  double smallest_step = 0;       ///< share of the wanted step
+  StepSettings step;
+  double step_fraction = 0;       ///< of the time in which attraction closes a gap, when no step is given
   double largest_penetration = 0; ///< that a step may leave, in mean diameters
   bool inner_contacts_in_output = true;
   DynamicsSettings dynamics; ///< friction between bodies comes from the scene

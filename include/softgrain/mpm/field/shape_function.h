@@ -2,6 +2,8 @@
 #ifndef softgrain_mpm_field_shape_function_h
 #define softgrain_mpm_field_shape_function_h
 
+#include <softgrain/base/registry.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -46,17 +48,12 @@ public:
   virtual void evaluate(double xi, double half_extent, Values &values, Values &slopes) const = 0;
 };
 
-/**
- * @brief `linear` (the thesis), `gimp` or `bspline`.
- *
- * - linear: hats on the vertices, FE_Q(1).
- * - gimp: hats averaged over the initial extent of the point (uniform GIMP, Bardenhagen and Kober 2004).
- * - bspline: uniform quadratic B-splines with knots on the cell faces, one coefficient per cell centre
- *   (Steffen et al. 2008).
- *
- * @throw InputError for another name.
- */
+/// The member of the family that `Material points/Shape function` names. @throw InputError for another name.
 std::unique_ptr<ShapeFunction> create_shape_function(const std::string &name);
 } // namespace softgrain::mpm
+
+template <>
+softgrain::Registry<softgrain::mpm::ShapeFunction> &
+softgrain::Registry<softgrain::mpm::ShapeFunction>::instance();
 
 #endif

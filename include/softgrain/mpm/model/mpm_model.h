@@ -2,8 +2,10 @@
 #ifndef softgrain_mpm_model_mpm_model_h
 #define softgrain_mpm_model_mpm_model_h
 
+#include <softgrain/driving/step_control.h>
 #include <softgrain/model/model.h>
 #include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 
 #include <memory>
 #include <vector>
@@ -53,7 +55,6 @@ public:
 
 private:
   double rotational_energy() const;
-  StepOutcome attempt(double dt, double wanted);
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   void renew_grids();
   void check_energy() const;
@@ -65,7 +66,8 @@ private:
   World world;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
-  double step_scale = 1.; ///< of the wanted step, after cuts
+  StepControl step_control{1.5};
+  std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
   double last_unbalanced = 0.;
   double last_dt = 0.;

@@ -3,6 +3,7 @@
 #define softgrain_mpm_model_settings_h
 
 #include <softgrain/contact/gauss_seidel.h>
+#include <softgrain/driving/step_control.h>
 #include <softgrain/linear/linear_solver.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
 
@@ -23,13 +24,6 @@ enum class GridUpdate
   never,      ///< the grid moves with the body for ever: total Lagrangian
   every_step, ///< updated Lagrangian, the usual MPM and the thesis
   distortion  ///< when the grid under some point is more distorted than a limit
-};
-
-/// Where rows are looked for.
-enum class ContactKind
-{
-  surface, ///< boundary polylines
-  nodes    ///< grid nodes that two bodies share (thesis, 3.23-3.26)
 };
 
 /// How contact and bulk are brought together.
@@ -55,9 +49,8 @@ struct Settings
   std::string f_bar = "automatic";
 
   TimeScheme scheme;
-  double time_step = 0; ///< [s], 0: cfl_multiple times the CFL step
-  double cfl_multiple = 20.;
-  double smallest_step = 1e-4; ///< relative to the wanted step; below it the run gives up
+  StepSettings step;
+  double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
 
   double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
   double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
@@ -67,7 +60,8 @@ struct Settings
 
   LinearSolverSettings linear_solver;
 
-  ContactKind contact_kind = ContactKind::surface;
+  std::string contact_geometry = "surface";
+  bool contact_on_boundaries = true; ///< else at nodes, see ContactGeometryKind
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
   double marker_spacing = 0.5;   ///< [cells]
@@ -90,8 +84,7 @@ struct Settings
   /// Whether contact rows are found again as Newton goes.
   bool rows_follow() const
   {
-    return scheme.rows_follow && contact_kind == ContactKind::surface &&
-           coupling == ContactCoupling::condensed;
+    return scheme.rows_follow && contact_on_boundaries && coupling == ContactCoupling::condensed;
   }
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.

@@ -2,7 +2,8 @@
 #ifndef softgrain_mpm_model_world_h
 #define softgrain_mpm_model_world_h
 
-#include <softgrain/base/expression.h>
+#include <softgrain/driving/balance.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/body/body.h>
@@ -37,29 +38,11 @@ struct StepPlan
   const std::vector<Eigen::VectorXd> *guess = nullptr;
 };
 
-/// A wall with its formula of motion and what it has felt.
-struct Wall
+/// What the balances of MPM are made of beside those of every model, since the start; per metre of thickness.
+struct Balance : softgrain::Balance
 {
-  WallDescription<2> description;
-  std::vector<Expression> velocity;        ///< one formula of t [m/s]
-  unsigned int body = ContactRow<2>::none; ///< slab of material points, if it is made of one
-  double travel = 0;                       ///< along the normal since the start [m]
-  double speed = 0;                        ///< mean over the last step [m/s]
-  dealii::Tensor<1, 2> force;              ///< on the wall, mean over the last step [N/m]
-  dealii::Tensor<1, 2> impulse;            ///< given to the bodies since the start [N s/m]
-  dealii::Tensor<1, 2>
-      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
-
-  dealii::Point<2> point() const { return description.point + travel * description.normal; }
-};
-
-/// Sums that balances are made of, since the start; per metre of thickness.
-struct Balance
-{
-  dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
-  double largest_momentum = 0; ///< scale of the momentum error [N s/m]
-  double wall_work = 0, body_force_work = 0, contact_loss = 0, law_loss = 0; ///< [J/m]
-  double scheme_damping = 0;                                                 ///< taken by theta > 1/2 [J/m]
+  double law_loss = 0;            ///< [J/m]
+  double scheme_damping = 0;      ///< taken by theta > 1/2 [J/m]
   double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
   double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
   dealii::Tensor<1, 2>

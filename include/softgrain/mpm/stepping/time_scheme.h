@@ -3,7 +3,6 @@
 #define softgrain_mpm_stepping_time_scheme_h
 
 #include <string>
-#include <vector>
 
 namespace softgrain::mpm
 {
@@ -32,9 +31,9 @@ struct TimeScheme
   /// Whether rows are found again as Newton goes, so that they are those of the step as it comes out.
   bool rows_follow = false;
 
-  /// @throw InputError when the name is unknown or theta is outside of [1/2, 1]
+  /// The terms of a TimeIntegrator. @throw InputError when the name is unknown or theta is outside of [1/2,
+  /// 1]
   static TimeScheme create(const std::string &name, double theta);
-  static std::vector<std::string> names();
 };
 } // namespace softgrain::mpm
 

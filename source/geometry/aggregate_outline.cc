@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/analysis/aggregate_outline.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/aggregate_outline.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Areas of aggregates that plane geometry gives, and outlines of random debris that must not cross
 // themselves.
-#include <softgrain/analysis/aggregate_outline.h>
+#include <softgrain/geometry/aggregate_outline.h>
 
 #include <cmath>
 #include <iostream>

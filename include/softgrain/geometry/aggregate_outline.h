@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef softgrain_analysis_aggregate_outline_h
-#define softgrain_analysis_aggregate_outline_h
+#ifndef softgrain_geometry_aggregate_outline_h
+#define softgrain_geometry_aggregate_outline_h
 
 #include <deal.II/base/point.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Areas, extents and overlaps of bodies, with exact contact, holes, and polygons laid on each other.
-#include <softgrain/scene/body_geometry.h>
+#include <softgrain/geometry/shapes_2d.h>
 
 #include <iostream>
 
@@ -9,38 +9,18 @@ int main()
   using namespace softgrain;
   using dealii::Point;
   const auto disk = [](const double x, const double y, const double radius, const double inner = 0)
-  {
-    BodyDescription<2> body;
-    body.center = Point<2>(x, y);
-    body.radius = radius;
-    body.inner_radius = inner;
-    return body;
-  };
+  { return Disk2D(Point<2>(x, y), radius, inner); };
   const auto rectangle =
       [](const double x, const double y, const double w, const double h, const double angle = 0)
-  {
-    BodyDescription<2> body;
-    body.shape = BodyShape::rectangle;
-    body.center = Point<2>(x, y);
-    body.size[0] = w;
-    body.size[1] = h;
-    body.angle = angle;
-    return body;
-  };
-  const auto polygon = [](const std::vector<Point<2>> &vertices)
-  {
-    BodyDescription<2> body;
-    body.shape = BodyShape::polygon;
-    body.vertices = vertices;
-    return body;
-  };
+  { return Rectangle2D(Point<2>(x, y), Point<2>(w, h), angle); };
+  const auto polygon = [](const std::vector<Point<2>> &vertices) { return Polygon2D(vertices); };
   const double tolerance = 1e-9;
   const auto clockwise = polygon({{0, 0}, {0, 1}, {1, 1}, {1, 0}});
   const auto corner = polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
 
-  std::cout << area(disk(0, 0, 2, 1)) << ' ' << area(rectangle(1, 1, 2, 3, 0.3)) << ' ' << area(clockwise)
-            << ' ' << area(corner) << '\n';
-  const auto box = bounding_box(rectangle(1, 1, 2, 2, std::acos(-1.) / 4));
+  std::cout << disk(0, 0, 2, 1).area() << ' ' << rectangle(1, 1, 2, 3, 0.3).area() << ' ' << clockwise.area()
+            << ' ' << corner.area() << '\n';
+  const auto box = rectangle(1, 1, 2, 2, std::acos(-1.) / 4).bounding_box();
   std::cout << box.first << ' ' << box.second << '\n';
 
   std::cout << "disks " << overlap(disk(0, 0, 1), disk(2, 0, 1), tolerance)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_driving_balance_h
+#define softgrain_driving_balance_h
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+
+namespace softgrain
+{
+class StateReader;
+class StateWriter;
+
+/**
+ * @brief Sums since the start that the balances of momentum and energy of every model are made of, per metre
+ * of thickness.
+ */
+struct Balance
+{
+  dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
+  double largest_momentum = 0;                                 ///< scale of the momentum error [N s/m]
+  double wall_work = 0, body_force_work = 0, contact_loss = 0; ///< [J/m]
+  double wall_damping_loss = 0; ///< in the damping of walls that are free to move [J/m]
+
+  /// Sees to the scale: @p moving is the sum of the sizes of momenta, which may cancel in their sum [N s/m].
+  void note_momentum(double moving);
+
+  /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term.
+  double momentum_error(const dealii::Tensor<1, 2> &momentum) const;
+
+  /// Done by walls and body forces [J/m].
+  double external_work() const { return wall_work + body_force_work; }
+
+  void save(StateWriter &out, const std::string &name) const;
+  void load(const StateReader &in, const std::string &name);
+};
+} // namespace softgrain
+
+#endif

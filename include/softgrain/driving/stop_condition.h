@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_driving_stop_condition_h
+#define softgrain_driving_stop_condition_h
+
+#include <softgrain/base/registry.h>
+#include <softgrain/model/model.h>
+#include <softgrain/scene/scene.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+/// What a stop condition looks at.
+struct RunState
+{
+  const Model<2> &model;
+  const std::vector<WallState<2>> &walls_at_start;
+  double time_slack = 0; ///< what counts as having arrived [s]
+};
+
+/**
+ * @brief One reason to end a run: a parameter of section `Stop`, and how far the run is from it.
+ */
+class StopCondition
+{
+public:
+  virtual ~StopCondition() = default;
+
+  /// Its parameter in section `Stop`; a value above 0 asks for the condition.
+  virtual std::string key() const = 0;
+
+  /// Declares key(), and more if there is more; the handler stands in section `Stop`.
+  virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
+
+  /// How the condition is to be understood in `softgrain check`, "axial strain 0.3". @p limit of key()
+  virtual std::string in_words(double limit) const = 0;
+
+  /// The time at which the run ends at the latest [s]; 0: nobody knows.
+  virtual double end_time(const double) const { return 0.; }
+
+  /// Whether it can be measured in @p scene, whose packing may still be missing. @throw InputError
+  virtual void check(const Scene<2> &, const double) const {}
+
+  /// Whether it makes sense for @p scene with all its bodies. @throw InputError
+  virtual void check_start(const Scene<2> &, const double) const {}
+
+  /// Part of the way to @p limit that the run has made; 1 or more: it ends.
+  virtual double fraction_done(const RunState &state, double limit) const = 0;
+};
+
+template <>
+Registry<StopCondition> &Registry<StopCondition>::instance();
+
+/// Section `Stop`: the run ends with the first condition that is met.
+class StopConditions
+{
+public:
+  /// Declares section `Stop`; the handler stands at its top.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  /// @throw InputError when there is none
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  void check(const Scene<2> &scene) const;
+  void check_start(const Scene<2> &scene) const;
+
+  /// The earliest end that is known beforehand [s]; 0: none.
+  double end_time() const;
+  double fraction_done(const RunState &state) const;
+  /// "t = 1 s, axial strain 0.3".
+  std::string in_words() const;
+
+private:
+  struct Asked
+  {
+    std::shared_ptr<const StopCondition> condition;
+    double limit;
+  };
+  std::vector<Asked> asked;
+};
+
+/// @throw InputError unless @p scene has walls of these @p names, which 'Stop/KEY' is measured between
+void need_walls(const Scene<2> &scene, const std::string &key, const std::vector<std::string> &names);
+
+/// "0.3", or "2 s" with a unit.
+std::string number_in_words(double value, const std::string &unit = "");
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_driving_wall_h
+#define softgrain_driving_wall_h
+
+#include <softgrain/analysis/snapshot.h>
+#include <softgrain/scene/scene.h>
+#include <softgrain/scene/wall_drive.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+class StateReader;
+class StateWriter;
+
+/**
+ * @brief A wall on its way: where it is, how it moves and what it has felt; the same in every model.
+ *
+ * Forces are those of the bodies on the wall, impulses those of the wall on the bodies, per metre of
+ * thickness.
+ */
+struct Wall
+{
+  static constexpr unsigned int no_body = static_cast<unsigned int>(-1);
+
+  WallDescription<2> description;
+  unsigned int body = no_body;  ///< slab of material points, if it is made of one
+  double travel = 0;            ///< along the normal since the start [m]
+  double speed = 0;             ///< along the normal; of a prescribed wall the mean over the last step [m/s]
+  double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
+  dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
+  dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
+  dealii::Tensor<1, 2>
+      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
+
+  /// A point of its plane now [m].
+  dealii::Point<2> point() const { return description.point + travel * description.normal; }
+  /// Unit, into the domain.
+  const dealii::Tensor<1, 2> &normal() const { return description.normal; }
+  /// The normal turned by -90 degrees.
+  dealii::Tensor<1, 2> tangent() const
+  {
+    return dealii::Tensor<1, 2>({description.normal[1], -description.normal[0]});
+  }
+  dealii::Tensor<1, 2> velocity() const { return speed * description.normal; } ///< [m/s]
+
+  bool prescribed() const { return description.drive->prescribed(); }
+
+  /// What its drive asks of it in a step of @p dt from @p time on [s].
+  WallDemand demand(const double time, const double dt) const
+  {
+    return description.drive->demand({time, dt, travel});
+  }
+
+  /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
+  void give(const dealii::Tensor<1, 2> &given, const double dt)
+  {
+    force -= given / dt;
+    impulse += given;
+  }
+
+  /// What history, pictures and measures show of it.
+  WallState<2> state() const;
+};
+
+/// The walls of a scene at the start.
+std::vector<Wall> make_walls(const std::vector<WallDescription<2>> &descriptions);
+
+/// What the models report of all walls.
+std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);
+
+/// Length that a pressure on wall @p w acts on (2D): between the walls beside it, where they are now; 0
+/// without them [m].
+double pressed_length(const std::vector<Wall> &walls, std::size_t w);
+
+/// Keeps walls under @p name in a checkpoint.
+void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall> &walls);
+/// @throw InputError when there were other walls
+void load_walls(const StateReader &in, const std::string &name, std::vector<Wall> &walls);
+} // namespace softgrain
+
+#endif

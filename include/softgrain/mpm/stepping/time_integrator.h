@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_time_integrator_h
+#define softgrain_mpm_stepping_time_integrator_h
+
+#include <softgrain/base/registry.h>
+#include <softgrain/mpm/stepping/time_scheme.h>
+
+namespace softgrain::mpm
+{
+struct StepOutcome;
+struct World;
+
+/**
+ * @brief A way to make a step: `Time/Scheme` names a member of this family.
+ *
+ * Most are a choice of terms() and implicit_step() with them.
+ */
+class TimeIntegrator
+{
+public:
+  virtual ~TimeIntegrator() = default;
+
+  /// The terms of its equation. @param theta 'Time/Theta'
+  virtual TimeScheme terms(double theta) const = 0;
+
+  /**
+   * @brief One attempt at a step; the world changes only if it is accepted.
+   * @param world to be moved
+   * @param dt length of the step [s]
+   * @param wanted length of steps that need not be cut [s]
+   */
+  virtual StepOutcome step(World &world, double dt, double wanted) const = 0;
+};
+} // namespace softgrain::mpm
+
+template <>
+softgrain::Registry<softgrain::mpm::TimeIntegrator> &
+softgrain::Registry<softgrain::mpm::TimeIntegrator>::instance();
+
+#endif

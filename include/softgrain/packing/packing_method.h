@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_packing_packing_method_h
+#define softgrain_packing_packing_method_h
+
+#include <softgrain/base/registry.h>
+#include <softgrain/packing/packing.h>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+/**
+ * @brief A way to come by many disks: `Packing/Method` names a member of this family.
+ */
+class PackingMethod
+{
+public:
+  virtual ~PackingMethod() = default;
+
+  /// Declares its parameters where the handler stands, in section `Packing`.
+  virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
+
+  /// Reads and checks them; nothing is packed yet. @throw InputError
+  virtual void parse_parameters(dealii::ParameterHandler &prm) = 0;
+
+  /// Whether parameters that were read ask for it where 'Method' is left at automatic.
+  virtual bool asked_for(const dealii::ParameterHandler &) const { return false; }
+
+  /// Whether the disks may come with materials of their own.
+  virtual bool may_name_materials() const { return false; }
+
+  /// The disks; may take long, on all threads. @throw InputError when they do not fit or cannot be read.
+  virtual Packing make() const = 0;
+};
+
+template <>
+Registry<PackingMethod> &Registry<PackingMethod>::instance();
+} // namespace softgrain
+
+#endif

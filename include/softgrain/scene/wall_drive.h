@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_scene_wall_drive_h
+#define softgrain_scene_wall_drive_h
+
+#include <softgrain/base/registry.h>
+
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace softgrain
+{
+/// The step for which a drive is asked.
+struct WallStep
+{
+  double begin = 0;  ///< [s]
+  double dt = 0;     ///< [s]
+  double travel = 0; ///< of the wall along its normal until begin [m]
+
+  double middle() const { return begin + 0.5 * dt; } ///< [s]
+};
+
+/// What a drive asks of its wall in a step. A drive that moves the wall along its tangent would add to it.
+struct WallDemand
+{
+  double velocity = 0; ///< mean over the step, along the normal; of a prescribed wall [m/s]
+  double pressure = 0; ///< mean over the step, towards the bodies; of a wall that is free to move [Pa]
+};
+
+/// What resists the motion of a wall that is free to move.
+struct WallInertia
+{
+  double mass = 0;    ///< [kg/m in 2D]
+  double damping = 0; ///< force per velocity [kg/(m s) in 2D]
+};
+
+/**
+ * @brief How a wall is driven: `Walls/NAME/Drive` names a member of this family.
+ *
+ * A prescribed wall has the velocity of demand(), from which a position that is asked for follows with the
+ * step and the travel so far. A wall that is not prescribed has a velocity of its own, one more unknown of
+ * the step, which follows from the pressure, its inertia and the contacts.
+ */
+class WallDrive
+{
+public:
+  virtual ~WallDrive() = default;
+
+  /// Declares its parameters where the handler stands, in the section of a wall.
+  virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
+
+  /// @param wall "Walls/NAME", for messages. @throw InputError
+  virtual void parse_parameters(const dealii::ParameterHandler &prm, const std::string &wall) = 0;
+
+  /// Whether the velocity of the wall is given.
+  virtual bool prescribed() const = 0;
+
+  virtual WallDemand demand(const WallStep &step) const = 0;
+
+  /// Of a wall that is not prescribed.
+  virtual WallInertia inertia() const { return {}; }
+};
+
+template <>
+Registry<WallDrive> &Registry<WallDrive>::instance();
+
+/// A drive with its parameters at their defaults, but for those given as "Key=value"; for walls @p wall that
+/// no parameter file describes.
+std::shared_ptr<const WallDrive>
+make_drive(const std::string &name, const std::string &wall, const std::vector<std::string> &parameters = {});
+} // namespace softgrain
+
+#endif

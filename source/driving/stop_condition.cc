@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/nearest_name.h>
+#include <softgrain/driving/stop_condition.h>
+#include <softgrain/geometry/box.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <sstream>
+
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::StopCondition)
+
+namespace softgrain
+{
+namespace
+{
+const Registry<StopCondition> &known()
+{
+  return Registry<StopCondition>::instance();
+}
+
+/// "'Stop/End time', 'Stop/Axial strain' or …"
+std::string all_keys()
+{
+  std::string text;
+  const std::vector<std::string> names = known().names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0                  ? "'Stop/"
+             : i + 1 == names.size() ? " or 'Stop/"
+                                     : ", 'Stop/") +
+            known().create(names[i])->key() + "'";
+  return text;
+}
+} // namespace
+
+void StopConditions::declare_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Stop");
+  for (const std::string &name : known().names())
+    known().create(name)->declare_parameters(prm);
+  prm.leave_subsection();
+}
+
+void StopConditions::parse_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Stop");
+  for (const std::string &name : known().names())
+  {
+    std::shared_ptr<const StopCondition> condition = known().create(name);
+    const double limit = prm.get_double(condition->key());
+    if (limit > 0.)
+      asked.push_back({condition, limit});
+  }
+  prm.leave_subsection();
+  if (asked.empty())
+    throw InputError("the run would never end: set " + all_keys() + " greater than 0");
+}
+
+void StopConditions::check(const Scene<2> &scene) const
+{
+  for (const Asked &one : asked)
+    one.condition->check(scene, one.limit);
+}
+
+void StopConditions::check_start(const Scene<2> &scene) const
+{
+  for (const Asked &one : asked)
+    one.condition->check_start(scene, one.limit);
+}
+
+double StopConditions::end_time() const
+{
+  double earliest = 0.;
+  for (const Asked &one : asked)
+  {
+    const double end = one.condition->end_time(one.limit);
+    if (end > 0. && (earliest == 0. || end < earliest))
+      earliest = end;
+  }
+  return earliest;
+}
+
+double StopConditions::fraction_done(const RunState &state) const
+{
+  double fraction = 0.;
+  for (const Asked &one : asked)
+    fraction = std::max(fraction, one.condition->fraction_done(state, one.limit));
+  return fraction;
+}
+
+std::string StopConditions::in_words() const
+{
+  std::vector<std::string> words;
+  for (const Asked &one : asked)
+    words.push_back(one.condition->in_words(one.limit));
+  return join(words);
+}
+
+void need_walls(const Scene<2> &scene, const std::string &key, const std::vector<std::string> &names)
+{
+  for (const std::string &name : names)
+    if (find_wall(scene.walls, name) == nullptr)
+      throw InputError("'Stop/" + key + "' cannot be measured: there is no wall named '" + name + "'");
+}
+
+std::string number_in_words(const double value, const std::string &unit)
+{
+  std::ostringstream text;
+  text << value << (unit.empty() ? "" : " ") << unit;
+  return text.str();
+}
+} // namespace softgrain

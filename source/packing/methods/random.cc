@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/packing/packing_method.h>
+#include <softgrain/parameters/parameter_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace softgrain
+{
+namespace
+{
+/// Disks thrown into a box that shrinks.
+class RandomPacking final : public PackingMethod
+{
+public:
+  void declare_parameters(dealii::ParameterHandler &prm) const override
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry(
+        "Number", "0", Integer(0, 10000000),
+        "Number of disks to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
+    SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
+    prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
+                      "Lower left corner of the box that the disks are packed in. Units: m.");
+    prm.declare_entry(
+        "Upper", "1, 1", List(Double(), 2, 2, ","),
+        "Upper right corner of that box. Number, diameters and box decide how dense the packing is, unless "
+        "'Packing fraction' or 'Until jammed' does; up to about 0.80 is possible. Units: m.");
+    prm.declare_entry("Packing fraction", "0", Double(0., 0.9),
+                      "Share of the box that the disks fill; all diameters are scaled by one factor to reach "
+                      "it. 0: diameters are kept. Units: none.");
+    prm.declare_entry("Until jammed", "false", Bool(),
+                      "Whether the box shrinks until the disks resist, as under pressure. Then everything is "
+                      "scaled to the box asked for: about 0.84 of it is filled without friction and walls.");
+    prm.declare_entry("Friction", "0", Double(0.),
+                      "Coefficient of friction between the disks, and with the sides of the box, while they "
+                      "are packed. With more friction they jam at a lower density. Units: none.");
+    prm.declare_entry(
+        "Periodic", "", MultipleSelection("x|y"),
+        "Directions in which the box has no sides: x, y or both. A disk that leaves on one side "
+        "enters on the other, and disks reach over the edge. For packings without walls; a scene "
+        "with a wall there refuses them.");
+    prm.declare_entry("Seed", "1", Integer(0), "Seed of the random sizes and places. Units: none.");
+  }
+
+  void parse_parameters(dealii::ParameterHandler &prm) override
+  {
+    request.number = prm.get_integer("Number");
+    if (request.number == 0)
+      throw InputError(
+          "'Packing/Number' = '0' is not allowed with 'Packing/Method' = 'random': it must be at least 1");
+    if (!prm.get("File").empty())
+      throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
+                       prm.get("Number") + "': either make a packing or read one");
+    request.sizes.parse_parameters(prm, "Packing");
+    request.lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
+    request.upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
+    request.fraction = prm.get_double("Packing fraction");
+    request.seed = prm.get_integer("Seed");
+    request.protocol.jam = prm.get_bool("Until jammed");
+    request.protocol.friction = prm.get_double("Friction");
+    const std::string periodic = prm.get("Periodic");
+    request.protocol.periodic = {
+        {periodic.find('x') != std::string::npos, periodic.find('y') != std::string::npos}};
+    if (request.protocol.jam && request.fraction > 0.)
+      throw InputError(
+          "'Packing/Packing fraction' = '" + prm.get("Packing fraction") +
+          "' is not allowed with 'Packing/Until jammed' = 'true', which decides it: it must be 0");
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!(request.upper[d] - request.lower[d] > request.sizes.largest))
+        throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
+                         "' is not allowed: the box from 'Lower' = '" + prm.get("Lower") +
+                         "' on must be larger than a disk");
+  }
+
+  bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
+  Packing make() const override { return make_packing(request); }
+
+private:
+  PackingRequest request;
+};
+
+[[maybe_unused]] const bool registered =
+    Registry<PackingMethod>::instance().add("random",
+                                            "'Number' disks thrown into a box that shrinks",
+                                            [] { return std::make_unique<RandomPacking>(); });
+} // namespace
+} // namespace softgrain

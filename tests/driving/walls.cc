@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Walls without a model: where a formula takes them, the length that a pressure acts on while its neighbours
+// move, forces and impulses that they book, balance of momentum, and who touches whom.
+#include <softgrain/analysis/touching_pairs.h>
+#include <softgrain/driving/balance.h>
+#include <softgrain/driving/wall.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+WallDescription<2> wall(const std::string &name,
+                        const dealii::Point<2> &point,
+                        const dealii::Point<2> &normal,
+                        const std::shared_ptr<const WallDrive> &drive)
+{
+  WallDescription<2> result;
+  result.name = name;
+  result.point = point;
+  result.normal = normal;
+  result.drive = drive;
+  return result;
+}
+} // namespace
+
+int main()
+{
+  const auto rest = make_drive("velocity", "Walls/rest");
+  const auto pressed = make_drive("pressure", "Walls/top", {"Pressure=100*t", "Mass=2", "Damping=3"});
+  std::vector<Wall> walls =
+      make_walls({wall("bottom", {0, 0}, {0, 1}, rest), wall("top", {0, 1}, {0, -1}, pressed),
+                  wall("left", {0, 0}, {1, 0}, make_drive("velocity", "Walls/left", {"Velocity=t"})),
+                  wall("right", {3, 0}, {-1, 0}, rest)});
+  // v = t is linear: the middle of each step is exact.
+  double time = 0.;
+  for (const double dt : {0.1, 0.4, 0.5})
+  {
+    walls[2].speed = walls[2].demand(time, dt).velocity;
+    walls[2].travel += dt * walls[2].speed;
+    time += dt;
+  }
+  std::cout << "left is at " << walls[2].state().position << ", 1/2 expected\n";
+  std::cout << "top: " << (walls[1].prescribed() ? "prescribed" : "free") << ", pressure "
+            << walls[1].demand(time, 1.).pressure << " on " << pressed_length(walls, 1) << " m, mass "
+            << walls[1].description.drive->inertia().mass << ", damping "
+            << walls[1].description.drive->inertia().damping << '\n';
+  std::cout << "length of left " << pressed_length(walls, 2) << ", without walls beside it "
+            << pressed_length({walls[0], walls[1]}, 0) << '\n';
+
+  // A wall that pushes down and to the right: 2 N s/m within 0.1 s.
+  Balance balance;
+  balance.initial_momentum[0] = 1.;
+  walls[1].give(2. * walls[1].normal() + 0.5 * walls[1].tangent(), 0.1);
+  balance.wall_impulse += walls[1].impulse;
+  const WallState<2> state = walls[1].state();
+  std::cout << "force " << state.normal_force << ' ' << state.tangential_force << ", impulse "
+            << walls[1].impulse << '\n';
+  balance.note_momentum(1.);
+  std::cout << "momentum error " << balance.momentum_error(walls[1].impulse) << " of "
+            << balance.largest_momentum << ", expected 1/sqrt(4.25)\n";
+
+  TouchingPairs touching;
+  touching.add_bodies(0, 1);
+  touching.add_bodies(1, 0);
+  touching.add_bodies(2, 2);
+  touching.add_wall(0, 3);
+  touching.add_wall(0, 3);
+  std::cout << "coordination " << touching.coordination(3) << ", nobody there " << touching.coordination(0)
+            << '\n';
+}

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One new member of every family of replaceable parts, each in one file outside of the tree, and in a library that
+the parameter file names. What they do is known beforehand. CONTRIBUTING's table names the same families."""
+import csv
+import math
+import pathlib
+import re
+import subprocess
+import sys
+
+PROGRAM, SOURCE, WORK, MODULES = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), sys.argv[4].split(",")
+LIBRARIES = ", ".join(MODULES)
+
+SCENE = """
+set Additional shared libraries = {libraries}
+subsection Mesh
+  set Lower     = -0.5, -0.5
+  set Upper     = 2.5, 2.5
+  set Cell size = 0.1
+end
+subsection Materials
+  set Names = gel
+end
+"""
+
+ELLIPSE = SCENE + """
+subsection Time
+  set Time step = 1e-3
+end
+subsection Bodies
+  set Names = egg
+  subsection egg
+    set Shape     = ellipse
+    set Center    = 1, 0.5
+    set Half axes = 0.8, 0.5
+  end
+end
+subsection Walls
+  set Names = bottom, top, left, right
+  subsection top
+    set Point = 0, 1
+    set Drive = position
+    set Travel = 0.02*sin(200*t)^2
+  end
+  subsection right
+    set Point = 2, 0
+  end
+end
+subsection Stop
+  set Steps = 7
+end
+"""
+
+LATTICE = SCENE + """
+subsection Packing
+  set Method         = square_lattice
+  set Disks per side = 2
+  set Spacing        = 0.5
+end
+subsection Walls
+  set Names = bottom
+end
+subsection Loads
+  set Gravity = 0, -10
+end
+subsection Contact
+  set Geometry = none
+end
+subsection Time
+  set Time step = 1e-2
+end
+subsection Stop
+  set End time = 0.2
+end
+subsection Output
+  set Snapshots every = 0.1
+  set Measures        = number_of_bodies
+end
+"""
+
+AGGREGATE = """
+set Model = bpm
+set Additional shared libraries = {libraries}
+subsection Materials
+  set Names = m
+  subsection m
+    set Law     = falling
+    set Density = 1
+    subsection Falling
+      set Largest force = 1
+    end
+  end
+end
+subsection Bodies
+  set Names = grain
+  subsection grain
+    set Shape  = disk
+    set Radius = 6
+  end
+end
+subsection Primaries
+  set Smallest diameter = 1.6
+  set Largest diameter  = 2.6
+end
+subsection Stop
+  set Steps = 5
+end
+"""
+
+
+def run(name, text, *changes):
+    """Columns of the history of a run, by name."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    file, folder = WORK / f"{name}.prm", WORK / name
+    file.write_text(text.format(libraries=LIBRARIES))
+    words = [PROGRAM, "run", str(file), "--output", str(folder), "--overwrite"]
+    for change in changes:
+        words += ["--set", change]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0, f"{name}: {done.stdout}{done.stderr}"
+    with open(folder / "history.csv") as rows:
+        table = list(csv.DictReader(rows))
+    return {key: [float(row[key] or "nan") for row in table] for key in table[0]}, folder
+
+
+def same(a, b):
+    return all(x == y or (math.isnan(x) and math.isnan(y)) for key in a for x, y in zip(a[key], b[key], strict=True))
+
+
+def check_ellipse():
+    own, _ = run("own", ELLIPSE, "Time/Scheme=backward_euler", "Material points/Shape function=hats")
+    known, _ = run("known", ELLIPSE, "Time/Scheme=moreau_jean", "Time/Theta=1", "Material points/Shape function=linear")
+    assert own["step"][-1] == 7, "stop condition: the run has " + str(own["step"][-1]) + " steps instead of 7"
+    assert abs(own["packing_fraction"][0] - math.pi * 0.8 * 0.5 / 2) < 1e-3, "shape: the ellipse has another area"
+    for time, place in zip(own["time_s"], own["top_position_m"]):
+        assert abs(place - (1 - 0.02 * math.sin(200 * time) ** 2)) < 1e-9, f"wall drive: the wall is at {place}"
+    assert max(own["top_force_N_per_m"]) > 0, "the ellipse has not been touched"
+    assert same(own, known), "time scheme or shape function: not the numbers of the same ones under other names"
+
+
+def check_lattice():
+    history, folder = run("lattice", LATTICE)
+    mass = 4 * math.pi * (0.45 * 0.5) ** 2 * 1000
+    for time, kinetic in zip(history["time_s"], history["kinetic_energy_J_per_m"]):
+        expected = 0.5 * mass * (10 * time) ** 2
+        assert abs(kinetic - expected) < 1e-5 * (1e-3 + expected), f"contact geometry, packing: {kinetic}, not {expected}"
+    with open(folder / "measures.csv") as rows:
+        counts = {float(row["number_of_bodies"]) for row in csv.DictReader(rows)}
+    assert counts == {4.0}, f"measure: {counts} bodies"
+
+
+def check_aggregate():
+    history, _ = run("aggregate", AGGREGATE)
+    assert history["elastic_energy_J_per_m"][0] < -1, "attraction: it has stored nothing"
+    kinetic = max(history["kinetic_energy_J_per_m"])
+    assert kinetic < 1e-3 * -history["elastic_energy_J_per_m"][0], "attraction: the aggregate is not at rest"
+
+
+def check_table():
+    """CONTRIBUTING's table has a row for every module here, at most four files each, and the folders exist."""
+    page = (SOURCE / "CONTRIBUTING.md").read_text()
+    rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \| ([^|]+) \| `tests/extensions/modules/(\w+)\.cc` \|$", page, re.M)
+    modules = {path.stem for path in (SOURCE / "tests/extensions/modules").glob("*.cc")}
+    assert {row[3] for row in rows} == modules, f"CONTRIBUTING names {sorted(row[3] for row in rows)}, not {sorted(modules)}"
+    for family, _, files, module in rows:
+        places = re.findall(r"`([^`]+)`", files)
+        assert 1 <= len(places) <= 4, f"{family}: {len(places)} files"
+        for place in places:
+            folder = SOURCE / pathlib.Path(place).parent
+            assert folder.is_dir(), f"{family}: {folder} does not exist"
+        header = re.search(r"#include <(softgrain/[^>]+)>", (SOURCE / f"tests/extensions/modules/{module}.cc").read_text())
+        assert header, f"{module}.cc includes nothing of softgrain"
+
+
+for check in (check_table, check_ellipse, check_lattice, check_aggregate):
+    check()
+    print(check.__name__[6:].replace("_", " "), "as expected")
