@@ -3,7 +3,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
+#include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/wall_drive.h>
 
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -132,20 +135,20 @@ void save_description(StateWriter &writer, const std::string &effective_paramete
   writer.write(bodies_name, numbers_of(scene.bodies));
 }
 
-const std::vector<std::string> &changeable_in_every_model()
+std::vector<std::string> changeable_in_every_model()
 {
   // doc/output.md lists the same. A packing may come from elsewhere: its bodies are compared one by one.
-  static const std::vector<std::string> patterns = {"Output directory",
-                                                    "Threads",
-                                                    "Additional shared libraries",
-                                                    "Output/",
-                                                    "Stop/",
-                                                    "Packing/",
-                                                    "Walls/*/Velocity",
-                                                    "Walls/*/Pressure",
-                                                    "Walls/*/Drive",
-                                                    "Walls/*/Mass",
-                                                    "Walls/*/Damping"};
+  std::vector<std::string> patterns = {"Output directory", "Threads", "Additional shared libraries",
+                                       "Output/",          "Stop/",   "Packing/",
+                                       "Walls/*/Drive"};
+  const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
+  for (const std::string &drive : drives.names())
+  {
+    dealii::ParameterHandler own;
+    drives.create(drive)->declare_parameters(own);
+    for (const std::string &name : parameter_tree(own).entry_names())
+      patterns.push_back("Walls/*/" + name);
+  }
   return patterns;
 }
 

@@ -138,6 +138,18 @@ def check_ellipse():
     assert same(own, known), "time scheme or shape function: not the numbers of the same ones under other names"
 
 
+def check_going_on():
+    """A run may go on with another motion of its walls, whatever drives them."""
+    _, folder = run("going_on", ELLIPSE)
+    changes = ["--set", "Stop/Steps=9", "--set", "Walls/top/Travel=0.01*sin(100*t)^2"]
+    words = [PROGRAM, "run", str(WORK / "going_on.prm"), "--output", str(folder), "--restart", *changes]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0, f"going on: {done.stdout}{done.stderr}"
+    with open(folder / "history.csv") as rows:
+        last = list(csv.DictReader(rows))[-1]
+    assert float(last["step"]) == 9, f"going on: ends at step {last['step']}"
+
+
 def check_lattice():
     history, folder = run("lattice", LATTICE)
     mass = 4 * math.pi * (0.45 * 0.5) ** 2 * 1000
@@ -172,6 +184,6 @@ def check_table():
         assert header, f"{module}.cc includes nothing of softgrain"
 
 
-for check in (check_table, check_ellipse, check_lattice, check_aggregate):
+for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate):
     check()
     print(check.__name__[6:].replace("_", " "), "as expected")

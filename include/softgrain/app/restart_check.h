@@ -19,7 +19,7 @@ void save_description(StateWriter &writer, const std::string &effective_paramete
 /// What may be another in a run that goes on, whatever the model: "Section/Key", "Section/" with all that is
 /// in it,
 /// "*" for any name. The model adds its own, see ModelFactory::changeable_on_restart().
-const std::vector<std::string> &changeable_in_every_model();
+std::vector<std::string> changeable_in_every_model();
 
 /**
  * @brief Compares a run with the checkpoint it goes on from, parameter by parameter.
