@@ -30,6 +30,14 @@ Vector at_marker(const NodeWeights &weights, const Eigen::VectorXd &nodal)
 }
 } // namespace
 
+double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
+{
+  double way = 0.;
+  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+    way = std::max(way, at_marker(body.field.marker_weights(m), displacement).norm());
+  return way;
+}
+
 NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
 {
   NodeWeights result;

@@ -5,6 +5,24 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+Eigen::VectorXd joined(const std::vector<Eigen::VectorXd> &parts)
+{
+  Eigen::Index size = 0;
+  for (const Eigen::VectorXd &part : parts)
+    size += part.size();
+  Eigen::VectorXd all(size);
+  size = 0;
+  for (const Eigen::VectorXd &part : parts)
+  {
+    all.segment(size, part.size()) = part;
+    size += part.size();
+  }
+  return all;
+}
+} // namespace
+
 void AndersonMixing::restart()
 {
   last_change.resize(0);
@@ -47,6 +65,20 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd &x, const Eigen::Vect
   Eigen::VectorXd mixed = g;
   for (Eigen::Index i = 0; i < n; ++i)
     mixed -= share[i] * g_differences[i];
+  return mixed;
+}
+
+std::vector<Eigen::VectorXd> AndersonMixing::next(const std::vector<Eigen::VectorXd> &x,
+                                                  const std::vector<Eigen::VectorXd> &g)
+{
+  const Eigen::VectorXd all = next(joined(x), joined(g));
+  std::vector<Eigen::VectorXd> mixed;
+  Eigen::Index at = 0;
+  for (const Eigen::VectorXd &part : g)
+  {
+    mixed.push_back(all.segment(at, part.size()));
+    at += part.size();
+  }
   return mixed;
 }
 } // namespace softgrain::mpm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/interruption.h>
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/anderson_mixing.h>
@@ -125,22 +126,6 @@ private:
     return way;
   }
 
-  /// Of a boundary marker for a displacement of the nodes [m]; nodes on the rim may go far and move nothing.
-  static double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
-  {
-    double way = 0.;
-    for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
-    {
-      const NodeWeights &weights = body.field.marker_weights(m);
-      dealii::Tensor<1, 2> moved;
-      for (unsigned int k = 0; k < weights.node.size(); ++k)
-        for (unsigned int d = 0; d < 2; ++d)
-          moved[d] += weights.weight[k] * displacement[2 * weights.node[k] + d];
-      way = std::max(way, moved.norm());
-    }
-    return way;
-  }
-
   /// Whether the contact rows are those of the step as far as it is known.
   bool rows_are_settled() const
   {
@@ -150,50 +135,36 @@ private:
   void find_rows_again()
   {
     ++searches;
-    mix();
+    if (!world.settings.scheme.inertia)
+      mix();
     increment_of_rows = equations.increment;
     find_rows(true);
   }
 
   /// Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
   /// fixed-point iteration for the increments: linear, and in dense packings slow or worse. Near the solution
-  /// it is mixed.
+  /// it is mixed; with inertia it is fast enough.
   void mix()
   {
     const double way = way_from_rows(), range = mixing_range * world.lattice->cell_size();
     if (way > range || way > 2. * last_way)
       mixing.restart();
     last_way = way;
-    if (way > range)
-      return;
-    const Eigen::VectorXd mixed = mixing.next(joined(increment_of_rows), joined(equations.increment));
+    if (way <= range)
+      move_to(mixing.next(increment_of_rows, equations.increment));
+  }
+
+  /// Goes to these increments, unless a point turns inside out there.
+  void move_to(const Vectors &increment)
+  {
     const Vectors before = trial;
-    Eigen::Index at = 0;
     for (unsigned int b = 0; b < n_bodies; ++b)
-    {
       if (equations.moves(b))
-        trial[b] += (mixed.segment(at, trial[b].size()) - equations.increment[b]) / (theta * dt);
-      at += trial[b].size();
-    }
+        trial[b] += (increment[b] - equations.increment[b]) / (theta * dt);
     if (equations.evaluate(trial))
       return;
     trial = before;
     equations.evaluate(trial);
-  }
-
-  static Eigen::VectorXd joined(const Vectors &of_bodies)
-  {
-    Eigen::Index size = 0;
-    for (const Eigen::VectorXd &v : of_bodies)
-      size += v.size();
-    Eigen::VectorXd all(size);
-    size = 0;
-    for (const Eigen::VectorXd &v : of_bodies)
-    {
-      all.segment(size, v.size()) = v;
-      size += v.size();
-    }
-    return all;
   }
 
   bool converged()

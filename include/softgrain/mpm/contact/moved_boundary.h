@@ -13,6 +13,10 @@ namespace softgrain::mpm
 /// `a` and `b` blended: (1 - share) a + share b; both are in the order of their nodes.
 NodeWeights blend(const NodeWeights &a, const NodeWeights &b, double share);
 
+/// Of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go far and move
+/// nothing.
+double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
+
 /**
  * @brief The boundary of a body at some share of a step, as a curve.
  *

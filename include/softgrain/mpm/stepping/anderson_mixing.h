@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <deque>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -26,6 +27,9 @@ public:
 
   /// The x to go on with, from the last @p x and its @p g.
   Eigen::VectorXd next(const Eigen::VectorXd &x, const Eigen::VectorXd &g);
+  /// The same for vectors in parts.
+  std::vector<Eigen::VectorXd> next(const std::vector<Eigen::VectorXd> &x,
+                                    const std::vector<Eigen::VectorXd> &g);
 
 private:
   unsigned int depth;
