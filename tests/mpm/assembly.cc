@@ -29,7 +29,7 @@ std::unique_ptr<mpm::MpmModel> squeeze(const std::string &what, std::vector<std:
             << model->solid_area() /
                    ((walls[3].position - walls[2].position) * (walls[1].position - walls[0].position))
             << ", momentum " << below(1e-9, model->momentum_error()) << ", energy from nowhere "
-            << below(0.01, energy.gained()) << ", penetration in cells " << below(1e-4, penetration / 4e-4)
+            << below(0.01, energy.gained()) << ", penetration in cells " << below(0.05, penetration / 4e-4)
             << '\n';
   // A marker that is projected on the far side of a neighbour makes a contact whose normal looks away.
   double worst = 1.;

@@ -25,22 +25,52 @@ places(const Body<2> &body, const Eigen::VectorXd &displacement, dealii::Point<2
   center = dealii::Point<2>(moment / body.mass.sum());
   return place;
 }
+
+/// Of every node: its mass times its arm about the centre of mass, turned by 90 degrees; and the rotary
+/// @p inertia.
+Eigen::VectorXd moment_of_masses(const Body<2> &body, const Eigen::VectorXd &displacement, double &inertia)
+{
+  dealii::Point<2> center;
+  const std::vector<dealii::Point<2>> place = places(body, displacement, center);
+  Eigen::VectorXd moment(body.field.n_dofs());
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    const dealii::Tensor<1, 2> arm = place[i] - center;
+    moment[2 * i] = -body.mass[i] * arm[1];
+    moment[2 * i + 1] = body.mass[i] * arm[0];
+    inertia += body.mass[i] * arm.norm_square();
+  }
+  return moment;
+}
 } // namespace
 
 Eigen::VectorXd whole_rotation(const Body<2> &body)
 {
-  dealii::Point<2> center;
-  const std::vector<dealii::Point<2>> place = places(body, body.displacement, center);
-  Eigen::VectorXd rotation(body.field.n_dofs());
   double inertia = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-  {
-    const dealii::Tensor<1, 2> arm = place[i] - center;
-    rotation[2 * i] = -body.mass[i] * arm[1];
-    rotation[2 * i + 1] = body.mass[i] * arm[0];
-    inertia += body.mass[i] * arm.norm_square();
-  }
+  const Eigen::VectorXd rotation = moment_of_masses(body, body.displacement, inertia);
   return rotation / inertia;
+}
+
+Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way)
+{
+  double inertia = 0.;
+  moment_of_masses(body, body.displacement, inertia);
+  double on_the_way = 0.;
+  return moment_of_masses(body, body.displacement + way, on_the_way) / inertia;
+}
+
+Eigen::VectorXd turned(const Eigen::VectorXd &vectors, const double angle)
+{
+  if (angle == 0.)
+    return vectors;
+  const double c = std::cos(angle), s = std::sin(angle);
+  Eigen::VectorXd result(vectors.size());
+  for (Eigen::Index i = 0; i + 1 < vectors.size(); i += 2)
+  {
+    result[i] = c * vectors[i] - s * vectors[i + 1];
+    result[i + 1] = s * vectors[i] + c * vectors[i + 1];
+  }
+  return result;
 }
 
 void turn_along_circles(const Body<2> &body,

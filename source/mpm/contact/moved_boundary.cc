@@ -66,15 +66,9 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
     , upper(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest())
 {
   find_center(scene);
-  displacement.reserve(position.size());
+  move_markers(scene);
   for (unsigned int m = 0; m < position.size(); ++m)
   {
-    const Vector moved = body.driven ? scene.dt * body.drive
-                         : scene.increment == nullptr
-                             ? scene.dt * at_marker(body.field.marker_weights(m), body.velocity)
-                             : at_marker(body.field.marker_weights(m), (*scene.increment)[body.index]);
-    displacement.push_back(moved);
-    position[m] += scene.share * moved;
     for (unsigned int d = 0; d < 2; ++d)
     {
       lower[d] = std::min(lower[d], position[m][d]);
@@ -82,7 +76,7 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
     }
     // Not of the nodes: those on the rim may be fast and move nothing.
     if (m % body.boundary.contact_stride == 0)
-      spread = std::max(spread, (moved - travel).norm());
+      spread = std::max(spread, (displacement[m] - travel).norm());
   }
   normals.reserve(position.size());
   for (unsigned int m = 0; m < position.size(); ++m)
@@ -92,6 +86,32 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
     const double norm = sum.norm();
     normals.push_back(norm > 0. ? sum / norm : sum);
   }
+}
+
+void MovedBoundary::move_markers(const ContactScene<2> &scene)
+{
+  const Point start_center = center - scene.share * travel;
+  double along = 0., across = 0.;
+  displacement.reserve(position.size());
+  for (unsigned int m = 0; m < position.size(); ++m)
+  {
+    const Vector moved = body->driven ? scene.dt * body->drive
+                         : scene.increment == nullptr
+                             ? scene.dt * at_marker(body->field.marker_weights(m), body->velocity)
+                             : at_marker(body->field.marker_weights(m), (*scene.increment)[body->index]);
+    displacement.push_back(moved);
+    const Vector arm = position[m] - start_center, after = arm + moved - travel;
+    along += arm * after;
+    across += arm[0] * after[1] - arm[1] * after[0];
+    position[m] += scene.share * moved;
+  }
+  const double length = std::hypot(along, across);
+  if (body->driven || length == 0. || scene.share == 0. || scene.share == 1.)
+    return;
+  // Chords cut the corners of circles: drawn along them, a body that turns is smaller on its way.
+  const double grow = 1. / std::sqrt(1. - 2. * scene.share * (1. - scene.share) * (1. - along / length));
+  for (Point &x : position)
+    x = center + grow * (x - center);
 }
 
 void MovedBoundary::find_center(const ContactScene<2> &scene)

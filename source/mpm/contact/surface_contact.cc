@@ -131,6 +131,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.place = at.position;
                  row.normal = wall.normal;
                  row.gap = start;
+                 row.gap_where_found = gap;
                  row.length = tributary_length(own, seeker);
                  row.friction = wall.friction;
                  row.key = row_key(body.index, seeker.number, w, true);
@@ -265,6 +266,7 @@ private:
     row.place = at.position;
     row.normal = opposite.normal;
     row.gap = start;
+    row.gap_where_found = gap;
     row.length = tributary_length(own, seeker);
     row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
     row.key = row_key(body.index, seeker.number, partner.index, false);

@@ -29,6 +29,18 @@ MpmModel::MpmModel(const Scene<2> &scene,
   build(std::move(laws));
 }
 
+namespace
+{
+std::string scheme_in_words(const TimeScheme &scheme)
+{
+  if (!scheme.inertia || !scheme.implicit || scheme.stored_acceleration)
+    return scheme.name;
+  std::ostringstream text;
+  text << scheme.name << ", theta " << scheme.theta;
+  return text.str();
+}
+} // namespace
+
 MpmModel::~MpmModel() = default;
 
 void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
@@ -78,6 +90,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
           create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
+  if (settings.theta == 0. && wanted_step() > 20.5 * cfl_step())
+    world.settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   world.geometry = Registry<ContactGeometryKind>::instance()
                        .create(settings.contact_geometry)
@@ -315,7 +329,7 @@ SizeReport MpmModel::size_report() const
                                   text(world.lattice->cell_size(), " m")},
           {"unknowns", std::to_string(dofs)},
           {"shape functions", world.settings.shape},
-          {"time scheme", world.settings.scheme.name},
+          {"time scheme", scheme_in_words(world.settings.scheme)},
           {"CFL step", text(cfl_step(), " s")},
           {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
           {"steps to the end time",

@@ -87,9 +87,11 @@ void declare_time(dealii::ParameterHandler &prm)
       {
         prm.declare_entry("Scheme", "moreau_jean", Selection(Registry<TimeIntegrator>::instance().choice()),
                           Registry<TimeIntegrator>::instance().choice_in_words());
-        prm.declare_entry("Theta", "0.55", Double(0.5, 1.),
-                          "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
-                          "Euler. Units: none.");
+        prm.declare_entry(
+            "Theta", "0", Double(0., 1.),
+            "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
+            "Euler. 0: 0.55, or 0.8 where 'Time step' is longer than 20 CFL steps, so that waves "
+            "it does not resolve fade. Units: none.");
         StepSettings::declare_parameters(prm, "'CFL multiple' times the CFL step", "1e-4");
         prm.declare_entry("CFL multiple", "20", Double(1e-6),
                           "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
@@ -174,6 +176,11 @@ void declare_contact(dealii::ParameterHandler &prm)
             "lumped: with nodal masses, iterated together with Newton's method (the thesis).");
         prm.declare_entry("Marker spacing", "0.5", Double(0.05, 4.),
                           "Distance of the markers on a boundary that look for contact. Units: cells.");
+        prm.declare_entry(
+            "Largest penetration", "0.1", Double(1e-6, 1e6),
+            "Deepest overlap of bodies and walls at the end of an implicit step. A step that ends "
+            "deeper, and deeper than it began, is repeated with half its length. With 'Geometry = surface'. "
+            "Units: cells.");
         prm.declare_entry("Sub-grid compliance", "true", Bool(),
                           "Whether light frictionless contacts of round bodies get the dent that is narrower "
                           "than a cell, by a "
@@ -243,7 +250,8 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   in_section(prm, "Time",
              [&]
              {
-               scheme = TimeScheme::create(prm.get("Scheme"), prm.get_double("Theta"));
+               theta = prm.get_double("Theta");
+               scheme = TimeScheme::create(prm.get("Scheme"), theta == 0. ? 0.55 : theta);
                step.parse_parameters(prm);
                cfl_multiple = prm.get_double("CFL multiple");
              });
@@ -282,6 +290,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         nodal_gap = prm.get_bool("Nodal gap");
         coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         marker_spacing = prm.get_double("Marker spacing");
+        largest_penetration = prm.get_double("Largest penetration");
         subgrid = prm.get_bool("Sub-grid compliance");
         ContactSettings common;
         common.parse_parameters(prm);

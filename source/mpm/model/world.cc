@@ -49,13 +49,37 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
                       const double dt,
                       const std::vector<Eigen::VectorXd> *increment,
                       const double share,
-                      const bool again)
+                      const bool again,
+                      const GapsByRow *start_gaps)
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
   geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size(), increment, share, frictionless()},
                  rows);
+  if (start_gaps != nullptr)
+    for (ContactRow<2> &row : rows)
+    {
+      const auto gap = start_gaps->find(row.key);
+      if (gap != start_gaps->end())
+        row.gap = gap->second;
+    }
   contact.reinit(std::move(rows), bodies, dt, again);
+}
+
+GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
+                           const double dt,
+                           const std::vector<Eigen::VectorXd> &increment,
+                           const double share) const
+{
+  dealii::TimerOutput::Scope section(*timer, "contact search");
+  std::vector<ContactRow<2>> rows;
+  geometry->find(
+      {bodies, motion, scene.friction, dt, lattice->cell_size(), &increment, share, frictionless()}, rows);
+  GapsByRow gaps;
+  gaps.reserve(rows.size());
+  for (const ContactRow<2> &row : rows)
+    gaps[row.key] = row.gap_where_found;
+  return gaps;
 }
 
 void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)

@@ -4,7 +4,7 @@
 #include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/model/world.h>
-#include <softgrain/mpm/stepping/anderson_mixing.h>
+#include <softgrain/mpm/stepping/following_rows.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -39,6 +39,7 @@ public:
       , theta(world.settings.scheme.theta)
       , motion(world.wall_motion(plan))
       , equations(world, plan)
+      , rows(world, plan.dt, motion)
       , n_bodies(world.bodies.size())
       , trial(n_bodies)
       , direction(n_bodies)
@@ -54,17 +55,15 @@ public:
       // Held steps go on: the step they belong to has been taken.
       if (!plan.held)
         stop_if_interrupted();
-      const bool settled = rows_are_settled();
+      const bool settled = rows.settled(equations.increment);
       if (outcome.newton_iterations > 0 && converged() &&
-          (settled || searches >= world.settings.max_searches))
+          (settled || rows.searches() >= world.settings.max_searches))
       {
         outcome.rows_settled = settled;
-        return finish();
+        const std::string overlap = too_deep();
+        return overlap.empty() ? finish() : reject(overlap);
       }
-      // Rows that stay as they are make rotation unstable, and whatever else a tangent holds stable that has
-      // them follow.
-      if (!settled && (searches < world.settings.max_searches || !equations.rotation_is_gauge() ||
-                       equations.pressure_follows()))
+      if (rows_go_on(settled))
         find_rows_again();
       if (outcome.newton_iterations == world.settings.max_newton)
         return reject("Newton did not converge in " + std::to_string(world.settings.max_newton) +
@@ -102,7 +101,6 @@ private:
                                            : Eigen::VectorXd((*plan.guess)[b] / dt);
       if (!equations.evaluate(trial))
         continue;
-      increment_of_rows = equations.increment;
       find_rows(false);
       return true;
     }
@@ -111,47 +109,28 @@ private:
 
   void find_rows(const bool again)
   {
-    world.find_rows(motion, dt, &increment_of_rows, world.settings.scheme.row_share, again);
+    rows.find(equations.increment, again);
     equations.rows_changed();
     condensed_rows_are_old = true;
   }
 
-  /// How far the bodies are from where the rows were found [m].
-  double way_from_rows() const
-  {
-    double way = 0.;
-    for (unsigned int b = 0; b < n_bodies; ++b)
-      if (equations.moves(b))
-        way = std::max(way, largest_way(world.bodies[b], equations.increment[b] - increment_of_rows[b]));
-    return way;
-  }
-
-  /// Whether the contact rows are those of the step as far as it is known.
-  bool rows_are_settled() const
-  {
-    return !world.settings.rows_follow() || way_from_rows() <= row_tolerance * world.lattice->cell_size();
-  }
-
   void find_rows_again()
   {
-    ++searches;
-    if (!world.settings.scheme.inertia)
-      mix();
-    increment_of_rows = equations.increment;
+    Vectors next = equations.increment;
+    if (rows.mix(next))
+      move_to(next);
     find_rows(true);
   }
 
-  /// Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
-  /// fixed-point iteration for the increments: linear, and in dense packings slow or worse. Near the solution
-  /// it is mixed; with inertia it is fast enough.
-  void mix()
+  /// Whether rows are found again. Those that stay make rotation unstable, and whatever else a tangent holds
+  /// stable that has them follow; else the last few iterations are fast with rows that stay.
+  bool rows_go_on(const bool settled) const
   {
-    const double way = way_from_rows(), range = mixing_range * world.lattice->cell_size();
-    if (way > range || way > 2. * last_way)
-      mixing.restart();
-    last_way = way;
-    if (way <= range)
-      move_to(mixing.next(increment_of_rows, equations.increment));
+    if (settled)
+      return world.settings.rows_follow() && world.settings.scheme.inertia && outcome.newton_iterations > 0 &&
+             equations.rotation_chases_rows();
+    return rows.searches() < world.settings.max_searches || !equations.rotation_is_gauge() ||
+           equations.pressure_follows();
   }
 
   /// Goes to these increments, unless a point turns inside out there.
@@ -260,6 +239,10 @@ private:
     // The iterations that come bring other rows and other problems; the last one must be solved.
     if (world.settings.rows_follow() && outcome.newton_iterations < rough_iterations)
       settings.passable = passable_residual;
+    // Every iteration has other rows: what one leaves open, the next does not mend.
+    if (world.settings.rows_follow() && world.settings.scheme.inertia && outcome.newton_iterations > 0)
+      settings.tolerance =
+          std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
     const contact::SolverReport report =
         world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt,
                                          theta == 1. || world.settings.rows_follow()),
@@ -328,12 +311,25 @@ private:
                                                       : "the line search found no smaller residual";
   }
 
+  /// Why the step may not end as it does: bodies are deeper in each other than is allowed, and deeper than
+  /// they were; empty when they are not.
+  std::string too_deep()
+  {
+    outcome.max_penetration = rows.penetration(equations.increment);
+    if (!world.settings.contact_on_boundaries)
+      return "";
+    const double allowed = world.settings.largest_penetration * world.lattice->cell_size();
+    if (outcome.max_penetration <= std::max(allowed, rows.penetration_at_start()))
+      return "";
+    return "bodies are " + number(outcome.max_penetration / world.lattice->cell_size()) +
+           " cells deep in each other or in walls, which is more than 'Contact/Largest penetration' allows";
+  }
+
   StepOutcome finish()
   {
     Vectors rate(n_bodies);
     for (unsigned int b = 0; b < n_bodies; ++b)
       rate[b] = equations.increment[b] / dt;
-    outcome.max_penetration = penetration();
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (equations.moves(b))
       {
@@ -352,24 +348,9 @@ private:
     return outcome;
   }
 
-  /// Deepest overlap at the end of the step that stands for no dent [m].
-  double penetration() const
-  {
-    double worst = 0.;
-    if (world.contact.empty())
-      return worst;
-    const std::vector<double> gaps = end_gaps(world, equations.increment, motion, dt),
-                              dents = world.contact.subgrid_overlap(dt);
-    for (unsigned int r = 0; r < gaps.size(); ++r)
-      worst = std::max(worst, -gaps[r] - dents[r]);
-    return worst;
-  }
-
-  static constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
-  static constexpr double mixing_range = 0.02;  ///< move of nodes below which searches are mixed [cells]
-
   /// Of a contact problem in an iteration that is not the last, relative to the speed of approach.
   static constexpr double passable_residual = 0.1;
+  static constexpr double finest_tolerance = 1e-7;    ///< of a contact problem, to which Newton brings it
   static constexpr unsigned int rough_iterations = 8; ///< in which that will do
 
   World &world;
@@ -377,13 +358,10 @@ private:
   const double dt, theta;
   const std::vector<WallMotion<2>> motion;
   StepEquations equations;
+  FollowingRows rows;
   const unsigned int n_bodies;
   StepOutcome outcome;
   Vectors trial, direction;
-  Vectors increment_of_rows; ///< for which the rows were found [m]
-  AndersonMixing mixing{5};  ///< of them
-  double last_way = std::numeric_limits<double>::max();
-  unsigned int searches = 0;           ///< for rows, after the first
   bool condensed_rows_are_old = false; ///< the Delassus operator is not that of the present rows
   bool contact_converged = true;       ///< the last contact problem has been solved
   bool factors_serve = false;          ///< those of the iteration before are good enough for the next

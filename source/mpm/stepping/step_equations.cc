@@ -24,6 +24,9 @@ StepEquations::StepEquations(World &world, const StepPlan &plan)
     , shift(world.bodies.size(), 0.)
     , rotation_weight(world.bodies.size(), 0.)
     , round_and_smooth(world.bodies.size(), 0)
+    , turns_easily(world.bodies.size(), 0)
+    , spin(world.bodies.size(), 0.)
+    , holding(world.bodies.size(), 0.)
 {
   for (const Body<2> &body : world.bodies)
     if (body.driven)
@@ -54,15 +57,27 @@ StepEquations::StepEquations(World &world, const StepPlan &plan)
         if (!scheme.inertia)
           shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
         rotation[b] = whole_rotation(body);
-        if (scheme.inertia)
+        // A round body without friction is the same when it is turned: without inertia, that it stays is a
+        // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
+        // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
+        // are resisted.
+        round_and_smooth[b] = body.boundary.smooth && world.frictionless() && !scheme.stored_acceleration;
+        if (scheme.inertia && round_and_smooth[b])
+          spin[b] = turned_by_load(body, external[b]);
+        if (scheme.inertia && !round_and_smooth[b])
           return;
-        // A round body without friction is the same when it is turned: that it stays is a choice of one of
-        // many equal answers, and nothing resists that would have moved. Other bodies are resisted like
-        // everything that moves.
-        round_and_smooth[b] = body.boundary.smooth && world.frictionless();
         rotation_weight[b] = 30. * (round_and_smooth[b] ? 1. : plan.regularisation) * dt * dt *
                              body.law->young_modulus() * body.rest_area;
       });
+}
+
+double StepEquations::turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const
+{
+  double change = 0.;
+  if (load.size() > 0)
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      change += dt / body.mass[i] * rotation[body.index].segment<2>(2 * i).dot(load.segment<2>(2 * i));
+  return change;
 }
 
 void StepEquations::rows_changed()
@@ -91,7 +106,12 @@ bool StepEquations::evaluate(const Vectors &v)
           return;
         internal_force(body, internal[b]);
         Eigen::VectorXd &P = missing_impulse[b];
-        P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
+        // Forces at both ends are turned with the body to where it is halfway: there they and the contacts
+        // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
+        const double half =
+            scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
+        P = dt *
+            ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
         if (external[b].size() > 0)
           // newmark's stored acceleration already holds the load at the start of the step.
           P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
@@ -101,7 +121,12 @@ bool StepEquations::evaluate(const Vectors &v)
           else
             P.segment<2>(2 * i) -= shift[b] * body.mass[i] * v[b].segment<2>(2 * i);
         if (rotation_weight[b] > 0.)
-          P -= rotation_weight[b] * rotation[b].dot(v[b]) * rotation[b];
+        {
+          const Eigen::VectorXd z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
+          const double forbidden = scheme.inertia ? z.dot(v[b] - body.velocity) - spin[b] : z.dot(v[b]);
+          holding[b] = rotation_weight[b] * forbidden;
+          P -= holding[b] * z;
+        }
       });
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
@@ -170,11 +195,26 @@ double StepEquations::regularisation_work() const
 {
   double work = 0.;
   for (const Body<2> &body : world.bodies)
-    if (!body.driven)
+    if (!body.driven && scheme.inertia)
+      work += holding[body.index] * rotation[body.index].dot(increment[body.index]) / dt;
+    else if (!body.driven)
       for (unsigned int i = 0; i < body.mass.size(); ++i)
         work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
                 increment[body.index].segment<2>(2 * i).squaredNorm();
   return work;
+}
+
+double StepEquations::rotary_inertia(const Body<2> &body) const
+{
+  double inverse = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    inverse += rotation[body.index].segment<2>(2 * i).squaredNorm() / body.mass[i];
+  return scheme.inertia ? 1. / inverse : 0.;
+}
+
+bool StepEquations::rotation_chases_rows() const
+{
+  return !rotation_is_gauge() && std::find(turns_easily.begin(), turns_easily.end(), 1) != turns_easily.end();
 }
 
 bool StepEquations::rotation_is_gauge() const
@@ -215,11 +255,14 @@ std::string StepEquations::factorise()
             matrix.set_zero();
             // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
             const bool pressure_follows = attempt > 0;
+            const double against_rotation = factor * rotation_stiffness(body);
+            if (attempt == 0)
+              turns_easily[body.index] = against_rotation > 0.1 * rotary_inertia(body);
             add_stiffness(body, factor, matrix, pressure_follows);
             matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
-            world.solvers[body.index]->set_update(
-                rotation[body.index], (pressure_follows ? 0.2 : 1.) * factor * rotation_stiffness(body) +
-                                          rotation_weight[body.index]);
+            world.solvers[body.index]->set_update(rotation[body.index],
+                                                  (pressure_follows ? 0.2 : 1.) * against_rotation +
+                                                      rotation_weight[body.index]);
           });
     }
     dealii::TimerOutput::Scope section(*world.timer, "factorisation");

@@ -11,6 +11,13 @@ namespace softgrain::mpm
 /// Vector z over the dofs of a body whose product with a nodal velocity is the mean angular velocity [1/s] of
 /// the whole body, mass by mass; force z times a torque turns the body and does nothing else.
 Eigen::VectorXd whole_rotation(const Body<2> &body);
+/// The same where the nodes have moved on by @p way [m], over the rotary inertia before they did: its product
+/// with the change of nodal velocities is that of the angular momentum about the place on the way, over that
+/// inertia.
+Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way);
+
+/// Vectors at nodes, turned by @p angle [rad].
+Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
 
 /**
  * @brief Stiffness against rotation of a whole body that the matrix of Newton's method gets beside that of

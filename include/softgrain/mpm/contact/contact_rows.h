@@ -8,6 +8,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ContactRow
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
   double gap = 0;                ///< at the start of the step [m]
+  double gap_where_found = 0;    ///< where in the step it was looked for [m]
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
   std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
@@ -55,6 +57,9 @@ struct ContactRow
     return t;
   }
 };
+
+/// Gap of rows by their key [m].
+using GapsByRow = std::unordered_map<std::uint64_t, double>;
 
 /// Where a wall stands and moves during one step.
 template <int dim>

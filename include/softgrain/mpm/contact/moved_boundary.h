@@ -82,6 +82,7 @@ public:
 
 private:
   void find_center(const ContactScene<2> &scene);
+  void move_markers(const ContactScene<2> &scene);
 
   const Body<2> *body = nullptr;
   std::vector<Point> position;

@@ -48,6 +48,7 @@ struct Settings
   double pic_fraction = 0.;
   std::string f_bar = "automatic";
 
+  double theta = 0.; ///< as asked for; 0: chosen by the length of the steps
   TimeScheme scheme;
   StepSettings step;
   double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
@@ -64,9 +65,10 @@ struct Settings
   bool contact_on_boundaries = true; ///< else at nodes, see ContactGeometryKind
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
-  double marker_spacing = 0.5;   ///< [cells]
-  bool subgrid = true;           ///< see SubgridCompliance
-  unsigned int max_searches = 8; ///< for contact rows within a step
+  double marker_spacing = 0.5;      ///< [cells]
+  double largest_penetration = 0.1; ///< at the end of a step [cells]
+  bool subgrid = true;              ///< see SubgridCompliance
+  unsigned int max_searches = 8;    ///< for contact rows within a step
   contact::SolverSettings contact_solver;
   std::string failed_problem_directory; ///< where contact problems that do not converge are kept
 

@@ -89,11 +89,20 @@ struct World
   /// velocities
   /// @param share     where in the step places and normals are taken
   /// @param again     whether rows of this step are replaced; they hand their impulses on
+  /// @param start_gaps true_gaps() at the start, null: gaps are drawn back from where rows are taken
   void find_rows(const std::vector<WallMotion<2>> &motion,
                  double dt,
                  const std::vector<Eigen::VectorXd> *increment,
                  double share,
-                 bool again);
+                 bool again,
+                 const GapsByRow *start_gaps = nullptr);
+
+  /// Gaps of all rows at the start of a step with displacements @p increment (@p share = 0), or at its end
+  /// (1).
+  GapsByRow true_gaps(const std::vector<WallMotion<2>> &motion,
+                      double dt,
+                      const std::vector<Eigen::VectorXd> &increment,
+                      double share) const;
 
   /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
   /// body's.

@@ -50,6 +50,10 @@ public:
   /// Whether all bodies are kept from turning, because turned they would be the same.
   bool rotation_is_gauge() const;
 
+  /// Whether a body may turn while rows stay, until its pressure, which does not follow it then, turns it on
+  /// and on.
+  bool rotation_chases_rows() const;
+
   /// Whether factorise() needed a tangent in which pressure follows the bodies.
   bool pressure_follows() const { return has_followed; }
 
@@ -65,7 +69,8 @@ public:
   /// step; 0 for schemes that are not a choice of theta alone [J/m].
   double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
 
-  /// Work that the regularising forces of quasi_static take in the step as last evaluated [J/m].
+  /// Work that regularising forces take in the step as last evaluated, of quasi_static and against rotation
+  /// of what is round [J/m].
   double regularisation_work() const;
   /// A x = the missing impulse, or what is unbalanced with contact, for every body [m/s].
   void solve(bool with_contact, Vectors &x) const;
@@ -80,6 +85,11 @@ public:
   std::vector<double> start_relative;
 
 private:
+  /// By how much loads [N] change the angular velocity of a body over the step [1/s].
+  double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
+  /// Against rotation of the whole body, 0 without inertia [kg m^2/m].
+  double rotary_inertia(const Body<2> &body) const;
+
   World &world;
   const TimeScheme &scheme;
   const StepPlan plan;
@@ -89,6 +99,9 @@ private:
   bool has_followed = false;           ///< some matrix of the step was made with pressure that follows
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
+  std::vector<char> turns_easily;      ///< bodies whose pressure turns them sooner than inertia holds them
+  std::vector<double> spin;            ///< of such a body: its change by loads, with inertia [1/s]
+  std::vector<double> holding;         ///< torque that holds a body's rotation, times the step [N s m/m]
   unsigned int bad_body = 0;
   StressOutcome trouble;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_following_rows_h
+#define softgrain_mpm_stepping_following_rows_h
+
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/anderson_mixing.h>
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief The contact rows of one step, which follow the bodies as Newton's method goes.
+ *
+ * Rows are taken at the middle of the step or at its end (TimeScheme::row_share). A step with inertia gives
+ * them the gaps that bodies truly have at its start: a closed row with normal n at the middle of the step
+ * does the work -P·gap, so that contact which starts closed neither gives nor takes, however far bodies slide
+ * over each other; a gap drawn back along n from the middle is short by u²/8R.
+ */
+class FollowingRows
+{
+public:
+  using Vectors = std::vector<Eigen::VectorXd>;
+
+  /// @param world  whose rows they are
+  /// @param dt     length of the step [s]
+  /// @param motion of the walls
+  FollowingRows(World &world, double dt, const std::vector<WallMotion<2>> &motion);
+
+  /// Finds the rows of the step for the displacements @p increment [m]; @p again: they replace others of it.
+  void find(const Vectors &increment, bool again);
+
+  /// Whether the rows are those of a step with these displacements [m].
+  bool settled(const Vectors &increment) const;
+
+  /**
+   * @brief Makes @p increment, the outcome of these rows, what the next ones are best found for.
+   *
+   * Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
+   * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed.
+   * @return whether it is another than it was
+   */
+  bool mix(Vectors &increment);
+
+  /// How often they were found after the first time.
+  unsigned int searches() const { return n_searches; }
+
+  /// Deepest overlap at the end of a step with these displacements that stands for no dent [m].
+  double penetration(const Vectors &increment) const;
+
+  /// Deepest overlap at its start, of a step with inertia [m].
+  double penetration_at_start() const;
+
+private:
+  /// How far the bodies are from where the rows were found [m].
+  double way(const Vectors &increment) const;
+
+  World &world;
+  const double dt;
+  const std::vector<WallMotion<2>> &motion;
+  GapsByRow start_gaps; ///< of a step with inertia
+  Vectors place;        ///< displacements for which the rows were found [m]
+  AndersonMixing mixing{5};
+  double last_way = std::numeric_limits<double>::max();
+  unsigned int n_searches = 0;
+};
+} // namespace softgrain::mpm
+
+#endif

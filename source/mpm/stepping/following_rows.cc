@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/following_rows.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
+constexpr double mixing_range = 0.02;  ///< move of nodes below which searches are mixed [cells]
+
+double deepest(const GapsByRow &gaps)
+{
+  double worst = 0.;
+  for (const auto &gap : gaps)
+    worst = std::max(worst, -gap.second);
+  return worst;
+}
+} // namespace
+
+FollowingRows::FollowingRows(World &world, const double dt, const std::vector<WallMotion<2>> &motion)
+    : world(world), dt(dt), motion(motion)
+{
+}
+
+void FollowingRows::find(const Vectors &increment, const bool again)
+{
+  n_searches += again;
+  const bool follow = world.settings.rows_follow() && world.settings.scheme.inertia;
+  if (!again && follow)
+    start_gaps = world.true_gaps(motion, dt, increment, 0.);
+  place = increment;
+  world.find_rows(motion, dt, &place, world.settings.scheme.row_share, again, follow ? &start_gaps : nullptr);
+}
+
+double FollowingRows::way(const Vectors &increment) const
+{
+  double way = 0.;
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      way = std::max(way, largest_way(body, increment[body.index] - place[body.index]));
+  return way;
+}
+
+bool FollowingRows::settled(const Vectors &increment) const
+{
+  return !world.settings.rows_follow() || way(increment) <= row_tolerance * world.lattice->cell_size();
+}
+
+bool FollowingRows::mix(Vectors &increment)
+{
+  const double now = way(increment), range = mixing_range * world.lattice->cell_size();
+  if (now > range || now > 2. * last_way)
+    mixing.restart();
+  last_way = now;
+  if (now > range)
+    return false;
+  increment = mixing.next(place, increment);
+  return true;
+}
+
+double FollowingRows::penetration_at_start() const
+{
+  return deepest(start_gaps);
+}
+
+double FollowingRows::penetration(const Vectors &increment) const
+{
+  if (world.contact.empty())
+    return 0.;
+  if (world.settings.rows_follow() && world.settings.scheme.inertia)
+    return deepest(world.true_gaps(motion, dt, increment, 1.));
+  double worst = 0.;
+  const std::vector<double> gaps = end_gaps(world, increment, motion, dt),
+                            dents = world.contact.subgrid_overlap(dt);
+  for (unsigned int r = 0; r < gaps.size(); ++r)
+    worst = std::max(worst, -gaps[r] - dents[r]);
+  return worst;
+}
+} // namespace softgrain::mpm
