@@ -148,7 +148,7 @@ SolverReport solve(Operator &op,
   const double speed = approach_speed(problem, compliance);
   std::vector<double> best = impulses, trial;
   double lowest = report.residual;
-  unsigned int chunk = warm ? 10 : 50;
+  unsigned int chunk = 50, rounds = 0;
   bool from_nothing = false;
 
   const auto evaluate = [&]
@@ -174,7 +174,8 @@ SolverReport solve(Operator &op,
     const double before = report.residual;
     trial = impulses;
     double after = newton_active_set(W, problem, compliance, settings, trial, newton);
-    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !from_nothing)
+    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !from_nothing &&
+        (rounds > 0 || !warm))
     {
       from_nothing = true; // a second time would end the same
       std::vector<double> other = impulses;
@@ -199,8 +200,9 @@ SolverReport solve(Operator &op,
         (settings.algorithm == Algorithm::active_set &&
          (chunk > most_between_rounds || report.residual <= settings.passable)))
       break;
-    if (!(after < 0.1 * before))
+    if (!(after < 0.1 * before) && rounds > 0)
       chunk *= 2;
+    ++rounds;
     // polishing, or a better start for the next round
     sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
     const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);

@@ -6,6 +6,7 @@
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -31,6 +32,17 @@ MpmModel::MpmModel(const Scene<2> &scene,
 
 namespace
 {
+/// What is best where a step does not resolve waves and inertia hardly holds what contacts do not, unless it
+/// is given.
+void choose_for_long_steps(Settings &settings)
+{
+  if (settings.theta == 0.)
+    settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
+  if (settings.contact_solver.algorithm == contact::Algorithm::automatic &&
+      settings.coupling == ContactCoupling::condensed)
+    settings.contact_solver.algorithm = contact::Algorithm::active_set;
+}
+
 std::string scheme_in_words(const TimeScheme &scheme)
 {
   if (!scheme.inertia || !scheme.implicit || scheme.stored_acceleration)
@@ -90,8 +102,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
           create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
-  if (settings.theta == 0. && wanted_step() > 20.5 * cfl_step())
-    world.settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
+  if (settings.scheme.inertia && wanted_step() > 20.5 * cfl_step())
+    choose_for_long_steps(world.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   world.geometry = Registry<ContactGeometryKind>::instance()
                        .create(settings.contact_geometry)
@@ -152,7 +164,9 @@ StepReport MpmModel::advance(const double dt_limit)
     report.contact_residual = outcome.contact_residual;
     report.max_penetration = outcome.max_penetration;
     held_steps += outcome.held_steps;
-    last_unbalanced = outcome.unbalanced;
+    last_unbalanced = !settings.scheme.inertia         ? outcome.unbalanced
+                      : settings.contact_on_boundaries ? unbalanced_force(world, dt)
+                                                       : 0.;
     return {true, "", outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
   };
   const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, world.time, try_step);

@@ -213,10 +213,9 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
       {"scheme_damping_J_per_m", balance.scheme_damping},
       {"regularisation_work_J_per_m", balance.regularisation_work}};
   if (!world.settings.scheme.inertia)
-  {
     columns.emplace_back("held_steps", held_steps);
+  if (world.settings.contact_on_boundaries)
     columns.emplace_back("unbalanced_force", last_unbalanced);
-  }
   if (world.scene.bodies.size() != 1)
     return columns;
   double lower = std::numeric_limits<double>::max(), upper = -lower;

@@ -189,8 +189,8 @@ void declare_contact(dealii::ParameterHandler &prm)
         ContactSettings::declare_parameters(
             prm, "1e-7",
             {{"automatic",
-              "active_set with quasi_static, otherwise accelerated, and Newton when the sweeps do not "
-              "converge"},
+              "active_set with quasi_static and where 'Time step' is longer than 20 CFL steps, otherwise "
+              "accelerated, and Newton when the sweeps do not converge"},
              {"accelerated", "sweeps with momentum and restart"},
              {"gauss_seidel", "plain sweeps"},
              {"active_set", "Newton on the active set"}});

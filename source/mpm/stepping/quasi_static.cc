@@ -56,10 +56,15 @@ std::string largest_move_in_cells(const World &world, const StepOutcome &held)
 }
 } // namespace
 
-double unbalanced_force(World &world, const double dt)
+double unbalanced_force_here(World &world, const double dt)
 {
   // With rows where the bodies are: those of the step may be some way off.
   world.find_rows(world.wall_motion({dt, true, 0.}), dt, nullptr, 0., true);
+  return unbalanced_force(world, dt);
+}
+
+double unbalanced_force(World &world, const double dt)
+{
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   std::vector<Vector> net(world.bodies.size());
@@ -100,7 +105,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
   StepOutcome sum = implicit_step(world, {dt, false, settings.regularisation * wanted / dt});
   if (!sum.accepted)
     return sum;
-  sum.unbalanced = unbalanced_force(world, dt);
+  sum.unbalanced = unbalanced_force_here(world, dt);
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
   StepPlan held{dt, true, settings.regularisation};
   std::vector<Eigen::VectorXd> place = displacements(world), last_way;
@@ -118,7 +123,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     const double before = sum.unbalanced;
-    sum.unbalanced = unbalanced_force(world, dt);
+    sum.unbalanced = unbalanced_force_here(world, dt);
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * world.lattice->cell_size())
     {
@@ -140,7 +145,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
   }
   if (settings.max_held_steps == 0)
   {
-    sum.unbalanced = unbalanced_force(world, dt);
+    sum.unbalanced = unbalanced_force_here(world, dt);
     return sum;
   }
   std::ostringstream message;

@@ -16,10 +16,13 @@ namespace softgrain::mpm
  */
 StepOutcome quasi_static_step(World &world, double dt, double wanted);
 
-/// How far the bodies are from balance under the impulses of a step of length @p dt: the largest net force of
-/// contacts and loads on a body, over the mean force of a contact, of a pair of bodies or a body and a wall
-/// (dimensionless; 0 when there are no forces).
+/// How far the bodies are from balance under the impulses of a step of length @p dt, along its rows: the
+/// largest net force of contacts and loads on a body, over the mean force of a contact, of a pair of bodies
+/// or a body and a wall (dimensionless; 0 when there are no forces).
 double unbalanced_force(World &world, double dt);
+
+/// The same with rows found again where the bodies are.
+double unbalanced_force_here(World &world, double dt);
 } // namespace softgrain::mpm
 
 #endif
