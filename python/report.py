@@ -36,7 +36,7 @@ def parse_arguments():
     add_shared(parser, "field")
     parser.add_argument("--film", action=argparse.BooleanOptionalAction, default=True,
                         help="a film of the states, by ffmpeg or Pillow (default: with a film)")
-    parser.add_argument("--frames", type=between(2, 10000, int, "frames; without a film: --no-film"), default=40,
+    parser.add_argument("--frames", type=between(2, 10000, int, "frames (without a film: --no-film)"), default=40,
                         help="most frames of a film (default: %(default)s)")
     add_shared(parser, "fps", default=8)
     arguments = parser.parse_args()
