@@ -45,14 +45,14 @@ def parse_arguments():
     parser.add_argument("--preset", choices=("diametral",),
                         help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory")
     parser.add_argument("--theory", metavar="NAME[,NAME]",
-                        help="curves to lay beside a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
+                        help="theories to draw with a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
                              "(line contact), none (default: both for a disk between two walls, else none)")
     for name, text in (("young", "Young's modulus [Pa]"), ("poisson", "Poisson's ratio"), ("radius", "radius [m]")):
         parser.add_argument(f"--{name}", type=float, metavar="NUMBER",
                             help=f"{text} of the theory (default: from parameters.prm of the first run)")
     parser.add_argument("--fit", choices=("line", "power", "exponential"),
-                        help="lays a + b x, a + b (x - x0)^c or a + b exp(c (x - x0)) beside every curve, x0 being where "
-                             "the fit begins, and prints its constants and R²; warns when R² is below 0.9")
+                        help="fits a + b x, a + b (x - x0)^c or a + b exp(c (x - x0)) to every curve, where x0 is the start "
+                             "of the fit, draws it and prints its constants and R²; warns when R² is below 0.9")
     parser.add_argument("--fit-range", nargs=2, type=float, metavar=("MIN", "MAX"),
                         help="part of x that is fitted, in the column's SI unit (default: all)")
     add_shared(parser, "labels")
