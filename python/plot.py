@@ -13,7 +13,7 @@ try:
     import numpy as np
     from softgrain import InputError, Run, fits, split_unit
     from softgrain.command import Parser, run_tool, save_figure, warn
-    from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, panels_of, run_labels, usual_columns
+    from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, in_lines, panels_of, run_labels, usual_columns
     from softgrain.drawing import STYLE
     from softgrain.options import add_shared, check_labels
     from softgrain.theory import THEORIES
@@ -236,6 +236,8 @@ def main():
             if theories:
                 draw_theories(axes, arguments, curves[0], theories, panel[0], scale)
             finish_panel(axes, arguments, x_scale, scale, negative)
+            if len(panels) > 1:  # a low panel has no room for a long line
+                axes.set_ylabel(in_lines(axes.get_ylabel()))
         all_axes[-1, 0].set_xlabel(x_label)
         if arguments.title:
             all_axes[0, 0].set_title(arguments.title, pad=10)
