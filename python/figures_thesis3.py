@@ -18,6 +18,7 @@ try:
     from softgrain import InputError
     from softgrain.command import Parser, run_tool
     from softgrain.drawing import STYLE
+    from softgrain.options import add_shared
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
     print(f"figures thesis-3: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
@@ -34,7 +35,7 @@ MPA = 1e-6
 
 def parse_arguments():
     parser = Parser(
-        prog="figures thesis-3", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="softgrain figures thesis-3", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="What a run is, its parameters.prm and history.csv tell: the model, F0 and the diameters of the\n"
                "primaries, whether the walls open again. The runs need the walls bottom and top and, unless\n"
                "history.csv has a column width_m, outlines in snapshots.h5 or fields.pvd.\n\n"
@@ -45,7 +46,7 @@ def parse_arguments():
     parser.add_argument("--output", metavar="FOLDER", default="thesis-3",
                         help="for figures, constants.md and constants.json (default: %(default)s)")
     parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
-    parser.add_argument("--dpi", type=int, default=200, help="dots per inch of png (default: %(default)s)")
+    add_shared(parser, "dpi", default=200)
     arguments = parser.parse_args()
     if not 10 <= arguments.dpi <= 2400:
         raise InputError("--dpi must be 10 to 2400")

@@ -18,6 +18,7 @@ try:
     from softgrain.command import Parser, run_tool, warn
     from softgrain import fits
     from softgrain.drawing import STYLE
+    from softgrain.options import add_shared
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
     print(f"figures thesis-4: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
@@ -30,7 +31,7 @@ REGIMES = (0.78, 0.95)  # of the thesis
 
 def parse_arguments():
     parser = Parser(
-        prog="figures thesis-4", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="softgrain figures thesis-4", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="Runs of one model and friction are one group: their constants are given as mean and spread. The runs\n"
                "need the walls bottom, top, left and right, Output/Snapshots every, and Output/Measures = all (or\n"
                "'softgrain measure DIR' afterwards).\n\n"
@@ -41,7 +42,7 @@ def parse_arguments():
     parser.add_argument("--output", metavar="FOLDER", default="thesis-4",
                         help="for figures, constants.md and constants.json (default: %(default)s)")
     parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
-    parser.add_argument("--dpi", type=int, default=200, help="dots per inch of png (default: %(default)s)")
+    add_shared(parser, "dpi", default=200)
     parser.add_argument("--reference", type=float, default=0.8, metavar="PHI",
                         help="packing fraction of the reference state (default: %(default)s)")
     parser.add_argument("--only", metavar="NUMBER", nargs="+", choices=list(FIGURES),

@@ -11,10 +11,11 @@ try:
     matplotlib.use("Agg")  # no display is needed
     import matplotlib.pyplot as plt
     import numpy as np
-    from softgrain import InputError, Run, fits
+    from softgrain import InputError, Run, fits, split_unit
     from softgrain.command import Parser, run_tool, save_figure, warn
-    from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, panels_of, run_labels, usual_columns
+    from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, in_lines, panels_of, run_labels, usual_columns
     from softgrain.drawing import STYLE
+    from softgrain.options import add_shared, check_labels
     from softgrain.theory import THEORIES
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
@@ -26,16 +27,16 @@ THEORY_DASHES = {"hertz": (0, (6, 2)), "johnson": (0, (1.5, 1.5))}
 
 def parse_arguments():
     parser = Parser(
-        prog="plot", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="softgrain plot", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="Units may be left out of the names. A column of measures.csv is drawn at the times of its rows, with\n"
                "points.\n\n"
                "examples:\n"
-               "  plot.py out                                        force on a wall against strain, or energies\n"
-               "  plot.py out --list                                 columns there are\n"
-               "  plot.py fine coarse --y packing_fraction coordination\n"
-               "  plot.py out --x packing_fraction --y coordination_without_rattlers contact_anisotropy\n"
-               "  plot.py out --x packing_fraction --y coordination_of_bodies --fit power --fit-range 0.84 0.98\n"
-               "  plot.py disk --preset diametral --output fig3.10.svg\n")
+               "  softgrain plot out                                        force on a wall against strain, or energies\n"
+               "  softgrain plot out --list                                 columns there are\n"
+               "  softgrain plot fine coarse --y packing_fraction coordination\n"
+               "  softgrain plot out --x packing_fraction --y coordination_without_rattlers contact_anisotropy\n"
+               "  softgrain plot out --x packing_fraction --y coordination_of_bodies --fit power --fit-range 0.84 0.98\n"
+               "  softgrain plot disk --preset diametral --output fig3.10.svg\n")
     parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
     parser.add_argument("--x", metavar="COLUMN", help="default: axial_strain when it changes, else time_s")
     parser.add_argument("--y", metavar="COLUMN", nargs="+",
@@ -44,31 +45,28 @@ def parse_arguments():
     parser.add_argument("--preset", choices=("diametral",),
                         help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory")
     parser.add_argument("--theory", metavar="NAME[,NAME]",
-                        help="curves to lay beside a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
+                        help="theories to draw with a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
                              "(line contact), none (default: both for a disk between two walls, else none)")
     for name, text in (("young", "Young's modulus [Pa]"), ("poisson", "Poisson's ratio"), ("radius", "radius [m]")):
         parser.add_argument(f"--{name}", type=float, metavar="NUMBER",
                             help=f"{text} of the theory (default: from parameters.prm of the first run)")
     parser.add_argument("--fit", choices=("line", "power", "exponential"),
-                        help="lays a + b x, a + b (x - x0)^c or a + b exp(c (x - x0)) beside every curve, x0 being where "
-                             "the fit begins, and prints its constants and R²; warns when R² is below 0.9")
+                        help="fits a + b x, a + b (x - x0)^c or a + b exp(c (x - x0)) to every curve, where x0 is the start "
+                             "of the fit, draws it and prints its constants and R²; warns when R² is below 0.9")
     parser.add_argument("--fit-range", nargs=2, type=float, metavar=("MIN", "MAX"),
                         help="part of x that is fitted, in the column's SI unit (default: all)")
-    parser.add_argument("--labels", nargs="+", metavar="TEXT", help="names of the runs (default: of their folders)")
+    add_shared(parser, "labels")
     parser.add_argument("--xlim", nargs=2, type=float, metavar=("MIN", "MAX"), help="in the column's SI unit")
     parser.add_argument("--ylim", nargs=2, type=float, metavar=("MIN", "MAX"), help="in the column's SI unit")
     parser.add_argument("--logx", action="store_true", help="logarithmic x axis")
     parser.add_argument("--logy", action="store_true", help="logarithmic y axis")
-    parser.add_argument("--title", help="text above the picture")
+    add_shared(parser, "title")
     parser.add_argument("--output", metavar="FILE",
                         help="picture to write: .png, .svg, .pdf (default: DIR/pictures/Y-against-X.png)")
-    parser.add_argument("--dpi", type=int, default=220, help="dots per inch (default: %(default)s)")
+    add_shared(parser, "dpi", default=220)
     parser.add_argument("--list", action="store_true", help="print the columns of every run, draw nothing")
     arguments = parser.parse_args()
-    if arguments.labels and len(arguments.labels) != len(arguments.directories):
-        raise InputError(f"--labels gives {len(arguments.labels)} names for {len(arguments.directories)} runs")
-    if not 10 <= arguments.dpi <= 2400:
-        raise InputError("--dpi must be 10 to 2400")
+    check_labels(arguments)
     if arguments.fit_range and not arguments.fit:
         raise InputError("--fit-range needs --fit")
     if arguments.fit_range and not arguments.fit_range[1] > arguments.fit_range[0]:
@@ -204,6 +202,11 @@ def finish_panel(axes, arguments, x_scale, scale, negative):
         axes.legend(frameon=False, fontsize=10, handlelength=2.6)
 
 
+def file_name(x, columns):
+    """Columns without their units, which would make the name very long."""
+    return f"{'-'.join(split_unit(name)[0] for name in columns)[:120]}-against-{split_unit(x)[0]}"
+
+
 def main():
     arguments = parse_arguments()
     labels = arguments.labels or run_labels(arguments.directories)
@@ -233,10 +236,12 @@ def main():
             if theories:
                 draw_theories(axes, arguments, curves[0], theories, panel[0], scale)
             finish_panel(axes, arguments, x_scale, scale, negative)
+            if len(panels) > 1:  # a low panel has no room for a long line
+                axes.set_ylabel(in_lines(axes.get_ylabel()))
         all_axes[-1, 0].set_xlabel(x_label)
         if arguments.title:
             all_axes[0, 0].set_title(arguments.title, pad=10)
-        name = "diametral" if arguments.preset else f"{'-'.join(columns)[:120]}-against-{x}"
+        name = "diametral" if arguments.preset else file_name(x, columns)
         path = arguments.output or os.path.join(arguments.directories[0], "pictures", name + ".png")
         save_figure(figure, path, arguments.dpi)
         plt.close(figure)

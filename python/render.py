@@ -14,6 +14,7 @@ try:
     from softgrain.command import Parser, run_tool
     from softgrain import film
     from softgrain.colouring import columns_of
+    from softgrain.options import add_shared, between
     from softgrain.picture import Options, Picture
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
@@ -23,29 +24,24 @@ except ImportError as missing:
 
 def parse_arguments():
     parser = Parser(
-        prog="render", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="softgrain render", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="examples:\n"
-               "  render.py out                              the last frame: von Mises stress, or primaries\n"
-               "  render.py out --frame all --field pressure_Pa\n"
-               "  render.py out --film --field velocity      a film, out/pictures/velocity.mp4\n"
-               "  render.py out --film out.gif --fps 10      the same for a page or a talk\n"
-               "  render.py out --field strain --zoom 3      the middle, three times as large\n"
-               "  render.py out --field coordination         number of contacts of every body\n"
-               "  render.py out --field body --contacts inner --attraction\n"
-               "  render.py out --contacts chains --output poster.pdf --dpi 300\n"
-               "  render.py out --list                       frames and fields there are\n")
+               "  softgrain render out                              the last frame: von Mises stress, or primaries\n"
+               "  softgrain render out --frame all --field pressure_Pa\n"
+               "  softgrain render out --film --field velocity      a film, out/pictures/velocity.mp4\n"
+               "  softgrain render out --film out.gif --fps 10      the same for a page or a talk\n"
+               "  softgrain render out --field strain --zoom 3      the middle, three times as large\n"
+               "  softgrain render out --field coordination         number of contacts of every body\n"
+               "  softgrain render out --field body --contacts inner --attraction\n"
+               "  softgrain render out --contacts chains --output poster.pdf --dpi 300\n"
+               "  softgrain render out --list                       frames and fields there are\n")
     parser.add_argument("directory", metavar="DIR", nargs="?", help="output folder of a run")
-    parser.add_argument("--field",
-                        help="field in colour, of the points or of whole bodies (coordination, mean_pressure_Pa; "
-                             "bodies/NAME where both have it); the unit may be left out; a vector by its length or, with "
-                             ":x or :y at the end, a component; 'strain' is the equivalent logarithmic strain; 'body' "
-                             "gives neighbours different colours, 'none' leaves the grains plain (default: von_mises_Pa; "
-                             "body for primaries)")
+    add_shared(parser, "field")
     parser.add_argument("--frame", help="number of the frame, from 0; last; all (default: last; all for a film)")
     parser.add_argument("--film", metavar="FILE", nargs="?", const="",
                         help="makes a film of all frames: .mp4 (needs ffmpeg) or .gif (ffmpeg or Pillow) (default: "
                              "DIR/pictures/FIELD.mp4)")
-    parser.add_argument("--fps", type=float, default=12, help="frames of a film per second (default: %(default)s)")
+    add_shared(parser, "fps", default=12)
     parser.add_argument("--output", metavar="FILE",
                         help="picture to write: .png, .svg, .pdf; for several frames the number is put before the "
                              "ending (default: DIR/pictures/FIELD-NNNNNN.png)")
@@ -64,9 +60,10 @@ def parse_arguments():
     parser.add_argument("--style", choices=("smooth", "disks"),
                         help="the field made smooth in every grain, or every point as a disk of its area (default: "
                              "smooth for material points, disks for primaries)")
-    parser.add_argument("--title", help="text above the picture (default: time and strain)")
-    parser.add_argument("--width", type=float, default=7.0, help="of the picture, in inches (default: %(default)s)")
-    parser.add_argument("--dpi", type=int, help="dots per inch (default: 220; 150 for a film)")
+    add_shared(parser, "title", help="text above the picture (default: time and strain)")
+    parser.add_argument("--width", type=between(1, 60, float, "inches"), default=7.0,
+                        help="of the picture, in inches (default: %(default)s)")
+    add_shared(parser, "dpi", help="dots per inch (default: 220; 150 for a film)")
     parser.add_argument("--list", action="store_true", help="print frames and fields, draw nothing")
     arguments = parser.parse_args()
     if arguments.directory is None and arguments.film and os.path.isdir(arguments.film):  # --film DIR
@@ -74,10 +71,6 @@ def parse_arguments():
     if arguments.directory is None:
         parser.error("the following arguments are required: DIR")
     arguments.dpi = arguments.dpi if arguments.dpi is not None else 220 if arguments.film is None else 150
-    if not (1 <= arguments.width <= 60 and 10 <= arguments.dpi <= 2400):
-        raise InputError("--width must be 1 to 60 inches and --dpi 10 to 2400")
-    if not 0.1 <= arguments.fps <= 120:
-        raise InputError("--fps must be 0.1 to 120 frames per second")
     if arguments.range and arguments.field in ("body", "none"):
         raise InputError(f"--range has no meaning with --field {arguments.field}")
     if arguments.zoom and (len(arguments.zoom) not in (1, 4) or (len(arguments.zoom) == 1 and not arguments.zoom[0] > 0)):

@@ -5,12 +5,14 @@
 import argparse
 import os
 import sys
+from dataclasses import fields
 
 try:
     import matplotlib
     matplotlib.use("Agg")  # no display is needed
     from softgrain import InputError, Run
     from softgrain.command import Parser, run_tool
+    from softgrain.options import add_shared, between, check_labels
     from softgrain.report import Choices, report
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
@@ -20,29 +22,25 @@ except ImportError as missing:
 
 def parse_arguments():
     parser = Parser(
-        prog="report", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="softgrain report", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="The page is one file that any browser opens, without a network.\n\n"
                "examples:\n"
-               "  report.py out                              out/report.html\n"
-               "  report.py fine coarse --output both.html   two runs side by side\n"
-               "  report.py out --field pressure --frames 80\n"
-               "  report.py out --no-film                    in a few seconds\n")
+               "  softgrain report out                              out/report.html\n"
+               "  softgrain report fine coarse --output both.html   two runs side by side\n"
+               "  softgrain report out --field pressure --frames 80\n"
+               "  softgrain report out --no-film                    in a few seconds\n")
     parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
     parser.add_argument("--output", metavar="FILE", help="page to write (default: report.html in the first folder)")
-    parser.add_argument("--title", metavar="TEXT", help="heading of the page (default: name of the run)")
-    parser.add_argument("--labels", nargs="+", metavar="TEXT", help="names of the runs (default: of their folders)")
-    parser.add_argument("--field", help="field in colour, as for 'softgrain render' (default: as there)")
+    add_shared(parser, "title", help="heading of the page (default: name of the run)")
+    add_shared(parser, "labels")
+    add_shared(parser, "field")
     parser.add_argument("--film", action=argparse.BooleanOptionalAction, default=True,
                         help="a film of the states, by ffmpeg or Pillow (default: with a film)")
-    parser.add_argument("--frames", type=int, default=40, help="most frames of a film (default: %(default)s)")
-    parser.add_argument("--fps", type=float, default=8, help="frames of a film per second (default: %(default)s)")
+    parser.add_argument("--frames", type=between(2, 10000, int, "frames (without a film: --no-film)"), default=40,
+                        help="most frames of a film (default: %(default)s)")
+    add_shared(parser, "fps", default=8)
     arguments = parser.parse_args()
-    if arguments.labels and len(arguments.labels) != len(arguments.directories):
-        raise InputError(f"--labels gives {len(arguments.labels)} names for {len(arguments.directories)} runs")
-    if arguments.frames < 2:
-        raise InputError("--frames must be at least 2; without a film: --no-film")
-    if not 0.1 <= arguments.fps <= 120:
-        raise InputError("--fps must be 0.1 to 120 frames per second")
+    check_labels(arguments)
     if arguments.output and not arguments.output.endswith((".html", ".htm")):
         raise InputError(f"--output {arguments.output}: the ending must be .html")
     return arguments
@@ -54,7 +52,7 @@ def main():
     for run in runs:
         if not any(os.path.exists(run.path(name)) for name in ("history.csv", "summary.json", "parameters.prm")):
             raise InputError(f"{run.directory} is no output folder of a run: it has no history.csv")
-    choices = Choices(**{name: getattr(arguments, name) for name in ("title", "field", "labels", "film", "frames", "fps")})
+    choices = Choices(**{item.name: getattr(arguments, item.name) for item in fields(Choices)})
     path = arguments.output or os.path.join(arguments.directories[0], "report.html")
     report(runs, choices).write(path)
     print(path)

@@ -181,7 +181,7 @@ SizeReport BpmModel::size_report() const
       {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
                                       : text(dt, " s")}};
   report.emplace_back("steps to the end time",
-                      scene.end_time > 0. ? text(std::ceil(scene.end_time / dt), "") : "open");
+                      scene.end_time > 0. ? text(std::ceil(scene.end_time / dt), "") : "no end time is set");
   return report;
 }
 

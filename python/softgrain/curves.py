@@ -161,6 +161,21 @@ def draw_panel(axes, curves, x, columns, **style):
     return x_scale, scale, with_unit(describe(x), x_unit), negative
 
 
+def in_lines(text, width=28):
+    """
+    A long text in lines; formulas, which stand between dollar signs, stay whole.
+
+    >>> in_lines("Coordination number $Z$ of bodies alone")
+    'Coordination number $Z$ of\\nbodies alone'
+    """
+    lines = [""]
+    for word in re.split(r" +(?=(?:[^$]*\$[^$]*\$)*[^$]*$)", text):
+        if lines[-1] and len(lines[-1]) + len(word) >= width:
+            lines.append("")
+        lines[-1] += (" " if lines[-1] else "") + word
+    return "\n".join(lines)
+
+
 def largest_of(arrays):
     return max((np.nanmax(np.abs(values), initial=0) for values in arrays), default=0)
 

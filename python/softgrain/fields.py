@@ -124,7 +124,16 @@ def contacts_of(grid):
 
 
 def walls_of(grid, names):
+    """
+    Walls. Their velocity is that along the normal; VTU files have it as a vector, those of softgrain 0.1 as a number.
+
+    >>> down = {"normal": np.array([[0., -1., 0.]]), "velocity_m_per_s": np.array([[0., -2., 0.]])}
+    >>> walls_of(Grid(cell_data=down), [])["velocity_m_per_s"]
+    array([2.])
+    """
     data = {n: in_plane(n, v) for n, v in grid.cell_data.items()}
+    if data.get("velocity_m_per_s", np.zeros(0)).ndim == 2:
+        data["velocity_m_per_s"] = np.einsum("ij,ij->i", data["velocity_m_per_s"], data["normal"])
     data["ends_m"] = np.array([grid.points[cell] for cell in grid.cells], dtype=float).reshape(-1, 2, 2)
     index = data.get("wall", np.arange(len(grid.cells)))
     if names and len(index) and index.max() < len(names):

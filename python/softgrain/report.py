@@ -117,7 +117,7 @@ def add_phases(page, entries):
         for name, seconds in entry.summary["phases"].items():
             totals[name] = totals.get(name, 0) + seconds
     names = sorted(totals, key=totals.get, reverse=True)
-    palette = [*COLOURS, "#999933", "#882255", "#44AA99", "#DDCC77", "#332288", "#AA4499"]
+    palette = [*COLOURS, "#999933", "#882255", "#44AA99", "#DDCC77", "#332288", "#AA4499", "#117733", "#88CCEE", "#CC6677"]
     traces = [{"type": "bar", "orientation": "h", "name": name, "y": [escape(entry.label) for entry in found],
                "x": [entry.summary["phases"].get(name, 0) for entry in found],
                "marker": {"color": palette[number % len(palette)]}, "hovertemplate": "%{x:.3g} s<extra>" + name + "</extra>"}
@@ -127,8 +127,8 @@ def add_phases(page, entries):
                    height=130 + 46 * len(found))
     rows = []
     for name in names:
-        shares = [(entry.summary["phases"].get(name, 0), sum(entry.summary["phases"].values())) for entry in found]
-        rows.append((name, [f"{one:.3g} s ({100 * one / total:.1f} %)" for one, total in shares], ""))
+        shares = [(entry.summary["phases"].get(name), sum(entry.summary["phases"].values())) for entry in found]
+        rows.append((name, ["" if one is None else f"{one:.3g} s ({100 * one / total:.1f} %)" for one, total in shares], ""))
     section.table(heads(found), rows)
 
 

@@ -68,7 +68,7 @@ def numbers_of_contacts(state, pairs):
     if state.has("bodies"):
         found = coordination(state)
         result["contacts per body, walls too"] = f"{found['coordination']:.3g}"
-        result["bodies with less than two contacts"] = f"{100 * found['rattler_fraction']:.3g} %"
+        result["bodies with fewer than two contacts"] = f"{100 * found['rattler_fraction']:.3g} %"
     return result
 
 

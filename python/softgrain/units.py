@@ -22,7 +22,7 @@ SYMBOLS = {
     "dt": r"time step $\Delta t$", "max_penetration": r"largest penetration $-g$",
     "equivalent_strain": r"equivalent strain $\varepsilon_\mathrm{eq}$",
     "shear_strain": r"largest shear strain $\frac{1}{2}(\ln\lambda_1 - \ln\lambda_2)$",
-    "volume_strain": r"volume strain $\ln J$", "mean_pressure": r"mean pressure of the grain $p$",
+    "volume_strain": r"volume strain $\ln J$", "mean_pressure": r"mean pressure $p$",
 }
 
 PREFIXES = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "N/m": ((1e6, "MN/m"), (1e3, "kN/m")),

@@ -84,7 +84,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
                        "go on from a checkpoint; without a file name: from the newest one")
           ->expected(0, 1);
   run_command->footer(exit_codes);
-  run_command->add_flag("--overwrite", overwrite, "begins anew where a run has not ended, and loses that run")
+  run_command
+      ->add_flag("--overwrite", overwrite, "begin anew in the folder of an unfinished run; that run is lost")
       ->excludes(restart_option);
   CLI::App *check_command =
       app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");

@@ -89,8 +89,10 @@ std::string duration_in_words(const double seconds)
     std::snprintf(buffer, sizeof(buffer), "%ld h %02ld min", rounded / 3600, rounded % 3600 / 60);
   else if (rounded >= 60)
     std::snprintf(buffer, sizeof(buffer), "%ld min %02ld s", rounded / 60, rounded % 60);
-  else
+  else if (rounded >= 10)
     std::snprintf(buffer, sizeof(buffer), "%ld s", rounded);
+  else
+    std::snprintf(buffer, sizeof(buffer), "%.2g s", std::round(100 * seconds) / 100);
   return buffer;
 }
 } // namespace softgrain

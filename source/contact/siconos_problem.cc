@@ -62,7 +62,7 @@ std::string next_line(std::istream &in, const char *what)
 /// columns (rows, when the origin says so) of lines "i : value".
 Eigen::MatrixXd read_sparse(std::istream &in, const unsigned int n)
 {
-  constexpr unsigned int triplet = 1, by_column = 2, by_row = 3;
+  constexpr unsigned int triplet = 1, by_row = 3; // 2: by column
   const auto origin = next<unsigned int>(in, "the kind of the sparse matrix");
   if (origin < triplet || origin > by_row)
     throw InputError("the kind of the sparse matrix, " + std::to_string(origin) +

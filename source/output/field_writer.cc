@@ -194,7 +194,7 @@ void fill_walls(VtuFile &file, const Snapshot<2> &snapshot)
 {
   using Wall = WallState<2>;
   std::vector<std::int32_t> index;
-  std::vector<double> normal;
+  std::vector<double> normal, velocity;
   std::vector<Wall> drawn;
   for (unsigned int w = 0; w < snapshot.walls.size(); ++w)
   {
@@ -204,12 +204,13 @@ void fill_walls(VtuFile &file, const Snapshot<2> &snapshot)
     file.add_cell(Cell::line, segment);
     index.push_back(static_cast<std::int32_t>(w));
     push(normal, snapshot.walls[w].normal);
+    push(velocity, snapshot.walls[w].velocity * snapshot.walls[w].normal);
     drawn.push_back(snapshot.walls[w]);
   }
   file.add_cell_data("wall", index);
   file.add_cell_data("normal", 3, normal);
   file.add_cell_data("position_m", 1, doubles(drawn, [](const Wall &w) { return w.position; }));
-  file.add_cell_data("velocity_m_per_s", 1, doubles(drawn, [](const Wall &w) { return w.velocity; }));
+  file.add_cell_data("velocity_m_per_s", 3, velocity); // a vector as that of points and bodies
   file.add_cell_data("normal_force_N_per_m", 1, doubles(drawn, [](const Wall &w) { return w.normal_force; }));
   file.add_cell_data("tangential_force_N_per_m", 1,
                      doubles(drawn, [](const Wall &w) { return w.tangential_force; }));

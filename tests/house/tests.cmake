@@ -21,7 +21,7 @@ softgrain_add_house_test(quickstart quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_D
 
 softgrain_add_house_test(self_contained_headers nightly
   ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/self_contained.py --build ${CMAKE_BINARY_DIR})
-set_tests_properties(house/self_contained_headers PROPERTIES TIMEOUT 1200)
+set_tests_properties(house/self_contained_headers PROPERTIES TIMEOUT 3600) # a compiler run per header
 
 # The commands of every page of the manual, run as a reader would run them.
 if(TARGET softgrain_executable)

@@ -88,6 +88,7 @@ def main():
         times = sorted({float(line.split('timestep="')[1].split('"')[0]) for line in file if "timestep" in line})
     assert answer["times"] == times, answer
     assert (answer["blocks"], answer["components"]) == (4, 9), answer
+    assert "mismatching" not in done.stdout + done.stderr, done.stderr  # arrays of one name, but not of one width
     assert answer["largest"] > 1e3 and answer["error"] < 1e-5 * answer["largest"], answer
     import matplotlib.image
     picture = matplotlib.image.imread("picture.png")[..., :3]

@@ -174,7 +174,7 @@ class Pictures(unittest.TestCase):
         with open(os.path.join(folder, "history.csv"), "w", encoding="utf-8") as file:
             file.write("time_s,step,axial_strain,kinetic_energy_J_per_m,elastic_energy_J_per_m\n0,0,,0,1\n1,1,,1,2\n")
         path, = self.draw("plot.py", folder)
-        self.assertEqual(os.path.basename(path), "kinetic_energy_J_per_m-elastic_energy_J_per_m-against-time_s.png")
+        self.assertEqual(os.path.basename(path), "kinetic_energy-elastic_energy-against-time.png")
 
     def test_damaged_snapshots(self):
         broken = os.path.join(common.WORK, "broken")

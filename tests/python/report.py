@@ -139,7 +139,7 @@ class Report(unittest.TestCase):
         self.assertEqual(read_data(text)["tables"]["0/history"], columns_of(os.path.join(bare, "history.csv")))
         for words, arguments in (("there is no folder", ["nowhere"]), ("no output folder of a run", [common.PYTHON]),
                                  ("--labels gives 1 names for 2 runs", [bare, bare, "--labels", "a"]),
-                                 ("must be .html", [bare, "--output", "page.pdf"]), ("at least 2", [bare, "--frames", "1"])):
+                                 ("must be .html", [bare, "--output", "page.pdf"]), ("must be 2 to", [bare, "--frames", "1"])):
             code, _, errors = run("report.py", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)

@@ -346,8 +346,9 @@ SizeReport MpmModel::size_report() const
           {"time scheme", scheme_in_words(world.settings.scheme)},
           {"CFL step", text(cfl_step(), " s")},
           {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
-          {"steps to the end time",
-           world.scene.end_time > 0. ? text(std::ceil(world.scene.end_time / wanted_step()), "") : "open"}};
+          {"steps to the end time", world.scene.end_time > 0.
+                                        ? text(std::ceil(world.scene.end_time / wanted_step()), "")
+                                        : "no end time is set"}};
 }
 
 std::map<std::string, double> MpmModel::phases() const

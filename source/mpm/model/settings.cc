@@ -138,24 +138,24 @@ void declare_time(dealii::ParameterHandler &prm)
 
 void declare_quasi_static(dealii::ParameterHandler &prm)
 {
-  in_section(
-      prm, "Quasi-static",
-      [&]
-      {
-        prm.declare_entry("Regularisation", "1e-3", Double(1e-9, 1.),
-                          "Stiffness against motion in a step that stands in the equations in place of "
-                          "inertia, over Young's "
-                          "modulus: it carries grains that nothing holds. Its forces vanish in held steps.");
-        prm.declare_entry(
-            "Unbalanced force", "1e-4", Double(1e-12, 1.),
-            "Net force on a body over the mean contact force up to which bodies are in balance.");
-        prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
-                          "Way of a node in a held step up to which bodies are in balance. Units: cells.");
-        prm.declare_entry(
-            "Held steps", "200", Integer(0, 100000),
-            "Steps with walls at rest after one in which they move, at most; more and the step is "
-            "cut in half. 0: none, and steps do not end in balance.");
-      });
+  in_section(prm, "Quasi-static",
+             [&]
+             {
+               prm.declare_entry(
+                   "Regularisation", "1e-3", Double(1e-9, 1.),
+                   "Stiffness against the motion in a step, over Young's modulus. It takes the place of "
+                   "inertia and holds grains that touch nothing. Its forces vanish in held steps.");
+               prm.declare_entry("Unbalanced force", "1e-4", Double(1e-12, 1.),
+                                 "Bodies are in balance when the net force on each is at most this share of "
+                                 "the mean contact force.");
+               prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
+                                 "Bodies are in balance when no contact marker moves farther than this in a "
+                                 "held step. Units: cells.");
+               prm.declare_entry(
+                   "Held steps", "200", Integer(0, 100000),
+                   "Largest number of steps with walls at rest after one in which they move; without balance "
+                   "after so many the run ends with a message. 0: none, and steps do not end in balance.");
+             });
 }
 
 void declare_contact(dealii::ParameterHandler &prm)
