@@ -9,7 +9,10 @@ namespace softgrain::mpm
 namespace
 {
 constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
-constexpr double mixing_range = 0.02;  ///< move of nodes below which searches are mixed [cells]
+/// Way of bodies over a step [cells] up to which gaps are linear in it: as far as a body is not smaller than
+/// a cell, to u²/8R < 0.005 cells.
+constexpr double short_way = 0.2;
+constexpr double mixing_range = 0.02; ///< move of nodes below which searches are mixed [cells]
 
 double deepest(const GapsByRow &gaps)
 {
@@ -35,23 +38,27 @@ void FollowingRows::find(const Vectors &increment, const bool again)
   world.find_rows(motion, dt, &place, world.settings.scheme.row_share, again, follow ? &start_gaps : nullptr);
 }
 
-double FollowingRows::way(const Vectors &increment) const
+double FollowingRows::way(const Vectors &increment, const Vectors *from) const
 {
   double way = 0.;
   for (const Body<2> &body : world.bodies)
     if (!body.driven)
-      way = std::max(way, largest_way(body, increment[body.index] - place[body.index]));
+    {
+      const Eigen::VectorXd &u = increment[body.index];
+      way = std::max(way, largest_way(body, from == nullptr ? u : Eigen::VectorXd(u - (*from)[body.index])));
+    }
   return way;
 }
 
 bool FollowingRows::settled(const Vectors &increment) const
 {
-  return !world.settings.rows_follow() || way(increment) <= row_tolerance * world.lattice->cell_size();
+  return !world.settings.rows_follow() ||
+         way(increment, &place) <= row_tolerance * world.lattice->cell_size();
 }
 
 bool FollowingRows::mix(Vectors &increment)
 {
-  const double now = way(increment), range = mixing_range * world.lattice->cell_size();
+  const double now = way(increment, &place), range = mixing_range * world.lattice->cell_size();
   if (now > range || now > 2. * last_way)
     mixing.restart();
   last_way = now;
@@ -70,7 +77,8 @@ double FollowingRows::penetration(const Vectors &increment) const
 {
   if (world.contact.empty())
     return 0.;
-  if (world.settings.rows_follow() && world.settings.scheme.inertia)
+  if (world.settings.rows_follow() && world.settings.scheme.inertia &&
+      way(increment, nullptr) > short_way * world.lattice->cell_size())
     return deepest(world.true_gaps(motion, dt, increment, 1.));
   double worst = 0.;
   const std::vector<double> gaps = end_gaps(world, increment, motion, dt),

@@ -117,7 +117,8 @@ private:
   void find_rows_again()
   {
     Vectors next = equations.increment;
-    if (rows.mix(next))
+    // With inertia a few searches mostly do; mixing costs an evaluation of the stress.
+    if ((!world.settings.scheme.inertia || rows.searches() >= searches_before_mixing) && rows.mix(next))
       move_to(next);
     find_rows(true);
   }
@@ -350,8 +351,9 @@ private:
 
   /// Of a contact problem in an iteration that is not the last, relative to the speed of approach.
   static constexpr double passable_residual = 0.1;
-  static constexpr double finest_tolerance = 1e-7;    ///< of a contact problem, to which Newton brings it
-  static constexpr unsigned int rough_iterations = 8; ///< in which that will do
+  static constexpr double finest_tolerance = 1e-7; ///< of a contact problem, to which Newton brings it
+  static constexpr unsigned int searches_before_mixing = 4; ///< with inertia
+  static constexpr unsigned int rough_iterations = 8;       ///< in which that will do
 
   World &world;
   const StepPlan plan;

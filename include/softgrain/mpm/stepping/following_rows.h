@@ -55,8 +55,9 @@ public:
   double penetration_at_start() const;
 
 private:
-  /// How far the bodies are from where the rows were found [m].
-  double way(const Vectors &increment) const;
+  /// How far the displacements @p increment of contact markers are from those of @p from, null: from none
+  /// [m].
+  double way(const Vectors &increment, const Vectors *from) const;
 
   World &world;
   const double dt;
