@@ -74,18 +74,17 @@ def main():
     if arguments.list:
         print_list(session)
         return 0
-    lock = session.lock()
     # A scheduler's signal is heeded as Ctrl-C is: runs save their state.
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)
-    whole = arguments.no_run or session.run(arguments.jobs, arguments.threads, arguments.retry,
-                                            lambda line: print(line, flush=True))
-    findings = session.findings()
-    print_findings(findings)
-    picture, page = (os.path.join(session.output, name) for name in ("study.png", "study.html"))
-    save_figure(draw_study(findings), picture, 160)
-    study_page(findings, not arguments.no_pictures).write(page)
-    lock.close()
+    with session.lock():
+        whole = arguments.no_run or session.run(arguments.jobs, arguments.threads, arguments.retry,
+                                                lambda line: print(line, flush=True))
+        findings = session.findings()
+        print_findings(findings)
+        picture, page = (os.path.join(session.output, name) for name in ("study.png", "study.html"))
+        save_figure(draw_study(findings), picture, 160)
+        study_page(findings, not arguments.no_pictures).write(page)
     for path in (os.path.join(session.output, "study.csv"), picture, page):
         print(path)
     if not whole:

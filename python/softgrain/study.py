@@ -50,7 +50,9 @@ def check_points(study, tasks, program):
 def explain(study, task, said):
     """The program's own line, behind the line of the study file that it is about."""
     places = {name: item.where for name, item in study.settings.items()}
-    places |= {knob.parameter: knob.where for knob in study.knobs if knob.parameter}
+    places |= {knob.parameter: knob.named_at if "unknown parameter" in said else knob.where
+               for knob in study.knobs if knob.parameter}
+    said = said.removeprefix("--set: ")
     about = [name for name in places if f"'{name}'" in said]
     where = places[max(about, key=len)] if about else study.path
     point = task.words(study.knobs)
@@ -95,8 +97,6 @@ def run_study(path, output=None, set=None, jobs=1, threads=1, program=None, agai
     @set: {"Section/Name": value} for all runs; @again repeats those that failed.
     """
     session = Session(path, output, set, program)
-    lock = session.lock()
-    session.run(jobs, threads, again, say=lambda line: None)
-    findings = session.findings()
-    lock.close()
-    return findings
+    with session.lock():
+        session.run(jobs, threads, again, say=lambda line: None)
+        return session.findings()

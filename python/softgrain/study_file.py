@@ -35,7 +35,8 @@ class Knob:
     values: list  # of texts
     base: str  # value while other knobs change one at a time
     average: bool  # runs that differ in this knob alone are one point with a mean and a scatter
-    where: str
+    where: str  # of the values
+    named_at: str  # where the parameter is named
 
     @property
     def numeric(self):
@@ -208,7 +209,7 @@ def read_knob(reader, name):
     if base not in values:
         reader.refuse((*key, "Base"), f"it must be one of the values {'; '.join(values)}")
     return Knob(name, reader.text(*key, "Parameter", default=""), values, base,
-                reader.choice(*key, "Average", allowed=("false", "true")) == "true", reader.where(*key, "Values"))
+                reader.choice(*key, "Average", allowed=("false", "true")) == "true", reader.where(*key, "Values"), reader.where(*key, "Parameter"))
 
 
 def read_quantity(reader, name, knobs):

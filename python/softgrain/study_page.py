@@ -15,8 +15,8 @@ from .picture import Options, Picture
 from .report import add_parameters
 from .report_curves import thinned
 from .report_entry import Entry, in_words
-from .study_picture import COST_TEXTS, groups_of, usable
-from .study_quantities import curve_of, places
+from .study_picture import COST_TEXTS, groups_of, standard_errors, usable
+from .study_quantities import curve_of, exact_curve
 from .study_text import cost_in_words, percent
 from .units import describe, html_of, scaled_unit, split_unit
 
@@ -103,7 +103,6 @@ def add_trade(page, findings):
             points = [one for one in group if id(one) in shown]
             if not points:
                 continue
-            found = [one.differences[quantity.name] for one in points]
             trace = {"type": "scatter", "mode": "markers+text", "name": escape(others or quantity.name),
                      "x": [shown[id(one)][0] for one in points], "y": [shown[id(one)][1] for one in points],
                      "text": [escape(one.point.values[many.name]) for one in points] if many else [], "textposition": "top right",
@@ -111,32 +110,26 @@ def add_trade(page, findings):
                      "marker": {"size": 10, "color": COLOURS[number % len(COLOURS)], "symbol": SYMBOLS[number % len(SYMBOLS)],
                                 "line": {"color": "#fff", "width": 1}},
                      "hovertemplate": "%{customdata}<br>error %{y:.3g}<br>" + f"{text} %{{x:.3g}} {unit}<extra></extra>"}
-            if any(np.isfinite(one.scatter) for one in found):
-                trace["error_y"] = {"type": "data", "visible": True, "thickness": 1,
-                                    "array": [standard_error(one, point) for one, point in zip(found, points)]}
+            if (bars := standard_errors(points, quantity)) is not None:
+                trace["error_y"] = {"type": "data", "visible": True, "thickness": 1, "array": bars}
             traces.append(trace)
         section.traces(escape(quantity.name.replace("_", " ")), traces, {
             "xaxis": {**logarithmic([cost for cost, _ in shown.values()]), "title": {"text": f"{text} [{unit}]"}},
             "yaxis": error_axis([error for _, error in shown.values()]), "hovermode": "closest"},
             wide=len(study.quantities) == 1)
     section.text(("Numbers beside the points are values of " + many.name + ". " if many else "") +
-                 "The dashed line joins the points that no other beats in both. Where runs are averaged, a bar is the standard "
-                 "error of the mean.")
+                 "The dashed line joins the points that no other beats in both. A bar is the standard error of a mean over "
+                 "runs.")
 
 
 def logarithmic(values):
     """An axis with numbers at 1, 2 and 5 where there is room for them."""
     wide = max(values) / min(values) > 1e3
-    return {"type": "log", "dtick": 1 if wide else "D2", "exponentformat": "power"}
+    return {"type": "log", "dtick": 1 if wide else "D2", "exponentformat": "power", "minorloglabels": "complete"}
 
 
 def error_axis(values):
     return {**logarithmic(values), "title": {"text": "relative error"}, "tickformat": "~%"}
-
-
-def standard_error(found, result):
-    n = sum(run is not None for run in result.runs)
-    return found.scatter / np.sqrt(n) if n > 1 else None
 
 
 def add_orders(page, findings):
@@ -178,10 +171,11 @@ def add_curves(page, findings, entries):
             largest = max(largest, np.abs(b).max(initial=0.))
             name = f"{number}/{quantity.name}"
             page.tables[name] = {x: thinned({"x": a})["x"].tolist(), y: thinned({"y": b})["y"].tolist()}
-            series.append({"name": escape(one.point.label), "tables": [name], "colour": entry.colour, "dash": "solid", "y": y})
-        reference = findings.references.get(quantity.name)
-        if reference is not None and np.isfinite(reference).any():
-            page.tables[f"reference/{quantity.name}"] = {x: places(quantity).tolist(), y: list(reference)}
+            told = f"{one.point.label} (reference)" if quantity.needs_run and one.point.is_reference else one.point.label
+            series.append({"name": escape(told), "tables": [name], "colour": entry.colour, "dash": "solid", "y": y})
+        if not quantity.needs_run:
+            a, b = exact_curve(quantity, findings.results[0].point.values)
+            page.tables[f"reference/{quantity.name}"] = {x: a.tolist(), y: b.tolist()}
             series.append({"name": "reference", "tables": [f"reference/{quantity.name}"], "colour": "#000000", "dash": "dot",
                            "y": y})
         divisor, unit = scaled_unit(unit_of(quantity.y), largest)

@@ -23,6 +23,13 @@ def usable(findings, quantity):
                    if np.isfinite(cost) and np.isfinite(error) and cost > 0 and error > 0), key=lambda item: item[1])
 
 
+def standard_errors(results, quantity):
+    """Standard error of the mean of every point; None where no mean over runs is compared."""
+    found = [one.differences[quantity.name].scatter / np.sqrt(max(1, sum(run is not None for run in one.runs)))
+             for one in results]
+    return found if quantity.average == "means" and np.isfinite(found).all() else None
+
+
 def groups_of(findings):
     """
     How points are told apart: (knob of the labels, {other values: points}); the knob with most values is that of the labels.
@@ -52,7 +59,7 @@ def draw_study(findings):
         for axes in panels.flat[n:]:
             axes.remove()
         for axes, quantity in zip(panels.flat, study.quantities):
-            draw_panel(axes, findings, quantity.name, many, groups)
+            draw_panel(axes, findings, quantity, many, groups)
             axes.set_xlabel(f"{text}  [{unit}]")
             axes.set_ylabel(f"error of {quantity.name.replace('_', ' ')}")
         figure.suptitle(study.title, fontsize="medium")
@@ -67,12 +74,12 @@ def plain_numbers(axis, values, factor=1., unit=""):
 
 
 def draw_panel(axes, findings, quantity, many, groups):
-    shown = {id(one): (cost, error) for one, cost, error in usable(findings, quantity)}
+    shown = {id(one): (cost, error) for one, cost, error in usable(findings, quantity.name)}
     style_of_axes(axes)
     if not shown:
         axes.text(0.5, 0.5, "no point with an error and a cost", ha="center", va="center", transform=axes.transAxes)
         return
-    front = sorted(shown[id(one)] for one in findings.results if id(one) in shown and one.front[quantity])
+    front = sorted(shown[id(one)] for one in findings.results if id(one) in shown and one.front[quantity.name])
     if front:
         axes.step(*zip(*front), where="post", color="#8a949e", linewidth=1.2, linestyle=(0, (4, 2)), zorder=2,
                   label="best points")
@@ -81,12 +88,10 @@ def draw_panel(axes, findings, quantity, many, groups):
         if not points:
             continue
         x, y = zip(*(shown[id(one)] for one in points))
-        scatter = [one.differences[quantity].scatter / np.sqrt(max(1, sum(run is not None for run in one.runs)))
-                   for one in points]
         colour = COLOURS[number % len(COLOURS)]
-        if np.isfinite(scatter).any():
+        if (bars := standard_errors(points, quantity)) is not None:
             # On a logarithmic axis a bar may not reach 0.
-            axes.errorbar(x, y, yerr=[np.minimum(scatter, 0.9 * np.array(y)), scatter], fmt="none", ecolor=colour,
+            axes.errorbar(x, y, yerr=[np.minimum(bars, 0.9 * np.array(y)), bars], fmt="none", ecolor=colour,
                           elinewidth=1, alpha=0.6, zorder=3)
         axes.plot(x, y, MARKERS[number % len(MARKERS)], color=colour, markersize=6.5, label=others or None, zorder=4,
                   markeredgecolor="white", markeredgewidth=0.6)

@@ -73,13 +73,22 @@ def values_of(run, quantity):
     return np.array([value_of(x, y, place, quantity.width) for place in places(quantity)])
 
 
-def reference_values(quantity, values):
-    """The formula or curve of a quantity at its places; @values {knob: text} of the point."""
-    x = places(quantity)
+def reference_values(quantity, values, x=None):
+    """The formula or curve of a quantity at its places or at others; @values {knob: text} of the point."""
+    x = places(quantity) if x is None else x
     if quantity.curve is not None:
         return np.interp(x, *quantity.curve, left=np.nan, right=np.nan)
     numbers = {name: float(values[name]) for name in quantity.formula.names - {"x"}}
     return np.broadcast_to(np.asarray(quantity.formula({**numbers, "x": x}), dtype=float), x.shape)
+
+
+def exact_curve(quantity, values):
+    """(x, y) of the formula or curve of a quantity, to be drawn."""
+    if quantity.curve is not None:
+        return quantity.curve
+    x = places(quantity)
+    x = np.linspace(x.min(), x.max(), WINDOW) if len(x) > 1 else x
+    return x, reference_values(quantity, values, x)
 
 
 def difference(quantity, found, reference):
@@ -118,10 +127,10 @@ def norm_of(norm, differences):
     return float(size.mean() if norm == "mean" else size.max())
 
 
-def check_columns(run, quantities, path):
+def check_columns(run, quantities):
     """Refuses columns that a finished run does not have."""
     for quantity in quantities:
         try:
             curve_of(run, quantity)
         except InputError as error:
-            raise InputError(f"{quantity.where or path}: 'Quantities/{quantity.name}': {error}") from error
+            raise InputError(f"{quantity.where}: 'Quantities/{quantity.name}': {error}") from error

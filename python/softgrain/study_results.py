@@ -85,7 +85,6 @@ class Findings:
     study: object
     results: list
     orders: list
-    references: dict  # {quantity: values at its places, None for each one missing}
 
     @property
     def failures(self):
@@ -94,8 +93,9 @@ class Findings:
 
     def cheapest(self, quantity, level):
         """The cheapest point whose error is at most @level; None when there is none."""
-        fine = [one for one in self.results if one.differences[quantity].error <= level]
-        return min(fine, key=lambda one: one.cost(self.study.cost), default=None)
+        fine = [(cost, number) for number, one in enumerate(self.results)
+                if one.differences[quantity].error <= level and np.isfinite(cost := one.cost(self.study.cost))]
+        return self.results[min(fine)[1]] if fine else None
 
 
 def open_results(study, points, output):
@@ -110,34 +110,23 @@ def open_results(study, points, output):
             elif record["status"] == COMPLETED:
                 records[number] = {"status": NOT_RUN}
         results.append(Result(point, runs, records))
-    for run in (run for one in results for run in one.runs if run is not None):
-        check_columns(run, study.quantities, study.path)
-        break
     return results
 
 
 def evaluate(study, points, output):
     """The Findings of what is there."""
     results = open_results(study, points, output)
-    reference = next((one for one in results if one.point.is_reference), None)
-    references = {}
+    if found := next((run for one in results for run in one.runs if run is not None), None):
+        check_columns(found, study.quantities)
+    place = next((number for number, one in enumerate(results) if one.point.is_reference), None)
     for quantity in study.quantities:
         found = [[values_of(run, quantity) if run is not None else None for run in one.runs] for one in results]
-        other = found[results.index(reference)] if reference else None
-        if quantity.needs_run:
-            references[quantity.name] = mean_of(other)
+        other = found[place] if place is not None else None
         for one, values in zip(results, found):
             one.differences[quantity.name] = compare(quantity, one, values, other)
-            if not quantity.needs_run and quantity.name not in references:
-                references[quantity.name] = reference_values(quantity, one.point.values)
     for quantity in study.quantities:
         mark_front(results, quantity.name, study.cost)
-    return Findings(study, results, orders_of(study, results), references)
-
-
-def mean_of(rows):
-    rows = [row for row in rows if row is not None]
-    return np.mean(rows, axis=0) if rows else None
+    return Findings(study, results, orders_of(study, results))
 
 
 def compare(quantity, one, values, reference):

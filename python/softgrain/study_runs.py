@@ -17,6 +17,7 @@ import time
 from .errors import InputError
 from .folder import Run
 from .study_points import folder_of
+from .study_quantities import check_columns
 
 NOT_RUN, COMPLETED, FAILED, INTERRUPTED, TOO_LONG = "not run", "completed", "failed", "interrupted", "too long"
 ENDED = (COMPLETED, FAILED, TOO_LONG)  # not begun again without being asked to
@@ -58,7 +59,10 @@ class Lock:
             self.file.close()
             raise InputError(f"another study is running in {output}") from error
 
-    def close(self):
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
         self.file.close()
 
 
@@ -127,6 +131,8 @@ class Runner:
         elif record["status"] == TOO_LONG:
             record["error"] = f"not finished after {self.study.longest_run:g} s"
         write_record(self.output, task, record)
+        if record["status"] == COMPLETED:
+            check_columns(Run(folder), self.study.quantities)  # before all others are run for nothing
         with self.printing:
             self.done += 1
             self.say(f"[{self.done}/{self.total}] {task.words(self.study.knobs)}: {record['status']}"
