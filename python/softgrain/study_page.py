@@ -76,13 +76,26 @@ def add_levels(section, findings):
         for level in study.levels:
             one = findings.cheapest(quantity.name, level)
             cells = [f"≤ {percent(level)}", one.point.label if one else "no point of this study",
-                     percent(one.differences[quantity.name].error) if one else "",
+                     told_error(one, quantity) if one else "",
                      cost_in_words(study.cost, one.cost(study.cost)) if one else ""]
             rows.append((quantity.name, cells, ""))
     section.table(["quantity", "error", "cheapest point", "its error", COST_TEXTS[study.cost][0]], rows)
-    section.text("An error is relative: to the reference at each place, or in a window to the largest value of the reference "
-                 "there. " + (f"The reference is the run with {', '.join(f'{name} = {value}' for name, value in study.reference.items())}."
-                              if study.reference else "The reference is a formula or a curve."))
+    exact = [quantity.name for quantity in study.quantities if not quantity.needs_run]
+    told = "An error is relative: to the reference at each place, or in a window to the largest value of the reference there."
+    if exact:
+        told += f" The reference of {' and '.join(exact)} is a formula or a curve."
+    if study.reference:
+        others = [quantity.name for quantity in study.quantities if quantity.needs_run]
+        told += (f" The reference of {' and '.join(others)} is the run with "
+                 f"{', '.join(f'{name} = {value}' for name, value in study.reference.items())}.")
+    section.text(told)
+
+
+def told_error(result, quantity):
+    """An error, with the standard error where it is one of a mean: what is smaller than that cannot be told from 0."""
+    own = percent(result.differences[quantity.name].error)
+    bars = standard_errors([result], quantity)
+    return f"{own} ± {percent(bars[0])}" if bars else own
 
 
 def add_trade(page, findings):
@@ -125,7 +138,7 @@ def add_trade(page, findings):
 def logarithmic(values):
     """An axis with numbers at 1, 2 and 5 where there is room for them."""
     wide = max(values) / min(values) > 1e3
-    return {"type": "log", "dtick": 1 if wide else "D2", "exponentformat": "power", "minorloglabels": "complete"}
+    return {"type": "log", "dtick": 1 if wide else "D2", "tickformat": "~g", "minorloglabels": "complete"}
 
 
 def error_axis(values):
