@@ -17,7 +17,7 @@ from .report_curves import thinned
 from .report_entry import Entry, in_words
 from .study_picture import COST_TEXTS, groups_of, standard_errors, usable
 from .study_quantities import curve_of, exact_curve
-from .study_text import cost_in_words, percent
+from .study_text import cost_in_words, percent, told_error
 from .units import describe, html_of, scaled_unit, split_unit
 
 PICTURES = 24  # most on a page
@@ -54,7 +54,8 @@ def entries_of(findings):
     result = {}
     for number, one in enumerate(findings.results):
         run = next((run for run in one.runs if run is not None), None)
-        result[number] = Entry(run, one.point.label, matplotlib.colors.to_hex(colours[number])) if run else None
+        result[number] = Entry(run, one.point.label, matplotlib.colors.to_hex(colours[number])) \
+            if run is not None else None
     return result
 
 
@@ -89,13 +90,6 @@ def add_levels(section, findings):
         told += (f" The reference of {' and '.join(others)} is the run with "
                  f"{', '.join(f'{name} = {value}' for name, value in study.reference.items())}.")
     section.text(told)
-
-
-def told_error(result, quantity):
-    """An error, with the standard error where it is one of a mean: what is smaller than that cannot be told from 0."""
-    own = percent(result.differences[quantity.name].error)
-    bars = standard_errors([result], quantity)
-    return f"{own} ± {percent(bars[0])}" if bars else own
 
 
 def add_trade(page, findings):
@@ -138,7 +132,7 @@ def add_trade(page, findings):
 def logarithmic(values):
     """An axis with numbers at 1, 2 and 5 where there is room for them."""
     wide = max(values) / min(values) > 1e3
-    return {"type": "log", "dtick": 1 if wide else "D2", "tickformat": "~g", "minorloglabels": "complete"}
+    return {"type": "log", "dtick": 1 if wide else "D2", "tickformat": "~g" if max(values) > 0.01 else "~e", "minorloglabels": "complete"}
 
 
 def error_axis(values):
@@ -255,8 +249,9 @@ def add_points(page, findings):
                   (one.cost("cpu_seconds"), one.cost("wall_seconds"))]
         memory = one.cost("peak_memory_bytes")
         cells += [f"{memory / 2**20:,.0f} MiB" if np.isfinite(memory) else ""]
-        cells += [f"{value:.4g}" if np.isfinite(value) else "" for value in
-                  (one.steps, one.per_step("newton_iterations"), one.per_step("contact_sweeps"))]
+        cells += [f"{one.steps:.0f}" if np.isfinite(one.steps) else ""]
+        cells += [f"{value:.3g}" if np.isfinite(value) else "" for value in
+                  (one.per_step("newton_iterations"), one.per_step("contact_sweeps"))]
         best = " and ".join(name.replace("_", " ") for name, is_best in one.front.items() if is_best)
         cells += [one.status + (f"; best for {best}" if best else "")]
         rows.append((one.point.label, cells, "differs" if best else ""))

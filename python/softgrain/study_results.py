@@ -116,7 +116,8 @@ def open_results(study, points, output):
 def evaluate(study, points, output):
     """The Findings of what is there."""
     results = open_results(study, points, output)
-    if found := next((run for one in results for run in one.runs if run is not None), None):
+    found = next((run for one in results for run in one.runs if run is not None), None)
+    if found is not None:  # a run without states counts as empty
         check_columns(found, study.quantities)
     place = next((number for number, one in enumerate(results) if one.point.is_reference), None)
     for quantity in study.quantities:

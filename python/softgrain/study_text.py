@@ -4,7 +4,7 @@
 import numpy as np
 
 from .report_entry import in_words
-from .study_picture import COST_TEXTS
+from .study_picture import COST_TEXTS, standard_errors
 
 
 def percent(value):
@@ -22,6 +22,13 @@ def cost_in_words(name, value):
     if not np.isfinite(value):
         return ""
     return f"{value / 2**20:,.0f} MiB" if name == "peak_memory_bytes" else in_words(value)
+
+
+def told_error(result, quantity):
+    """An error, with the standard error where it is one of a mean: what is smaller than that cannot be told from 0."""
+    own = percent(result.differences[quantity.name].error)
+    bars = standard_errors([result], quantity)
+    return f"{own} ± {percent(bars[0])}" if bars else own
 
 
 def table(rows):
@@ -52,8 +59,9 @@ def print_findings(findings):
         if order.good:
             print(f"{order.quantity} over {order.knob}{' at ' + others if others else ''}: order {order.order:.2f} "
                   f"(R² {order.quality:.3f})")
-    for name in names:
+    for quantity in study.quantities:
         for level in study.levels:
-            one = findings.cheapest(name, level)
-            print(f"{name} within {percent(level)}: " +
-                  (f"{one.point.label}, {cost_in_words(study.cost, one.cost(study.cost))}" if one else "no point"))
+            one = findings.cheapest(quantity.name, level)
+            print(f"{quantity.name} within {percent(level)}: " +
+                  (f"{one.point.label}, {told_error(one, quantity)}, {cost_in_words(study.cost, one.cost(study.cost))}"
+                   if one else "no point"))

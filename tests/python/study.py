@@ -349,10 +349,21 @@ class PageOfStudy(unittest.TestCase):
         np.testing.assert_allclose(sorted(shown), sorted(written), rtol=1e-4)
         self.assertEqual([row["runs"] for row in self.rows], ["2", "2", "2"])
         self.assertTrue(all(float(row["scatter_energy"]) >= 0 for row in self.rows[:2]))
+        curves = [chart for chart in self.data["charts"] if "series" in chart]
+        self.assertEqual([len(chart["series"]) for chart in curves], [3])
         for words in ("step = 8e-3", "Error against cost", "Curves", "Pictures", "Parameters", "reference"):
             self.assertIn(words, self.text)
         self.assertGreaterEqual(self.text.count('src="data:image/png'), 3)
         self.assertGreater(os.stat("output/studies/page/study.png").st_size, 10000)
+
+    def test_without_states(self):
+        """Runs that wrote no states are shown all the same."""
+        name = bar("bare.prm", change=lambda text: text.replace("field outputs = 1", "field outputs = 0").replace("1e-3", "2e-3"))
+        self.assertEqual(run("study.py", name)[0], 0)
+        data = read_data(text_of("output/studies/bare/study.html"))
+        curves = [chart for chart in data["charts"] if "series" in chart]
+        self.assertEqual([len(chart["series"]) for chart in curves], [3])
+        self.assertGreater(len(data["tables"]["0/energy"]["energy"]), 10)
 
     @unittest.skipUnless(BROWSER, "no Chromium is there to open the page")
     def test_a_browser_shows_it(self):
