@@ -67,9 +67,28 @@ def value_of(x, y, place, width):
     return float(y[i - 1] + share * (y[i] - y[i - 1]))
 
 
+def mean_over(x, y, begin, end):
+    """
+    Mean of y from where x first reaches @begin to where it first reaches @end, every row counted: single values of a noisy
+    curve would not do. NaN where the curve does not get there.
+
+    >>> round(mean_over(np.array([0., 1., 2., 3.]), np.array([0., 2., 0., 0.]), 0.5, 2.), 6)
+    1.166667
+    """
+    ends = [value_of(x, y, place, 0.) for place in (begin, end)]
+    if not np.isfinite(ends).all():
+        return np.nan
+    slack = 1e-9 * max(np.abs(x).max(), abs(end))  # as in value_of()
+    inside = slice(int(np.argmax(x > begin)), int(np.argmax(x >= end - slack)))
+    along, values = np.concatenate([[begin], x[inside], [end]]), np.concatenate([ends[:1], y[inside], ends[1:]])
+    return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(along)) / (end - begin))
+
+
 def values_of(run, quantity):
-    """y at the places of a quantity."""
+    """y at the places of a quantity; its mean at all of them where means are compared."""
     x, y = curve_of(run, quantity)
+    if quantity.norm == "of means":
+        return np.full(WINDOW, mean_over(x, y, *quantity.between))
     return np.array([value_of(x, y, place, quantity.width) for place in places(quantity)])
 
 
