@@ -69,6 +69,7 @@ _softgrain() {
   case "$command$previous" in
     run--restart) ending='.h5' ;;
     run* | check*) ending='.prm .json' ;;
+    study*) ending='.prm' ;;
     *) ending='.png .svg .pdf .csv .html' ;;
   esac
   while IFS= read -r file; do

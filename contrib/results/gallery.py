@@ -39,7 +39,8 @@ def main():
     parser.add_argument("--threads", type=int, default=0, help="0: one per core")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every scene")
     arguments = parser.parse_intermixed_args()
-    scenes = arguments.scenes or sorted(str(path.relative_to(PARAMETERS)) for path in PARAMETERS.rglob("*.prm"))
+    scenes = arguments.scenes or sorted(str(path.relative_to(PARAMETERS)) for path in PARAMETERS.rglob("*.prm")
+                                        if path.parent.name != "studies")
     changes = dict(text.split("=", 1) for text in arguments.set)
     failed = False
     print("| scene | steps | bodies | seconds | threads |\n|---|---|---|---|---|", flush=True)

@@ -8,9 +8,9 @@ import argparse
 import math
 import pathlib
 
-from line_contact import POISSON, RADIUS, YOUNG
 from running import run
 
+YOUNG, POISSON, RADIUS = 10e6, 0.45, 5e-3  # of the scene [Pa, 1, m]
 PLANE = YOUNG / (1 - POISSON**2)
 SPACINGS = (0.17, 0.10, 0.058)  # of the material points over the radius
 CUTS = (0.0, 0.2, 0.4, 0.6, 0.8)  # shift of the grid [cells]

@@ -22,10 +22,11 @@ from .folder import open_run as open  # noqa: A004  (as h5py.File and xarray.ope
 from .lammps import read_dump as read_lammps_dump
 from .programs import Sweep, find_program, measure, run, sweep
 from .state import Outlines, State
+from .study import run_study
 from .tables import Table, read_table
 from .units import split_unit
 
 __version__ = "0.2.0"
 
 __all__ = ["InputError", "MissingName", "Outlines", "Run", "RunFailed", "State", "Sweep", "Table", "find_program",
-           "measure", "measures", "open", "read_lammps_dump", "read_table", "run", "split_unit", "sweep"]
+           "measure", "measures", "open", "read_lammps_dump", "read_table", "run", "run_study", "split_unit", "sweep"]

@@ -105,7 +105,9 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   for (const auto &[name, help] :
        {std::pair("render", "draw pictures of a run: softgrain render DIR"),
         std::pair("plot", "draw curves from the history of runs: softgrain plot DIR..."),
-        std::pair("report", "make one page of runs, to look at in a browser: softgrain report DIR...")})
+        std::pair("report", "make one page of runs, to look at in a browser: softgrain report DIR..."),
+        std::pair("study",
+                  "run a scene with many settings and show what accuracy costs: softgrain study FILE")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();

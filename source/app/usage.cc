@@ -20,6 +20,7 @@ const char *const program_examples =
   softgrain render output/scene                 draw the last state
   softgrain plot output/scene output/fine       draw curves of two runs
   softgrain report output/scene                 make a page with all of it, report.html
+  softgrain study study.prm                     show what accuracy costs, for a scene and its settings
   softgrain parameters --format md              list every parameter
 
 `softgrain COMMAND --help` tells the options of a command. The manual is in doc/index.md.)";

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The points of a study: what is changed in each, and the runs that it takes."""
+
+import functools
+import hashlib
+import itertools
+import os
+from dataclasses import dataclass
+
+from .errors import InputError
+from .formula import Formula
+from .prm_file import read_prm
+from .programs import name_of
+from .study_file import IN_BRACES, is_number
+
+
+@dataclass
+class Task:
+    """One run: the values of all knobs, the parameters that they change, its folder."""
+    values: dict  # {knob: text}
+    changes: dict  # {parameter: text}
+    name: str  # of the folder
+
+    def words(self, knobs):
+        return ", ".join(f"{knob.name} = {self.values[knob.name]}" for knob in knobs) or "the scene"
+
+
+@dataclass
+class Point:
+    """Runs that differ in averaged knobs alone, and that count as one."""
+    values: dict  # {knob: text} of the other knobs
+    tasks: list
+    is_reference: bool = False
+    is_added: bool = False  # only the reference asks for it
+
+    @property
+    def label(self):
+        return ", ".join(f"{name} = {value}" for name, value in self.values.items()) or "the scene"
+
+
+def filled(text, values):
+    """
+    A setting with its formulas in braces worked out.
+
+    >>> filled("{-2*h}, {kind}", {"h": "0.5", "kind": "fine"})
+    '-1, fine'
+    """
+    numbers = {name: float(value) for name, value in values.items() if is_number(value)}
+
+    def one(match):
+        inside = match.group(1).strip()
+        if inside in values:
+            return values[inside]
+        return f"{float(Formula(inside)(numbers)):.12g}"
+    return IN_BRACES.sub(one, text)
+
+
+@functools.lru_cache(maxsize=None)
+def content_of(scene):
+    """What a scene says, whatever its comments, order of lines and path."""
+    if scene.endswith(".json"):
+        with open(scene, "rb") as file:
+            return file.read().decode(errors="replace")
+    return repr(sorted((key, item.text) for key, item in read_prm(scene).items()))
+
+
+def task_of(study, values, version):
+    """The run for a value of every knob; the same run has the same folder in every study of the scene."""
+    changes = {name: filled(item.text, values) for name, item in study.settings.items()}
+    changes.update({knob.parameter: values[knob.name] for knob in study.knobs if knob.parameter})
+    changes.update(study.changes)
+    changes = {name: str(value) for name, value in changes.items()}
+    text = repr((content_of(study.scene), sorted(changes.items()), version))
+    digest = hashlib.sha256(text.encode()).hexdigest()[:8]
+    return Task(values, changes, f"{name_of(values)[:80]}-{digest}")
+
+
+def combinations(study, knobs):
+    """Values of some knobs, all combinations or one knob after the other."""
+    if study.combinations == "all":
+        return [dict(zip([knob.name for knob in knobs], values))
+                for values in itertools.product(*(knob.values for knob in knobs))]
+    base = {knob.name: knob.base for knob in knobs}
+    found = [base] + [{**base, knob.name: value} for knob in knobs for value in knob.values if value != knob.base]
+    return found
+
+
+def points_of(study, version=""):
+    """The points of a study, the reference too."""
+    compared = [knob for knob in study.knobs if not knob.average]
+    averaged = [knob for knob in study.knobs if knob.average]
+    repeats = [dict(zip([knob.name for knob in averaged], values))
+               for values in itertools.product(*(knob.values for knob in averaged))]
+    rows = combinations(study, compared)
+    if study.reference is not None and study.reference not in rows:
+        rows.append(study.reference)
+    added = study.reference is not None and rows[-1] == study.reference and \
+        study.reference not in combinations(study, compared)
+    points = []
+    for number, values in enumerate(rows):
+        tasks = [task_of(study, {**values, **repeat}, version) for repeat in repeats]
+        points.append(Point(values, tasks, values == study.reference, added and number == len(rows) - 1))
+    names = [task.name for point in points for task in point.tasks]
+    if len(set(names)) < len(names):
+        raise InputError(f"{study.path}: two points of the study are the same run, {max(names, key=names.count)}")
+    return points
+
+
+def folder_of(output, task):
+    return os.path.join(output, "runs", task.name)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""study.csv and study.json: what a study has found, for other programs."""
+
+import csv
+import json
+import os
+
+import numpy as np
+
+from .page import plain
+from .study_points import folder_of
+
+
+def rows_of(findings):
+    """The rows of study.csv, {column: value}."""
+    study = findings.study
+    for one in findings.results:
+        row = {"point": one.point.label, "reference": int(one.point.is_reference), **one.point.values}
+        for name, found in one.differences.items():
+            row[f"error_{name}"], row[f"scatter_{name}"] = found.error, found.scatter
+            row[f"front_{name}"] = int(one.front[name])
+        for name in ("cpu_seconds", "wall_seconds", "peak_memory_bytes"):
+            row[name] = one.cost(name)
+        row |= {"steps": one.steps, "newton_iterations_per_step": one.per_step("newton_iterations"),
+                "contact_sweeps_per_step": one.per_step("contact_sweeps"),
+                "runs": sum(run is not None for run in one.runs), "status": one.status, "notes": "; ".join(one.notes)}
+        if not any(knob.average for knob in study.knobs):
+            row = {name: value for name, value in row.items() if not name.startswith("scatter_")}
+        yield row
+
+
+def text_of_cell(value):
+    if isinstance(value, float):
+        return "" if not np.isfinite(value) else f"{value:.6g}"
+    return str(value)
+
+
+def write_csv(findings, path):
+    rows = list(rows_of(findings))
+    with open(path + ".part", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(rows[0])
+        writer.writerows([text_of_cell(value) for value in row.values()] for row in rows)
+    os.replace(path + ".part", path)
+
+
+def write_json(findings, path, output):
+    """All numbers, the parameters of every run too."""
+    study = findings.study
+    points = []
+    for row, one in zip(rows_of(findings), findings.results):
+        row["signed_differences"] = {name: found.signed for name, found in one.differences.items()
+                                     if found.signed is not None and len(found.signed) <= 50}
+        row["tasks"] = [{"values": task.values, "changes": task.changes, "folder": os.path.relpath(folder_of(output, task), output),
+                         **{name: value for name, value in record.items() if name != "changes"}}
+                        for task, record in zip(one.point.tasks, one.records)]
+        points.append(row)
+    cheapest = {quantity.name: {f"{level:g}": getattr(findings.cheapest(quantity.name, level), "point", None)
+                                for level in study.levels} for quantity in study.quantities}
+    data = {"title": study.title, "scene": study.scene, "study": study.path, "reference": study.reference, "cost": study.cost,
+            "points": points, "orders": [{**vars(order), "good": order.good} for order in findings.orders],
+            "cheapest": {name: {level: point and point.label for level, point in found.items()}
+                         for name, found in cheapest.items()}}
+    with open(path + ".part", "w", encoding="utf-8") as file:
+        json.dump(plain(data), file, indent=1, ensure_ascii=False, allow_nan=False)
+    os.replace(path + ".part", path)
