@@ -88,16 +88,11 @@ private:
   /// @throw InputError for walls that this model has not
   static void check_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
   {
-    for (std::size_t w = 0; w < scene.walls.size(); ++w)
-    {
-      const WallDescription<2> &wall = scene.walls[w];
+    for (const WallDescription<2> &wall : scene.walls)
       if (wall.type != WallDescription<2>::Type::plane)
         throw InputError("'Walls/" + wall.name +
                          "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
-      if (!wall.drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
-        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
-                         "' needs two walls beside it, at right angles, between which the pressure acts");
-    }
+    check_free_walls(scene, prm);
   }
 
   /// Names of the parameters of a law.

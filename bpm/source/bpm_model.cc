@@ -35,7 +35,7 @@ void BpmModel::drive_walls(const double dt)
     if (wall.prescribed())
       wall.speed = demand.velocity;
     else
-      wall.load = demand.pressure * pressed_length(moving_walls, w);
+      wall.press(demand.pressure, pressed_length(moving_walls, w));
   }
 }
 
@@ -161,7 +161,7 @@ Energies BpmModel::energies() const
   Energies energies;
   energies.kinetic = dynamics->kinetic_energy();
   for (const Wall &wall : moving_walls)
-    energies.kinetic += 0.5 * wall.description.drive->inertia().mass * wall.speed * wall.speed;
+    energies.kinetic += 0.5 * wall.mass * wall.speed * wall.speed;
   energies.elastic = dynamics->attraction_energy();
   energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
   energies.external_work = balance.external_work();

@@ -3,7 +3,12 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/box.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
 
 namespace softgrain
 {
@@ -25,15 +30,49 @@ WallState<2> Wall::state() const
   return state;
 }
 
-std::vector<Wall> make_walls(const std::vector<WallDescription<2>> &descriptions)
+void Wall::press(const double pressure, const double length)
 {
+  load = pressure * length;
+  // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
+  // mass rearrange under that pressure.
+  damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)));
+}
+
+FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
+{
+  // Damping acts on the velocity with which the wall moves, so a wall at rest bears its whole load, and any
+  // coefficient is stable.
+  FreeWallStep step;
+  step.mass = wall.mass + theta * dt * wall.damping;
+  step.free_speed =
+      ((wall.mass - (1. - theta) * dt * wall.damping) * wall.speed + dt * wall.load + impulse) / step.mass;
+  return step;
+}
+
+std::vector<Wall> make_walls(const Scene<2> &scene)
+{
+  double mass = 0.;
+  for (const BodyDescription<2> &body : scene.bodies)
+    if (!body.driven)
+      mass += scene.materials[body.material].density * body.shape->area();
   std::vector<Wall> walls;
-  for (const WallDescription<2> &description : descriptions)
+  for (const WallDescription<2> &description : scene.walls)
   {
     walls.emplace_back();
     walls.back().description = description;
+    if (!walls.back().prescribed())
+      walls.back().mass = description.drive->inertia().mass.value_or(0.1 * mass);
   }
   return walls;
+}
+
+void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
+{
+  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    if (!scene.walls[w].drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
+      throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" +
+                       prm.get({"Walls", scene.walls[w].name}, "Drive") +
+                       "' needs two walls beside it, at right angles, between which the pressure acts");
 }
 
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)

@@ -9,6 +9,11 @@
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+class ParameterHandler;
+}
+
 namespace softgrain
 {
 class StateReader;
@@ -29,6 +34,8 @@ struct Wall
   double travel = 0;            ///< along the normal since the start [m]
   double speed = 0;             ///< along the normal; of a prescribed wall the mean over the last step [m/s]
   double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
+  double mass = 0;              ///< of a wall that is free [kg/m]
+  double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
   dealii::Tensor<1, 2>
@@ -47,6 +54,9 @@ struct Wall
 
   bool prescribed() const { return description.drive->prescribed(); }
 
+  /// Puts @p pressure on a wall that is free, on a length of @p length.
+  void press(double pressure, double length);
+
   /// What its drive asks of it in a step of @p dt from @p time on [s].
   WallDemand demand(const double time, const double dt) const
   {
@@ -64,8 +74,25 @@ struct Wall
   WallState<2> state() const;
 };
 
-/// The walls of a scene at the start.
-std::vector<Wall> make_walls(const std::vector<WallDescription<2>> &descriptions);
+/// A wall that is free, as one unknown of a step: a given impulse P along its normal makes its velocity at
+/// the end free_speed + P / mass.
+struct FreeWallStep
+{
+  double mass = 0;       ///< with its damping [kg/m]
+  double free_speed = 0; ///< [m/s]
+};
+
+/// @param theta   weight of the velocity at the end in the motion over the step and in the damping
+/// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
+FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double impulse = 0.);
+
+/// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of
+/// all bodies.
+std::vector<Wall> make_walls(const Scene<2> &scene);
+
+/// Whether the pressure of a free wall has a length to act on.
+/// @param prm at its top, for the message. @throw InputError
+void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm);
 
 /// What the models report of all walls.
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);

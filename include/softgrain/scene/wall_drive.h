@@ -5,6 +5,7 @@
 #include <softgrain/base/registry.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -31,11 +32,11 @@ struct WallDemand
   double pressure = 0; ///< mean over the step, towards the bodies; of a wall that is free to move [Pa]
 };
 
-/// What resists the motion of a wall that is free to move.
+/// What resists the motion of a wall that is free to move; nothing where the program is to choose.
 struct WallInertia
 {
-  double mass = 0;    ///< [kg/m in 2D]
-  double damping = 0; ///< force per velocity [kg/(m s) in 2D]
+  std::optional<double> mass;    ///< [kg/m in 2D]
+  std::optional<double> damping; ///< force per velocity [kg/(m s) in 2D]
 };
 
 /**

@@ -5,6 +5,7 @@
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/anderson_mixing.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -37,7 +38,7 @@ public:
       , plan(plan)
       , dt(plan.dt)
       , theta(world.settings.scheme.theta)
-      , motion(world.wall_motion(plan))
+      , motion(walls_of_step(world, plan))
       , equations(world, plan)
       , n_bodies(world.bodies.size())
       , trial(n_bodies)
@@ -83,6 +84,12 @@ public:
   }
 
 private:
+  static std::vector<WallMotion<2>> walls_of_step(World &world, const StepPlan &plan)
+  {
+    press_walls(world, plan);
+    return world.wall_motion(plan);
+  }
+
   StepOutcome reject(const std::string &reason)
   {
     outcome.accepted = false;
@@ -111,6 +118,7 @@ private:
 
   void find_rows(const bool again)
   {
+    follow_free_walls(world, motion);
     world.find_rows(motion, dt, &increment_of_rows, world.settings.scheme.row_share, again);
     equations.rows_changed();
     condensed_rows_are_old = true;
@@ -262,7 +270,7 @@ private:
       settings.passable = passable_residual;
     const contact::SolverReport report =
         world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt,
-                                         theta == 1. || world.settings.rows_follow()),
+                                         theta == 1. || world.settings.rows_follow(), relative),
                             settings, relative);
     outcome.contact_sweeps += report.sweeps;
     outcome.contact_residual = report.residual;
@@ -333,6 +341,7 @@ private:
     Vectors rate(n_bodies);
     for (unsigned int b = 0; b < n_bodies; ++b)
       rate[b] = equations.increment[b] / dt;
+    settle_free_walls(world, motion);
     outcome.max_penetration = penetration();
     for (unsigned int b = 0; b < n_bodies; ++b)
       if (equations.moves(b))
@@ -375,7 +384,7 @@ private:
   World &world;
   const StepPlan plan;
   const double dt, theta;
-  const std::vector<WallMotion<2>> motion;
+  std::vector<WallMotion<2>> motion;
   StepEquations equations;
   const unsigned int n_bodies;
   StepOutcome outcome;

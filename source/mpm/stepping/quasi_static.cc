@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
 
 #include <algorithm>
@@ -94,18 +95,25 @@ double unbalanced_force(World &world, const double dt)
   return worst / std::max(mean, floor);
 }
 
+/// Of bodies and of walls that are free.
+static double imbalance(World &world, const double dt)
+{
+  return std::max(unbalanced_force(world, dt), unbalanced_walls(world));
+}
+
 StepOutcome quasi_static_step(World &world, const double dt, const double wanted)
 {
   const Settings &settings = world.settings;
   StepOutcome sum = implicit_step(world, {dt, false, settings.regularisation * wanted / dt});
   if (!sum.accepted)
     return sum;
-  sum.unbalanced = unbalanced_force(world, dt);
+  sum.unbalanced = imbalance(world, dt);
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
   StepPlan held{dt, true, settings.regularisation};
   std::vector<Eigen::VectorXd> place = displacements(world), last_way;
   StepOutcome step;
-  for (sum.held_steps = 0; sum.held_steps < settings.max_held_steps; ++sum.held_steps)
+  unsigned int near_balance = 0; // held steps since all walls have met what bears them
+  for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
     step = implicit_step(world, held);
     add(step, sum);
@@ -118,7 +126,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     const double before = sum.unbalanced;
-    sum.unbalanced = unbalanced_force(world, dt);
+    sum.unbalanced = imbalance(world, dt);
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * world.lattice->cell_size())
     {
@@ -132,6 +140,12 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     last_way.swap(place);
     place.swap(now);
     held.guess = turn > 0.5 ? &last_way : nullptr;
+    if (walls_are_on_their_way(world))
+    {
+      check_room_of_walls(world);
+      near_balance = 0;
+      continue;
+    }
     // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
     if (turn < -0.3)
       held.regularisation = std::min(10. * held.regularisation, 10.);
@@ -140,7 +154,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
   }
   if (settings.max_held_steps == 0)
   {
-    sum.unbalanced = unbalanced_force(world, dt);
+    sum.unbalanced = imbalance(world, dt);
     return sum;
   }
   std::ostringstream message;
