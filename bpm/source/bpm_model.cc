@@ -31,11 +31,10 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
-    const WallDemand demand = wall.demand(now, dt);
     if (wall.prescribed())
-      wall.speed = demand.velocity;
+      wall.speed = wall.demand(now, dt).velocity;
     else
-      wall.press(demand.pressure, pressed_length(moving_walls, w));
+      wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w));
   }
 }
 

@@ -14,7 +14,7 @@ namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 8; // that the state of a wall is made of
+constexpr std::size_t n_numbers = 9; // that the state of a wall is made of
 }
 
 WallState<2> Wall::state() const
@@ -30,8 +30,9 @@ WallState<2> Wall::state() const
   return state;
 }
 
-void Wall::press(const double pressure, const double length)
+void Wall::press(const double asked, const double length)
 {
+  pressure += (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure);
   load = pressure * length;
   // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
   // mass rearrange under that pressure.
@@ -66,6 +67,22 @@ std::vector<Wall> make_walls(const Scene<2> &scene)
   return walls;
 }
 
+double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
+{
+  double sum = 0.;
+  unsigned int n = 0;
+  for (std::size_t v = 0; v < walls.size(); ++v)
+    if (std::abs(walls[v].normal() * walls[w].normal()) < 1e-12)
+    {
+      const double length = pressed_length(walls, v);
+      if (length <= 0.)
+        continue;
+      sum -= walls[v].force * walls[v].normal() / length;
+      ++n;
+    }
+  return n > 0 ? sum / n : 0.;
+}
+
 void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
 {
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
@@ -73,6 +90,20 @@ void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm
       throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" +
                        prm.get({"Walls", scene.walls[w].name}, "Drive") +
                        "' needs two walls beside it, at right angles, between which the pressure acts");
+  for (const WallDescription<2> &wall : scene.walls)
+    for (const WallDescription<2> &other : scene.walls)
+      if (wall.drive->looks_beside() && std::abs(wall.normal * other.normal) < 1e-12)
+      {
+        const std::size_t o = &other - scene.walls.data();
+        const std::string is =
+            "'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") + "' ";
+        if (length_between_neighbours_2d(scene.walls, o) <= 0.)
+          throw InputError(is + "needs a wall that faces it, so that there is a stress on wall '" +
+                           other.name + "'");
+        if (other.drive->looks_beside())
+          throw InputError(is + "follows the stress on wall '" + other.name +
+                           "', which must not follow in turn: choose another drive for one of them");
+      }
 }
 
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)
@@ -93,7 +124,7 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
   std::vector<double> numbers;
   for (const Wall &wall : walls)
     numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
-                                   wall.impulse[1], wall.carried[0], wall.carried[1]});
+                                   wall.impulse[1], wall.carried[0], wall.carried[1], wall.pressure});
   out.write(name, numbers);
 }
 
@@ -110,6 +141,7 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
     walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
+    walls[w].pressure = v[8];
   }
 }
 } // namespace softgrain

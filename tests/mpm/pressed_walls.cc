@@ -5,6 +5,8 @@
 // all of them are the pressure.
 #include "scene_of.h"
 
+#include <softgrain/output/checkpoint.h>
+
 #include <iostream>
 
 using namespace softgrain;
@@ -125,6 +127,41 @@ void thirty_grains(const std::string &what, const Changes &changes)
   std::cout << what << ": stresses off by " << below(5e-4, worst) << ", packing fraction " << fraction
             << '\n';
 }
+
+/// Thirty grains compacted under equal pressures, then the upper wall goes down and the one on the right
+/// follows the stress that this makes.
+void follow(const std::string &what, const Changes &changes)
+{
+  Changes all = {"Mesh/Cell size=4e-4",      "Time/Time step=1e-4",    "Walls/top/Velocity=0",
+                 "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5", "Walls/right/Drive=pressure",
+                 "Walls/right/Pressure=1e5"};
+  const auto compacted = shipped_scene("gallery/thirty_grains_quasi_static_mpm.prm", all);
+  compacted->advance(1.);
+  CheckpointWriter writer("compacted.h5");
+  compacted->save(writer);
+  writer.commit();
+  for (const std::string change :
+       {"Walls/top/Drive=position", "Walls/top/Pressure=0", "Walls/right/Pressure=0"})
+    all.push_back(change);
+  const double reached = 10.6e-3 - compacted->walls()[1].position;
+  std::ostringstream position;
+  position.precision(17);
+  position << "Walls/top/Position=t == 0 ? 0 : " << reached << " + (t - 1e-4)";
+  all.push_back(position.str());
+  all.insert(all.end(), changes.begin(), changes.end());
+  const auto model = shipped_scene("gallery/thirty_grains_quasi_static_mpm.prm", all);
+  CheckpointReader reader("compacted.h5");
+  model->load(reader);
+  for (unsigned int i = 0; i < 3; ++i)
+    model->advance(1.);
+  const auto walls = model->walls(); // bottom, top, left, right
+  const double width = walls[3].position - walls[2].position, height = walls[1].position - walls[0].position,
+               vertical = 0.5 * (walls[0].normal_force + walls[1].normal_force) / width,
+               right = walls[3].normal_force / height;
+  std::cout << what << ": way off by " << below(1e-15, 10.6e-3 - walls[1].position - reached - 3e-4)
+            << " m, vertical stress " << vertical << " Pa, mean of both " << 0.5 * (vertical + right)
+            << " Pa, right over vertical " << right / vertical << '\n';
+}
 } // namespace
 
 int main()
@@ -148,4 +185,7 @@ int main()
   thirty_grains("thirty grains", {});
   thirty_grains("half the regularisation", {"Quasi-static/Regularisation=5e-4"});
   thirty_grains("friction 0.5", {"Contact/Friction=0.5"});
+
+  follow("mean pressure", {"Walls/right/Drive=mean_pressure", "Walls/right/Mean pressure=1e5"});
+  follow("stress ratio", {"Walls/right/Drive=stress_ratio", "Walls/right/Stress ratio=0.8"});
 }

@@ -33,6 +33,7 @@ struct Wall
   unsigned int body = no_body;  ///< slab of material points, if it is made of one
   double travel = 0;            ///< along the normal since the start [m]
   double speed = 0;             ///< along the normal; of a prescribed wall the mean over the last step [m/s]
+  double pressure = 0;          ///< on a wall that is free [Pa]
   double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
   double mass = 0;              ///< of a wall that is free [kg/m]
   double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
@@ -54,13 +55,18 @@ struct Wall
 
   bool prescribed() const { return description.drive->prescribed(); }
 
-  /// Puts @p pressure on a wall that is free, on a length of @p length.
-  void press(double pressure, double length);
+  /**
+   * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
+   *
+   * What depends on the stress beside it is approached: in a packing that yields, that stress answers a
+   * change of pressure with up to three times as much.
+   */
+  void press(double asked, double length);
 
   /// What its drive asks of it in a step of @p dt from @p time on [s].
-  WallDemand demand(const double time, const double dt) const
+  WallDemand demand(const double time, const double dt, const double stress_beside = 0.) const
   {
-    return description.drive->demand({time, dt, travel});
+    return description.drive->demand({time, dt, travel, stress_beside});
   }
 
   /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
@@ -100,6 +106,17 @@ std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);
 /// Length that a pressure on wall @p w acts on (2D): between the walls beside it, where they are now; 0
 /// without them [m].
 double pressed_length(const std::vector<Wall> &walls, std::size_t w);
+
+/// Mean of the stresses on the walls at right angles to wall @p w, which they felt in the last step (2D),
+/// compression positive; 0 without them [Pa].
+double stress_beside(const std::vector<Wall> &walls, std::size_t w);
+
+/// What the drive of the free wall @p w asks for [Pa].
+inline double
+asked_pressure(const std::vector<Wall> &walls, const std::size_t w, const double time, const double dt)
+{
+  return walls[w].demand(time, dt, stress_beside(walls, w)).pressure;
+}
 
 /// Keeps walls under @p name in a checkpoint.
 void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall> &walls);

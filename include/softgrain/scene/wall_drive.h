@@ -21,6 +21,8 @@ struct WallStep
   double begin = 0;  ///< [s]
   double dt = 0;     ///< [s]
   double travel = 0; ///< of the wall along its normal until begin [m]
+  double stress_beside =
+      0; ///< mean on the walls at right angles to it, compression positive, last known [Pa]
 
   double middle() const { return begin + 0.5 * dt; } ///< [s]
 };
@@ -61,6 +63,9 @@ public:
   virtual bool prescribed() const = 0;
 
   virtual WallDemand demand(const WallStep &step) const = 0;
+
+  /// Whether the pressure it asks for depends on the stress beside it.
+  virtual bool looks_beside() const { return false; }
 
   /// Of a wall that is not prescribed.
   virtual WallInertia inertia() const { return {}; }

@@ -47,9 +47,10 @@ void press_walls(World &world, const StepPlan &plan)
     if (wall.prescribed())
       continue;
     // Balance is at the end of a step, motion takes the mean.
-    const double pressure = scheme.inertia ? wall.demand(world.time, dt).pressure
-                                           : wall.demand(world.time + (plan.held ? 0. : dt), 0.).pressure;
-    wall.press(pressure, pressed_length(world.walls, w));
+    const double asked = scheme.inertia
+                             ? asked_pressure(world.walls, w, world.time, dt)
+                             : asked_pressure(world.walls, w, world.time + (plan.held ? 0. : dt), 0.);
+    wall.press(asked, pressed_length(world.walls, w));
     FreeWall<2> free;
     free.wall = w;
     free.normal = wall.normal();
@@ -106,19 +107,19 @@ void account_free_wall(
     world.balance.scheme_damping += (theta - 0.5) * wall.mass * change * change;
 }
 
-double unbalanced_walls(World &world)
+double unbalanced_walls(const World &world)
 {
   double worst = 0.;
   const double floor = 1e-6 * softest(world) * world.lattice->cell_size();
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
-    Wall &wall = world.walls[w];
+    const Wall &wall = world.walls[w];
     if (wall.prescribed())
       continue;
-    // Walls beside it have moved: the length is another.
-    wall.press(wall.demand(world.time, 0.).pressure, pressed_length(world.walls, w));
-    const double force = -1. * (wall.force * wall.normal());
-    worst = std::max(worst, std::abs(force - wall.load) / std::max(std::abs(wall.load), floor));
+    // Walls beside it have moved: length and stress are others.
+    const double force = -1. * (wall.force * wall.normal()),
+                 load = asked_pressure(world.walls, w, world.time, 0.) * pressed_length(world.walls, w);
+    worst = std::max(worst, std::abs(force - load) / std::max(std::abs(load), floor));
   }
   return worst;
 }

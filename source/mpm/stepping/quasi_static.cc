@@ -95,19 +95,14 @@ double unbalanced_force(World &world, const double dt)
   return worst / std::max(mean, floor);
 }
 
-/// Of bodies and of walls that are free.
-static double imbalance(World &world, const double dt)
-{
-  return std::max(unbalanced_force(world, dt), unbalanced_walls(world));
-}
-
 StepOutcome quasi_static_step(World &world, const double dt, const double wanted)
 {
   const Settings &settings = world.settings;
   StepOutcome sum = implicit_step(world, {dt, false, settings.regularisation * wanted / dt});
   if (!sum.accepted)
     return sum;
-  sum.unbalanced = imbalance(world, dt);
+  double of_bodies = unbalanced_force(world, dt);
+  sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
   StepPlan held{dt, true, settings.regularisation};
   std::vector<Eigen::VectorXd> place = displacements(world), last_way;
@@ -125,8 +120,9 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
       continue;
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
-    const double before = sum.unbalanced;
-    sum.unbalanced = imbalance(world, dt);
+    const double before = of_bodies;
+    of_bodies = unbalanced_force(world, dt);
+    sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * world.lattice->cell_size())
     {
@@ -149,14 +145,11 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
     if (turn < -0.3)
       held.regularisation = std::min(10. * held.regularisation, 10.);
-    else if (step.rows_settled && sum.unbalanced > 0.3 * before)
+    else if (step.rows_settled && of_bodies > 0.3 * before)
       held.regularisation = std::max(0.1 * held.regularisation, 1e-3 * settings.regularisation);
   }
   if (settings.max_held_steps == 0)
-  {
-    sum.unbalanced = imbalance(world, dt);
     return sum;
-  }
   std::ostringstream message;
   message << "at time " << world.time << " s the bodies are not in balance after " << sum.held_steps
           << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced

@@ -23,7 +23,7 @@ void account_free_wall(World &world, const FreeWall<2> &free, double rate, doubl
 
 /// Largest difference of the force on a free wall from its load, over the load or, where that is less, over
 /// the smallest force that counts (dimensionless); `quasi_static`.
-double unbalanced_walls(World &world);
+double unbalanced_walls(const World &world);
 
 /// Whether a free wall went as far as its stop in the last step.
 bool walls_are_on_their_way(const World &world);
