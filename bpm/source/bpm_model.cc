@@ -122,6 +122,12 @@ StepReport BpmModel::advance(const double dt_limit)
   return report;
 }
 
+void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
+{
+  // Whoever holds a wall gives it the energy of its motion, and takes it.
+  balance.wall_work += softgrain::take_drives(moving_walls, drives, now);
+}
+
 void BpmModel::keep_books(const DynamicsReport &report, const double dt)
 {
   balance.wall_impulse += report.wall_impulse;
@@ -160,7 +166,7 @@ Energies BpmModel::energies() const
   Energies energies;
   energies.kinetic = dynamics->kinetic_energy();
   for (const Wall &wall : moving_walls)
-    energies.kinetic += 0.5 * wall.mass * wall.speed * wall.speed;
+    energies.kinetic += wall.kinetic_energy();
   energies.elastic = dynamics->attraction_energy();
   energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
   energies.external_work = balance.external_work();

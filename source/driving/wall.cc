@@ -6,15 +6,13 @@
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <cmath>
 
 namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 9; // that the state of a wall is made of
+constexpr std::size_t n_numbers = 11; // that the state of a wall is made of
 }
 
 WallState<2> Wall::state() const
@@ -61,6 +59,7 @@ std::vector<Wall> make_walls(const Scene<2> &scene)
   {
     walls.emplace_back();
     walls.back().description = description;
+    walls.back().usual_mass = 0.1 * mass;
     if (!walls.back().prescribed())
       walls.back().mass = description.drive->inertia().mass.value_or(0.1 * mass);
   }
@@ -83,20 +82,38 @@ double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
   return n > 0 ? sum / n : 0.;
 }
 
-void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
+double take_drives(std::vector<Wall> &walls,
+                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                   const double time)
+{
+  double energy = 0.;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    if (!drives[w])
+      continue;
+    Wall &wall = walls[w];
+    energy -= wall.kinetic_energy();
+    wall.description.drive = drives[w];
+    wall.drive_begin = time;
+    wall.travel_before = wall.travel;
+    wall.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.usual_mass);
+    energy += wall.kinetic_energy();
+  }
+  return energy;
+}
+
+void check_free_walls(const Scene<2> &scene)
 {
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
     if (!scene.walls[w].drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
-      throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" +
-                       prm.get({"Walls", scene.walls[w].name}, "Drive") +
+      throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" + scene.walls[w].drive_name +
                        "' needs two walls beside it, at right angles, between which the pressure acts");
   for (const WallDescription<2> &wall : scene.walls)
     for (const WallDescription<2> &other : scene.walls)
       if (wall.drive->looks_beside() && std::abs(wall.normal * other.normal) < 1e-12)
       {
         const std::size_t o = &other - scene.walls.data();
-        const std::string is =
-            "'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") + "' ";
+        const std::string is = "'Walls/" + wall.name + "/Drive' = '" + wall.drive_name + "' ";
         if (length_between_neighbours_2d(scene.walls, o) <= 0.)
           throw InputError(is + "needs a wall that faces it, so that there is a stress on wall '" +
                            other.name + "'");
@@ -123,8 +140,9 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 {
   std::vector<double> numbers;
   for (const Wall &wall : walls)
-    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
-                                   wall.impulse[1], wall.carried[0], wall.carried[1], wall.pressure});
+    numbers.insert(numbers.end(),
+                   {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
+                    wall.carried[0], wall.carried[1], wall.pressure, wall.drive_begin, wall.travel_before});
   out.write(name, numbers);
 }
 
@@ -142,6 +160,8 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
     walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
     walls[w].pressure = v[8];
+    walls[w].drive_begin = v[9];
+    walls[w].travel_before = v[10];
   }
 }
 } // namespace softgrain

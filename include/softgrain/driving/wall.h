@@ -9,11 +9,6 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace softgrain
 {
 class StateReader;
@@ -36,6 +31,9 @@ struct Wall
   double pressure = 0;          ///< on a wall that is free [Pa]
   double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
   double mass = 0;              ///< of a wall that is free [kg/m]
+  double usual_mass = 0;        ///< the same if none is given [kg/m]
+  double drive_begin = 0;       ///< since when it is driven as it is [s]
+  double travel_before = 0;     ///< until then [m]
   double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
@@ -63,10 +61,12 @@ struct Wall
    */
   void press(double asked, double length);
 
+  double kinetic_energy() const { return 0.5 * mass * speed * speed; } ///< [J/m]
+
   /// What its drive asks of it in a step of @p dt from @p time on [s].
   WallDemand demand(const double time, const double dt, const double stress_beside = 0.) const
   {
-    return description.drive->demand({time, dt, travel, stress_beside});
+    return description.drive->demand({time - drive_begin, dt, travel - travel_before, stress_beside});
   }
 
   /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
@@ -96,9 +96,15 @@ FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double im
 /// all bodies.
 std::vector<Wall> make_walls(const Scene<2> &scene);
 
+/// Drives walls from @p time on as @p drives say, one per wall; null: as before.
+/// @return the kinetic energy that walls which are free now have, less that of those which were free [J/m]
+double take_drives(std::vector<Wall> &walls,
+                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                   double time);
+
 /// Whether the pressure of a free wall has a length to act on.
-/// @param prm at its top, for the message. @throw InputError
-void check_free_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm);
+/// @throw InputError
+void check_free_walls(const Scene<2> &scene);
 
 /// What the models report of all walls.
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);

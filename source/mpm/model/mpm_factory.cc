@@ -57,7 +57,7 @@ private:
   {
     Settings settings;
     settings.parse_parameters(prm);
-    check_free_walls(scene, prm);
+    check_free_walls(scene);
     check_wall_inertia(scene, settings);
     Laws laws;
     for (const MaterialDescription &material : scene.materials)

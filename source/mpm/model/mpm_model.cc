@@ -154,6 +154,14 @@ StepReport MpmModel::advance(const double dt_limit)
   return report;
 }
 
+void MpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
+{
+  // Whoever holds a wall gives it the energy of its motion, and takes it.
+  const double energy = softgrain::take_drives(world.walls, drives, world.time);
+  if (world.settings.scheme.inertia)
+    world.balance.wall_work += energy;
+}
+
 void MpmModel::check_energy() const
 {
   // An unstable explicit step may settle again after a burst, with stresses that look right and are not.
@@ -278,7 +286,7 @@ Energies MpmModel::energies() const
     }
   if (world.settings.scheme.inertia)
     for (const Wall &wall : world.walls)
-      energies.kinetic += 0.5 * wall.mass * wall.speed * wall.speed;
+      energies.kinetic += wall.kinetic_energy();
   energies.elastic += world.balance.subgrid_energy;
   energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
                         world.balance.regularisation_work + world.balance.wall_damping_loss;
