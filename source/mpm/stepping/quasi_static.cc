@@ -114,6 +114,7 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     add(step, sum);
     if (!step.accepted)
     {
+      held.guess = nullptr; // it may be what failed
       held.regularisation *= 10.;
       if (held.regularisation > 10.)
         throw ComputationError("no balance is found with the walls at rest: " + step.reason);
