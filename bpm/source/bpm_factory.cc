@@ -64,7 +64,7 @@ private:
   {
     Read result;
     result.settings.parse_parameters(prm);
-    check_walls(scene, prm);
+    check_walls(scene);
     for (const MaterialDescription &material : scene.materials)
     {
       std::shared_ptr<Attraction> law = Registry<Attraction>::instance().create(material.law);
@@ -86,18 +86,13 @@ private:
   }
 
   /// @throw InputError for walls that this model has not
-  static void check_walls(const Scene<2> &scene, const dealii::ParameterHandler &prm)
+  static void check_walls(const Scene<2> &scene)
   {
-    for (std::size_t w = 0; w < scene.walls.size(); ++w)
-    {
-      const WallDescription<2> &wall = scene.walls[w];
+    for (const WallDescription<2> &wall : scene.walls)
       if (wall.type != WallDescription<2>::Type::plane)
         throw InputError("'Walls/" + wall.name +
                          "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
-      if (!wall.drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
-        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
-                         "' needs two walls beside it, at right angles, between which the pressure acts");
-    }
+    check_free_walls(scene);
   }
 
   /// Names of the parameters of a law.

@@ -31,11 +31,10 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
-    const WallDemand demand = wall.demand(now, dt);
     if (wall.prescribed())
-      wall.speed = demand.velocity;
+      wall.speed = wall.demand(now, dt).velocity;
     else
-      wall.load = demand.pressure * pressed_length(moving_walls, w);
+      wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w));
   }
 }
 
@@ -123,6 +122,12 @@ StepReport BpmModel::advance(const double dt_limit)
   return report;
 }
 
+void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
+{
+  // Whoever holds a wall gives it the energy of its motion, and takes it.
+  balance.wall_work += softgrain::take_drives(moving_walls, drives, now);
+}
+
 void BpmModel::keep_books(const DynamicsReport &report, const double dt)
 {
   balance.wall_impulse += report.wall_impulse;
@@ -161,7 +166,7 @@ Energies BpmModel::energies() const
   Energies energies;
   energies.kinetic = dynamics->kinetic_energy();
   for (const Wall &wall : moving_walls)
-    energies.kinetic += 0.5 * wall.description.drive->inertia().mass * wall.speed * wall.speed;
+    energies.kinetic += wall.kinetic_energy();
   energies.elastic = dynamics->attraction_energy();
   energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
   energies.external_work = balance.external_work();

@@ -79,7 +79,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     , settings(model_settings)
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
-    , moving_walls(make_walls(scene.walls))
+    , moving_walls(make_walls(scene))
 {
   settings.dynamics.friction = scene.friction;
   std::vector<std::shared_ptr<const Attraction>> law_of_body;

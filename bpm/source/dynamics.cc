@@ -102,14 +102,12 @@ void Dynamics::prepare_bodies(const double dt,
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     const Wall &wall = walls[w];
-    const WallInertia inertia = wall.description.drive->inertia();
-    const double inverse = bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / inertia.mass;
-    // Damping implicit, so that any coefficient is stable.
-    const double v = wall.prescribed()
-                         ? wall.speed
-                         : (wall.speed + dt * inverse * wall.load) / (1. + dt * inverse * inertia.damping);
+    FreeWallStep step{0., wall.speed};
+    if (!wall.prescribed())
+      step = free_wall_step(wall, dt, 1.);
+    bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / step.mass;
     for (unsigned int d = 0; d < 2; ++d)
-      bodies.velocity[n + w][d] = v * wall.normal()[d];
+      bodies.velocity[n + w][d] = step.free_speed * wall.normal()[d];
   }
   if (rotations)
   {
@@ -187,7 +185,7 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     }
     else
     {
-      const double before = wall.speed, mass = 1. / bodies.inverse_mass[n + w];
+      const double before = wall.speed, mass = wall.mass;
       const double after =
           bodies.velocity[n + w][0] * wall.normal()[0] + bodies.velocity[n + w][1] * wall.normal()[1];
       // The damping took what neither the load nor the primaries gave.

@@ -35,13 +35,18 @@ void print_check_report(std::ostream &out, const Input &input, const Model<2> &m
   for (const MaterialDescription &material : scene.materials)
     materials.push_back(material.name + " (" + material.law + ")");
 
-  SizeReport report = {{"model", model.name()},
-                       {"materials", join(materials)},
-                       {"walls", join(walls)},
-                       {"ends at", input.stop().in_words()},
-                       {"results in", run.output_directory},
-                       {"pictures", interval_in_words(run.fields_every, scene.end_time)},
-                       {"snapshots", interval_in_words(run.snapshots_every, scene.end_time)}};
+  SizeReport report = {
+      {"model", model.name()},
+      {"materials", join(materials)},
+      {"walls", join(walls)},
+      {"ends at", input.stop().empty() ? "the end of the last stage" : input.stop().in_words()},
+      {"results in", run.output_directory},
+      {"pictures", interval_in_words(run.fields_every, scene.end_time)},
+      {"snapshots", interval_in_words(run.snapshots_every, scene.end_time)}};
+  for (std::size_t n = 0; n < input.stages().size(); ++n)
+    report.emplace_back("stage " + input.stages()[n].name,
+                        input.stages()[n].stop.empty() ? "until the run ends"
+                                                       : "until " + input.stages()[n].stop.in_words());
   const SizeReport sizes = model.size_report();
   report.insert(report.end(), sizes.begin(), sizes.end());
   print_size_report(out, report);

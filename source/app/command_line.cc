@@ -255,7 +255,7 @@ void CommandLine::measure() const
 void CommandLine::print_parameters() const
 {
   // A name in capitals stands for each name of the user's lists.
-  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}};
+  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
   dealii::ParameterHandler prm;
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   if (models.empty())
@@ -264,7 +264,7 @@ void CommandLine::print_parameters() const
   const std::string shown = !model.empty() ? model : has_mpm ? "mpm" : models.front();
   declare_all_parameters(prm, shown, names);
   prm.set("Model", shown);
-  for (const std::string section : {"Materials", "Bodies", "Walls"})
+  for (const std::string section : {"Materials", "Bodies", "Walls", "Stages"})
   {
     prm.enter_subsection(section);
     prm.set("Names", "NAME");

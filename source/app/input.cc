@@ -45,7 +45,8 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
 
   constitutive::load_libraries(
       dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", "")));
-  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls")};
+  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls"),
+                         file.names("Stages")};
   const std::string model = model_of(file);
   declare_all_parameters(prm, model, names);
   file.apply(prm);
@@ -54,18 +55,27 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   {
     const LawCatalogue laws = Registry<ModelFactory>::instance().create(model)->laws();
     described_scene = SceneParameters(names, laws).parse_parameters(prm);
-    stop_conditions.parse_parameters(prm);
-    described_scene.end_time = stop_conditions.end_time();
+    stop_conditions.parse_parameters(prm, !names.stages.empty());
+    described_stages.parse_parameters(prm, names.stages, names.walls, stop_conditions);
+    described_scene.end_time = end_time();
     run_parameters.parse_parameters(prm, file_name, described_scene.end_time);
     check_scene(described_scene);
     stop_conditions.check(described_scene);
-    Registry<ModelFactory>::instance().create(model)->check(described_scene, prm);
+    const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
+    factory->check(described_scene, prm);
+    described_stages.check(described_scene, [&](const Scene<2> &scene) { factory->check(scene, prm); });
     check_output_folder(run_parameters.output_directory);
   }
   catch (const InputError &error)
   {
     throw InputError(file.located(error.what()));
   }
+}
+
+double Input::end_time() const
+{
+  const double of_stages = described_stages.end_time(), of_run = stop_conditions.end_time();
+  return of_stages > 0. && of_run > 0. ? std::min(of_stages, of_run) : std::max(of_stages, of_run);
 }
 
 void Input::complete_scene()
@@ -131,6 +141,7 @@ void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &mo
   RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
   SceneParameters(names, factory->laws()).declare_parameters(prm);
   StopConditions::declare_parameters(prm);
+  Stages::declare_parameters(prm, names.stages, names.walls);
   factory->declare_parameters(prm);
 }
 } // namespace softgrain

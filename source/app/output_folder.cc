@@ -121,7 +121,8 @@ void remove_old_results(const std::string &directory)
     const bool part = path.extension() == ".part";
     const std::string name = part ? path.stem().string() : path.filename().string();
     const bool own_name = std::find(single_files.begin(), single_files.end(), name) != single_files.end();
-    if (own_name || (part && is_checkpoint_name(name)))
+    if (own_name || (part && (is_checkpoint_name(name) || is_stage_name(name))) ||
+        (!part && is_stage_name(name) && is_checkpoint(path)))
       fs::remove(path);
   }
 }

@@ -50,6 +50,7 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
+    , path(input.stages(), model)
 {
 }
 
@@ -57,6 +58,7 @@ void Simulation::restart(StateReader &checkpoint,
                          const std::string &file_name,
                          const std::vector<std::string> &changes)
 {
+  path.load(checkpoint);
   model.load(checkpoint);
   statistics.load(checkpoint);
   planner.set_natural_step(checkpoint.read_doubles("driver/natural_step").at(0));
@@ -166,6 +168,7 @@ void Simulation::start_files()
   write_summary("running");
   if (!restarted)
   {
+    path.begin();
     write_history(StepReport());
     write_pictures(field_schedule.active(), snapshot_schedule.active());
   }
@@ -189,6 +192,8 @@ std::string Simulation::loop()
     planner.taken(report.dt);
     statistics.add_step(report);
     write_due_output(report);
+    if (!path.is_last() && path.stage_is_done(planner.slack()))
+      enter_next_stage(report);
     progress.update(model.time(), model.step(), report, fraction_done());
     if (parameters.checkpoint_minutes > 0 &&
         seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes)
@@ -211,7 +216,8 @@ std::string Simulation::loop()
 double Simulation::next_target() const
 {
   const double end = stop.end_time() > 0 ? stop.end_time() : std::numeric_limits<double>::infinity();
-  return std::min({end, field_schedule.next(), snapshot_schedule.next()});
+  const double end_of_stage = path.end_time() > 0 ? path.end_time() : std::numeric_limits<double>::infinity();
+  return std::min({end, end_of_stage, field_schedule.next(), snapshot_schedule.next()});
 }
 
 bool Simulation::finished() const
@@ -221,7 +227,8 @@ bool Simulation::finished() const
 
 double Simulation::fraction_done() const
 {
-  return stop.fraction_done({model, walls_at_start, planner.slack()});
+  return std::max(stop.fraction_done({model, walls_at_start, planner.slack()}),
+                  path.fraction_done(planner.slack()));
 }
 
 void Simulation::write_due_output(const StepReport &report)
@@ -248,6 +255,8 @@ void Simulation::write_history(const StepReport &report)
     row.emplace_back(wall.name + "_position_m", wall.position);
     row.emplace_back(wall.name + "_force_N_per_m", wall.normal_force);
   }
+  if (!path.empty())
+    row.emplace_back("stage", path.number() + 1.);
   row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
   row.emplace_back("packing_fraction", packing_fraction(walls, model.solid_area()).value_or(nothing));
   row.emplace_back("coordination", model.coordination());
@@ -282,16 +291,36 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
   statistics.add_output_seconds(seconds_since(begin));
 }
 
+void Simulation::enter_next_stage(const StepReport &report)
+{
+  if (last_history_step != model.step())
+    write_history(report);
+  if (last_picture_step != model.step())
+    write_pictures(field_schedule.active(), snapshot_schedule.active());
+  const std::string ended = path.name();
+  path.next();
+  log.both() << "stage " << ended << " ends at t = " << model.time() << " s, stage " << path.name()
+             << " begins\n";
+  write_checkpoint();
+  write_state(stage_path(parameters.output_directory, ended));
+}
+
+void Simulation::write_state(const std::string &file)
+{
+  CheckpointWriter writer(file);
+  model.save(writer);
+  statistics.save(writer);
+  path.save(writer);
+  writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
+  save_description(writer, effective_parameters, scene);
+  writer.commit();
+}
+
 void Simulation::write_checkpoint()
 {
   lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
-  CheckpointWriter writer(checkpoint_path(parameters.output_directory, model.step()));
-  model.save(writer);
-  statistics.save(writer);
-  writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
-  save_description(writer, effective_parameters, scene);
-  writer.commit();
+  write_state(checkpoint_path(parameters.output_directory, model.step()));
   // Those of a way that was given up for an older checkpoint would be taken for newer ones.
   remove_checkpoints_after(parameters.output_directory, model.step());
   remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);

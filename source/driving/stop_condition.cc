@@ -42,7 +42,7 @@ void StopConditions::declare_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-void StopConditions::parse_parameters(dealii::ParameterHandler &prm)
+void StopConditions::parse_parameters(dealii::ParameterHandler &prm, const bool may_be_empty)
 {
   prm.enter_subsection("Stop");
   for (const std::string &name : known().names())
@@ -53,7 +53,7 @@ void StopConditions::parse_parameters(dealii::ParameterHandler &prm)
       asked.push_back({condition, limit});
   }
   prm.leave_subsection();
-  if (asked.empty())
+  if (asked.empty() && !may_be_empty)
     throw InputError("the run would never end: set " + all_keys() + " greater than 0");
 }
 

@@ -3,13 +3,16 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/box.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
+
+#include <cmath>
 
 namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 8; // that the state of a wall is made of
+constexpr std::size_t n_numbers = 11; // that the state of a wall is made of
 }
 
 WallState<2> Wall::state() const
@@ -25,15 +28,99 @@ WallState<2> Wall::state() const
   return state;
 }
 
-std::vector<Wall> make_walls(const std::vector<WallDescription<2>> &descriptions)
+void Wall::press(const double asked, const double length)
 {
+  pressure += (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure);
+  load = pressure * length;
+  // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
+  // mass rearrange under that pressure.
+  damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)));
+}
+
+FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
+{
+  // Damping acts on the velocity with which the wall moves, so a wall at rest bears its whole load, and any
+  // coefficient is stable.
+  FreeWallStep step;
+  step.mass = wall.mass + theta * dt * wall.damping;
+  step.free_speed =
+      ((wall.mass - (1. - theta) * dt * wall.damping) * wall.speed + dt * wall.load + impulse) / step.mass;
+  return step;
+}
+
+std::vector<Wall> make_walls(const Scene<2> &scene)
+{
+  double mass = 0.;
+  for (const BodyDescription<2> &body : scene.bodies)
+    if (!body.driven)
+      mass += scene.materials[body.material].density * body.shape->area();
   std::vector<Wall> walls;
-  for (const WallDescription<2> &description : descriptions)
+  for (const WallDescription<2> &description : scene.walls)
   {
     walls.emplace_back();
     walls.back().description = description;
+    walls.back().usual_mass = 0.1 * mass;
+    if (!walls.back().prescribed())
+      walls.back().mass = description.drive->inertia().mass.value_or(0.1 * mass);
   }
   return walls;
+}
+
+double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
+{
+  double sum = 0.;
+  unsigned int n = 0;
+  for (std::size_t v = 0; v < walls.size(); ++v)
+    if (std::abs(walls[v].normal() * walls[w].normal()) < 1e-12)
+    {
+      const double length = pressed_length(walls, v);
+      if (length <= 0.)
+        continue;
+      sum -= walls[v].force * walls[v].normal() / length;
+      ++n;
+    }
+  return n > 0 ? sum / n : 0.;
+}
+
+double take_drives(std::vector<Wall> &walls,
+                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                   const double time)
+{
+  double energy = 0.;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    if (!drives[w])
+      continue;
+    Wall &wall = walls[w];
+    energy -= wall.kinetic_energy();
+    wall.description.drive = drives[w];
+    wall.drive_begin = time;
+    wall.travel_before = wall.travel;
+    wall.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.usual_mass);
+    energy += wall.kinetic_energy();
+  }
+  return energy;
+}
+
+void check_free_walls(const Scene<2> &scene)
+{
+  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    if (!scene.walls[w].drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
+      throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" + scene.walls[w].drive_name +
+                       "' needs two walls beside it, at right angles, between which the pressure acts");
+  for (const WallDescription<2> &wall : scene.walls)
+    for (const WallDescription<2> &other : scene.walls)
+      if (wall.drive->looks_beside() && std::abs(wall.normal * other.normal) < 1e-12)
+      {
+        const std::size_t o = &other - scene.walls.data();
+        const std::string is = "'Walls/" + wall.name + "/Drive' = '" + wall.drive_name + "' ";
+        if (length_between_neighbours_2d(scene.walls, o) <= 0.)
+          throw InputError(is + "needs a wall that faces it, so that there is a stress on wall '" +
+                           other.name + "'");
+        if (other.drive->looks_beside())
+          throw InputError(is + "follows the stress on wall '" + other.name +
+                           "', which must not follow in turn: choose another drive for one of them");
+      }
 }
 
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)
@@ -53,8 +140,9 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 {
   std::vector<double> numbers;
   for (const Wall &wall : walls)
-    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
-                                   wall.impulse[1], wall.carried[0], wall.carried[1]});
+    numbers.insert(numbers.end(),
+                   {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
+                    wall.carried[0], wall.carried[1], wall.pressure, wall.drive_begin, wall.travel_before});
   out.write(name, numbers);
 }
 
@@ -71,6 +159,9 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
     walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
+    walls[w].pressure = v[8];
+    walls[w].drive_begin = v[9];
+    walls[w].travel_before = v[10];
   }
 }
 } // namespace softgrain

@@ -151,6 +151,16 @@ std::string checkpoint_path(const std::string &directory, const std::uint64_t st
   return directory + "/state-" + zeros + digits + ".h5";
 }
 
+std::string stage_path(const std::string &directory, const std::string &stage)
+{
+  return directory + "/stage-" + stage + ".h5";
+}
+
+bool is_stage_name(const std::string &name)
+{
+  return name.size() > 9 && name.compare(0, 6, "stage-") == 0 && name.compare(name.size() - 3, 3, ".h5") == 0;
+}
+
 bool is_checkpoint_name(const std::string &name)
 {
   return name.size() > 9 && name.compare(0, 6, "state-") == 0 &&

@@ -13,6 +13,8 @@ namespace softgrain
 {
 namespace
 {
+const std::string before = "as before";
+
 /// Inward normal of a wall of the usual box.
 std::string usual_normal(const std::string &name)
 {
@@ -30,15 +32,39 @@ std::vector<ParameterEntry> parameters_of(const std::string &drive)
   Registry<WallDrive>::instance().create(drive)->declare_parameters(own);
   return parameter_tree(own).entries;
 }
+} // namespace
 
-/// @throw InputError when something is set that belongs to another drive
-std::shared_ptr<const WallDrive> parse_drive(const dealii::ParameterHandler &prm, const std::string &wall)
+WallParameters::WallParameters(const std::vector<std::string> &names) : names(names) {}
+
+void WallParameters::declare_drive(dealii::ParameterHandler &prm, const bool as_before)
+{
+  const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
+  using dealii::Patterns::Selection;
+  if (as_before)
+    prm.declare_entry(
+        "Drive", before, Selection(before + "|" + drives.choice()),
+        "How the wall is driven from now on; formulas count the time t, and 'Position' the way, "
+        "from the start of the stage. " +
+            before + ": nothing changes; " + drives.choice_in_words());
+  else
+    prm.declare_entry("Drive", "velocity", Selection(drives.choice()), drives.choice_in_words());
+  for (const std::string &drive : drives.names())
+    drives.create(drive)->declare_parameters(prm);
+}
+
+std::shared_ptr<const WallDrive> WallParameters::parse_drive(const dealii::ParameterHandler &prm,
+                                                             const std::string &wall)
 {
   const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
   const std::string chosen = prm.get("Drive");
-  std::shared_ptr<WallDrive> drive = drives.create(chosen);
-  drive->parse_parameters(prm, wall);
-  const std::vector<ParameterEntry> own = parameters_of(chosen);
+  std::shared_ptr<WallDrive> drive;
+  std::vector<ParameterEntry> own;
+  if (chosen != before)
+  {
+    drive = drives.create(chosen);
+    drive->parse_parameters(prm, wall);
+    own = parameters_of(chosen);
+  }
   for (const std::string &other : drives.names())
     for (const ParameterEntry &entry : parameters_of(other))
       if (prm.get(entry.name) != entry.default_value &&
@@ -49,9 +75,6 @@ std::shared_ptr<const WallDrive> parse_drive(const dealii::ParameterHandler &prm
                          other + "'");
   return drive;
 }
-} // namespace
-
-WallParameters::WallParameters(const std::vector<std::string> &names) : names(names) {}
 
 void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
 {
@@ -71,10 +94,7 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
     prm.declare_entry("Normal", usual_normal(name), List(Double(), 0, 2, ","),
                       "Normal that points to the bodies, of any length; may be left out for bottom, top, "
                       "left and right. Units: none.");
-    const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
-    prm.declare_entry("Drive", "velocity", Selection(drives.choice()), drives.choice_in_words());
-    for (const std::string &drive : drives.names())
-      drives.create(drive)->declare_parameters(prm);
+    declare_drive(prm, false);
     prm.declare_entry("Friction", "0", Double(0),
                       "Coefficient of friction between the wall and bodies. Units: none.");
     prm.leave_subsection();
@@ -107,6 +127,7 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
       throw InputError("'Walls/" + name + "/Normal' = '" + normal + "' is not allowed: it must not be zero");
     wall.normal /= wall.normal.norm();
     wall.friction = prm.get_double("Friction");
+    wall.drive_name = prm.get("Drive");
     wall.drive = parse_drive(prm, "Walls/" + name);
     walls.push_back(wall);
     prm.leave_subsection();

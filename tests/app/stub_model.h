@@ -38,6 +38,8 @@ public:
     }
   }
 
+  /// Its walls stand whatever drives them.
+  void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &) override {}
   std::string name() const override { return "stub"; }
 
   StepReport advance(const double dt_limit) override

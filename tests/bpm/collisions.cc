@@ -70,9 +70,10 @@ void aggregates(const std::string &what, const std::string &second, const Change
             << ", penetration " << below(0.05, penetration) << '\n';
 }
 
-void pressed()
+/// A grain on the bottom, pressed by the top wall: the force on both becomes pressure times width, whatever
+/// resists the motion of the wall.
+void pressed(const std::string &what, const Changes &changes)
 {
-  // A grain on the bottom, pressed by a heavy top wall: the force on the bottom becomes pressure times width.
   const auto model = bpm_scene(grain_scene(disks({{"0, 0", "0; 0"}}, "10") + R"(
 subsection Walls
   set Names = bottom, top, left, right
@@ -83,8 +84,6 @@ subsection Walls
     set Point = 0, 10.6
     set Drive = pressure
     set Pressure = 0.02
-    set Mass = 100
-    set Damping = 5
   end
   subsection left
     set Point = -20, 0
@@ -93,21 +92,24 @@ subsection Walls
     set Point = 20, 0
   end
 end
-)"));
+)"),
+                               changes);
   const Energies start = model->energies();
-  double force = 0., weight = 0.;
+  double force = 0., on_top = 0., weight = 0.;
   while (model->time() < 400.)
   {
     const double dt = model->advance(400. - model->time()).dt;
     if (model->time() > 300.)
     {
       force += dt * model->walls()[0].normal_force;
+      on_top += dt * model->walls()[1].normal_force;
       weight += dt;
     }
   }
-  std::cout << "pressed: force on the bottom over pressure times width "
-            << below(0.02, force / weight / (0.02 * 40.) - 1.) << " off, top moves with "
-            << below(1e-3, model->walls()[1].velocity) << ", energy balance "
+  std::cout << "pressed, " << what << ": force on the bottom over pressure times width "
+            << below(0.005, force / weight / (0.02 * 40.) - 1.) << " off, on the top "
+            << below(0.005, on_top / weight / (0.02 * 40.) - 1.) << ", top moves with "
+            << below(5e-3, model->walls()[1].velocity) << ", energy balance "
             << below(1e-2, energy_error(start, model->energies())) << '\n';
 }
 
@@ -133,6 +135,10 @@ int main()
   aggregates("off centre", "8.6, 10", {});
   aggregates("with friction and rolling resistance", "8.6, 10",
              {"Contact/Friction=0.5", "Contact/Rolling resistance=0.2"});
-  pressed();
+  const std::string mass = "Walls/top/Mass=", damping = "Walls/top/Damping=";
+  pressed("mass and damping as the program chooses", {});
+  pressed("given", {mass + "100", damping + "5"});
+  pressed("both halved", {mass + "50", damping + "2.5"});
+  pressed("damping far above mass over step", {mass + "1", damping + "30"});
   fixed_body();
 }

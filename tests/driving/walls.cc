@@ -4,6 +4,7 @@
 #include <softgrain/analysis/touching_pairs.h>
 #include <softgrain/driving/balance.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/geometry/shapes_2d.h>
 
 #include <cmath>
 #include <iostream>
@@ -30,10 +31,11 @@ int main()
 {
   const auto rest = make_drive("velocity", "Walls/rest");
   const auto pressed = make_drive("pressure", "Walls/top", {"Pressure=100*t", "Mass=2", "Damping=3"});
-  std::vector<Wall> walls =
-      make_walls({wall("bottom", {0, 0}, {0, 1}, rest), wall("top", {0, 1}, {0, -1}, pressed),
-                  wall("left", {0, 0}, {1, 0}, make_drive("velocity", "Walls/left", {"Velocity=t"})),
-                  wall("right", {3, 0}, {-1, 0}, rest)});
+  Scene<2> scene;
+  scene.walls = {wall("bottom", {0, 0}, {0, 1}, rest), wall("top", {0, 1}, {0, -1}, pressed),
+                 wall("left", {0, 0}, {1, 0}, make_drive("velocity", "Walls/left", {"Velocity=t"})),
+                 wall("right", {3, 0}, {-1, 0}, rest)};
+  std::vector<Wall> walls = make_walls(scene);
   // v = t is linear: the middle of each step is exact.
   double time = 0.;
   for (const double dt : {0.1, 0.4, 0.5})
@@ -43,10 +45,26 @@ int main()
     time += dt;
   }
   std::cout << "left is at " << walls[2].state().position << ", 1/2 expected\n";
+  walls[1].press(walls[1].demand(time, 1.).pressure, pressed_length(walls, 1));
   std::cout << "top: " << (walls[1].prescribed() ? "prescribed" : "free") << ", pressure "
-            << walls[1].demand(time, 1.).pressure << " on " << pressed_length(walls, 1) << " m, mass "
-            << walls[1].description.drive->inertia().mass << ", damping "
-            << walls[1].description.drive->inertia().damping << '\n';
+            << walls[1].demand(time, 1.).pressure << " on " << pressed_length(walls, 1) << " m, load "
+            << walls[1].load << ", mass " << walls[1].mass << ", damping " << walls[1].damping << '\n';
+  // At rest under P = load dt it stays at rest, whatever mass, damping and theta are.
+  for (const double theta : {0.5, 1.})
+  {
+    const FreeWallStep step = free_wall_step(walls[1], 0.1, theta);
+    std::cout << "  theta " << theta << ": given what it bears it moves at "
+              << step.free_speed - 0.1 * walls[1].load / step.mass << " m/s\n";
+  }
+  // What nobody gives the program chooses: of one disk of 1 kg/m, a tenth.
+  Scene<2> disk = scene;
+  disk.walls[1].drive = make_drive("pressure", "Walls/top", {"Pressure=160"});
+  disk.materials.push_back({"", "", 1. / M_PI});
+  disk.bodies.emplace_back();
+  disk.bodies[0].shape = std::make_shared<Disk2D>(dealii::Point<2>(), 1.);
+  Wall chosen = make_walls(disk)[1];
+  chosen.press(160., 1.);
+  std::cout << "chosen mass " << chosen.mass << ", damping " << chosen.damping << ", expected 0.1 and 8\n";
   std::cout << "length of left " << pressed_length(walls, 2) << ", without walls beside it "
             << pressed_length({walls[0], walls[1]}, 0) << '\n';
 

@@ -94,6 +94,14 @@ int main(int argc, char **argv)
   compare("explicit", "gallery/two_disks.prm", {"Time/Scheme=explicit"}, 60);
   compare("sliding block", "verification/sliding_block.prm", {}, 20);
   compare("assembly", "gallery/thirty_grains_mpm.prm", {"Contact/Friction=0.3"}, 12);
+  compare(
+      "pressed", "gallery/thirty_grains_mpm.prm",
+      {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=1e4", "Contact/Friction=0.3"},
+      12);
+  compare("pressed, in balance", "gallery/thirty_grains_quasi_static_mpm.prm",
+          {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
+           "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"},
+          4);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

@@ -86,7 +86,8 @@ void put(const std::string &path, const std::string &text)
 void read_parameters(const std::string &path)
 {
   const ParameterFile file(path);
-  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls")};
+  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls"),
+                         file.names("Stages")};
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   const std::string model = file.value({}, "Model", "mpm");
   dealii::ParameterHandler prm;

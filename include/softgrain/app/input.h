@@ -3,7 +3,7 @@
 #define softgrain_app_input_h
 
 #include <softgrain/app/run_parameters.h>
-#include <softgrain/driving/stop_condition.h>
+#include <softgrain/driving/stages.h>
 #include <softgrain/model/model.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
@@ -37,6 +37,7 @@ public:
   /// As described; with the bodies of its packing after complete_scene().
   const Scene<2> &scene() const { return described_scene; }
   const StopConditions &stop() const { return stop_conditions; }
+  const Stages &stages() const { return described_stages; }
 
   /// Makes the packing of the scene, once, on all threads. @throw InputError when it cannot be made, or its
   /// bodies do not suit walls and other bodies.
@@ -56,11 +57,15 @@ public:
   std::string effective_parameters() const;
 
 private:
+  /// If it is known beforehand [s]; 0: it is not.
+  double end_time() const;
+
   ParameterFile file;
   dealii::ParameterHandler prm;
   RunParameters run_parameters;
   Scene<2> described_scene;
   StopConditions stop_conditions;
+  Stages described_stages;
   bool is_complete = false;
 };
 

@@ -10,6 +10,7 @@
 #include <softgrain/app/run_lock.h>
 #include <softgrain/app/run_log.h>
 #include <softgrain/app/run_statistics.h>
+#include <softgrain/app/stage_path.h>
 #include <softgrain/output/history.h>
 #include <softgrain/output/snapshot_file.h>
 
@@ -63,6 +64,10 @@ private:
   void write_history(const StepReport &report);
   void write_pictures(bool fields, bool snapshots);
   void write_checkpoint();
+  /// The state in a file of this name.
+  void write_state(const std::string &file);
+  /// Where a stage ends, and another begins: a row of the history, pictures, checkpoints, other drives.
+  void enter_next_stage(const StepReport &report);
   void write_summary(const std::string &status);
   void print_end(const std::string &status);
 
@@ -86,6 +91,7 @@ private:
   OutputSchedule snapshot_schedule;
   bool restarted = false;
   StepPlanner planner;
+  StagePath path;
   std::optional<std::uint64_t> last_history_step;
   std::optional<std::uint64_t> last_picture_step;
 };

@@ -23,6 +23,7 @@ struct RunState
   const Model<2> &model;
   const std::vector<WallState<2>> &walls_at_start;
   double time_slack = 0; ///< what counts as having arrived [s]
+  double begin = 0;      ///< from when times count [s]
 };
 
 /**
@@ -64,8 +65,10 @@ class StopConditions
 public:
   /// Declares section `Stop`; the handler stands at its top.
   static void declare_parameters(dealii::ParameterHandler &prm);
-  /// @throw InputError when there is none
-  void parse_parameters(dealii::ParameterHandler &prm);
+  /// @throw InputError when there is none, unless @p may_be_empty
+  void parse_parameters(dealii::ParameterHandler &prm, bool may_be_empty = false);
+
+  bool empty() const { return asked.empty(); }
 
   void check(const Scene<2> &scene) const;
   void check_start(const Scene<2> &scene) const;

@@ -28,7 +28,13 @@ struct Wall
   unsigned int body = no_body;  ///< slab of material points, if it is made of one
   double travel = 0;            ///< along the normal since the start [m]
   double speed = 0;             ///< along the normal; of a prescribed wall the mean over the last step [m/s]
+  double pressure = 0;          ///< on a wall that is free [Pa]
   double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
+  double mass = 0;              ///< of a wall that is free [kg/m]
+  double usual_mass = 0;        ///< the same if none is given [kg/m]
+  double drive_begin = 0;       ///< since when it is driven as it is [s]
+  double travel_before = 0;     ///< until then [m]
+  double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
   dealii::Tensor<1, 2>
@@ -47,10 +53,20 @@ struct Wall
 
   bool prescribed() const { return description.drive->prescribed(); }
 
+  /**
+   * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
+   *
+   * What depends on the stress beside it is approached: in a packing that yields, that stress answers a
+   * change of pressure with up to three times as much.
+   */
+  void press(double asked, double length);
+
+  double kinetic_energy() const { return 0.5 * mass * speed * speed; } ///< [J/m]
+
   /// What its drive asks of it in a step of @p dt from @p time on [s].
-  WallDemand demand(const double time, const double dt) const
+  WallDemand demand(const double time, const double dt, const double stress_beside = 0.) const
   {
-    return description.drive->demand({time, dt, travel});
+    return description.drive->demand({time - drive_begin, dt, travel - travel_before, stress_beside});
   }
 
   /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
@@ -64,8 +80,31 @@ struct Wall
   WallState<2> state() const;
 };
 
-/// The walls of a scene at the start.
-std::vector<Wall> make_walls(const std::vector<WallDescription<2>> &descriptions);
+/// A wall that is free, as one unknown of a step: a given impulse P along its normal makes its velocity at
+/// the end free_speed + P / mass.
+struct FreeWallStep
+{
+  double mass = 0;       ///< with its damping [kg/m]
+  double free_speed = 0; ///< [m/s]
+};
+
+/// @param theta   weight of the velocity at the end in the motion over the step and in the damping
+/// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
+FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double impulse = 0.);
+
+/// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of
+/// all bodies.
+std::vector<Wall> make_walls(const Scene<2> &scene);
+
+/// Drives walls from @p time on as @p drives say, one per wall; null: as before.
+/// @return the kinetic energy that walls which are free now have, less that of those which were free [J/m]
+double take_drives(std::vector<Wall> &walls,
+                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                   double time);
+
+/// Whether the pressure of a free wall has a length to act on.
+/// @throw InputError
+void check_free_walls(const Scene<2> &scene);
 
 /// What the models report of all walls.
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);
@@ -73,6 +112,17 @@ std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);
 /// Length that a pressure on wall @p w acts on (2D): between the walls beside it, where they are now; 0
 /// without them [m].
 double pressed_length(const std::vector<Wall> &walls, std::size_t w);
+
+/// Mean of the stresses on the walls at right angles to wall @p w, which they felt in the last step (2D),
+/// compression positive; 0 without them [Pa].
+double stress_beside(const std::vector<Wall> &walls, std::size_t w);
+
+/// What the drive of the free wall @p w asks for [Pa].
+inline double
+asked_pressure(const std::vector<Wall> &walls, const std::size_t w, const double time, const double dt)
+{
+  return walls[w].demand(time, dt, stress_beside(walls, w)).pressure;
+}
 
 /// Keeps walls under @p name in a checkpoint.
 void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall> &walls);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@ namespace softgrain
 {
 class StateReader;
 class StateWriter;
+class WallDrive;
 
 /// What one accepted step took; rejected attempts are counted in it.
 struct StepReport
@@ -51,6 +53,9 @@ public:
    * too.
    */
   virtual StepReport advance(double dt_limit) = 0;
+
+  /// Drives the walls as @p drives say from now on, one per wall; null: as before.
+  virtual void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) = 0;
 
   virtual double time() const = 0; ///< [s]
   virtual std::size_t step() const = 0;

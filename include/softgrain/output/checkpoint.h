@@ -70,6 +70,11 @@ private:
 /// `DIRECTORY/state-000001234.h5`
 std::string checkpoint_path(const std::string &directory, std::uint64_t step);
 
+/// The checkpoint that is kept of the end of a stage.
+std::string stage_path(const std::string &directory, const std::string &stage);
+/// Whether a file has the name of one.
+bool is_stage_name(const std::string &name);
+
 /**
  * @brief The newest whole checkpoint of a folder; damaged ones are passed over.
  * @throw InputError when there is none.

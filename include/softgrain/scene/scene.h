@@ -56,6 +56,7 @@ struct WallDescription
   dealii::Point<dim> point;               ///< a point of the plane at the start [m]
   dealii::Tensor<1, dim> normal;          ///< unit, into the domain
   std::shared_ptr<const WallDrive> drive; ///< how it moves
+  std::string drive_name;                 ///< in the registry of drives, for messages
   double friction = 0;
 };
 

@@ -19,6 +19,7 @@ struct SceneNames
   std::vector<std::string> materials;
   std::vector<std::string> bodies;
   std::vector<std::string> walls;
+  std::vector<std::string> stages = {};
 };
 
 /**

@@ -5,6 +5,7 @@
 #include <softgrain/base/registry.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -20,6 +21,8 @@ struct WallStep
   double begin = 0;  ///< [s]
   double dt = 0;     ///< [s]
   double travel = 0; ///< of the wall along its normal until begin [m]
+  double stress_beside =
+      0; ///< mean on the walls at right angles to it, compression positive, last known [Pa]
 
   double middle() const { return begin + 0.5 * dt; } ///< [s]
 };
@@ -31,11 +34,11 @@ struct WallDemand
   double pressure = 0; ///< mean over the step, towards the bodies; of a wall that is free to move [Pa]
 };
 
-/// What resists the motion of a wall that is free to move.
+/// What resists the motion of a wall that is free to move; nothing where the program is to choose.
 struct WallInertia
 {
-  double mass = 0;    ///< [kg/m in 2D]
-  double damping = 0; ///< force per velocity [kg/(m s) in 2D]
+  std::optional<double> mass;    ///< [kg/m in 2D]
+  std::optional<double> damping; ///< force per velocity [kg/(m s) in 2D]
 };
 
 /**
@@ -60,6 +63,9 @@ public:
   virtual bool prescribed() const = 0;
 
   virtual WallDemand demand(const WallStep &step) const = 0;
+
+  /// Whether the pressure it asks for depends on the stress beside it.
+  virtual bool looks_beside() const { return false; }
 
   /// Of a wall that is not prescribed.
   virtual WallInertia inertia() const { return {}; }

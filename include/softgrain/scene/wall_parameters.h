@@ -4,6 +4,7 @@
 
 #include <softgrain/scene/scene.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,15 @@ public:
 
   /// @throw InputError when a normal is missing or zero.
   std::vector<WallDescription<2>> parse_parameters(dealii::ParameterHandler &prm) const;
+
+  /// Declares 'Drive' and what belongs to every drive, where the handler stands.
+  /// @param as_before whether the drive may be left as it was, which is then the default
+  static void declare_drive(dealii::ParameterHandler &prm, bool as_before);
+
+  /// @param wall "Walls/NAME", for messages. @return null for a drive that is left as before
+  /// @throw InputError when something is set that belongs to another drive
+  static std::shared_ptr<const WallDrive> parse_drive(const dealii::ParameterHandler &prm,
+                                                      const std::string &wall);
 
 private:
   const std::vector<std::string> names;

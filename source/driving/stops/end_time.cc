@@ -24,7 +24,8 @@ public:
 
   double fraction_done(const RunState &state, const double limit) const override
   {
-    return state.model.time() >= limit - state.time_slack ? 1. : state.model.time() / limit;
+    const double elapsed = state.model.time() - state.begin;
+    return elapsed >= limit - state.time_slack ? 1. : elapsed / limit;
   }
 };
 

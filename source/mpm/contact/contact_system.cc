@@ -43,6 +43,9 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                                 const bool again)
 {
   const Memory now = again ? memory_of_now() : Memory();
+  const std::vector<double> stop_impulses(
+      impulse.begin() + std::min<std::size_t>(impulse.size(), rows.size() * problem.n_components),
+      impulse.end());
   const Memory &first_guess = again ? now : remembered;
   const double scale = again || memory_step == 0. ? 1. : dt / memory_step;
   rows = std::move(new_rows);
@@ -51,9 +54,13 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
   const unsigned int components = friction ? dim : 1;
   problem.n_components = components;
   problem.friction.clear();
+  free_walls.reinit(rows, components);
   if (friction)
+  {
     for (const auto &row : rows)
       problem.friction.push_back(row.friction);
+    problem.friction.resize(rows.size() + free_walls.n_stops(), 0.);
+  }
   body_components.assign(bodies.size(), {});
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (const unsigned int b : {rows[r].body, rows[r].partner})
@@ -79,8 +86,10 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                    matrix.finalize();
                  }
                });
-  impulse.assign(rows.size() * components, 0.);
-  velocity.assign(rows.size() * components, 0.);
+  impulse.assign((rows.size() + free_walls.n_stops()) * components, 0.);
+  velocity.assign(impulse.size(), 0.);
+  if (again && stop_impulses.size() == free_walls.n_stops() * components)
+    std::copy(stop_impulses.begin(), stop_impulses.end(), impulse.begin() + rows.size() * components);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     const auto old = first_guess.find(rows[r].key);
@@ -88,17 +97,37 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
       for (unsigned int c = 0; c < components; ++c)
         impulse[r * components + c] = scale * old->second[c];
   }
+  free_walls.move(impulse);
   delassus.reset();
   color_pairs(bodies);
 }
 
 template <int dim>
+void ContactSystem<dim>::color(const std::vector<unsigned int> &taking,
+                               const contact::Problem::Range range,
+                               std::vector<std::vector<char>> &taken)
+{
+  unsigned int color = 0;
+  while (std::any_of(taking.begin(), taking.end(),
+                     [&](const unsigned int i) { return color < taken[i].size() && taken[i][color]; }))
+    ++color;
+  for (const unsigned int i : taking)
+  {
+    taken[i].resize(std::max<std::size_t>(taken[i].size(), color + 1), 0);
+    taken[i][color] = 1;
+  }
+  if (color == problem.colors.size())
+    problem.colors.emplace_back();
+  problem.colors[color].push_back(range);
+}
+
+template <int dim>
 void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 {
-  // Each pair gets the first colour that neither of its bodies has yet.
+  // Each pair gets the first colour that nothing it moves has yet: bodies, and free walls after them.
   problem.colors.clear();
   pairs.clear();
-  std::vector<std::vector<char>> taken(bodies.size());
+  std::vector<std::vector<char>> taken(bodies.size() + free_walls.list.size());
   for (unsigned int first = 0, end; first < rows.size(); first = end)
   {
     end = first + 1;
@@ -106,23 +135,19 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
            rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall)
       ++end;
     pairs.push_back({first, end});
-    std::vector<unsigned int> pair = {rows[first].body};
-    if (rows[first].partner != ContactRow<dim>::none)
-      pair.push_back(rows[first].partner);
-    unsigned int color = 0;
-    while (std::any_of(pair.begin(), pair.end(),
-                       [&](const unsigned int b)
-                       { return !bodies[b].driven && color < taken[b].size() && taken[b][color]; }))
-      ++color;
-    for (const unsigned int b : pair)
-    {
-      taken[b].resize(std::max<std::size_t>(taken[b].size(), color + 1), 0);
-      taken[b][color] = 1;
-    }
-    if (color == problem.colors.size())
-      problem.colors.emplace_back();
-    problem.colors[color].push_back({first, end});
+    std::vector<unsigned int> pair;
+    for (const unsigned int b : {rows[first].body, rows[first].partner})
+      if (b != ContactRow<dim>::none && !bodies[b].driven)
+        pair.push_back(b);
+    for (unsigned int k = 0; k < free_walls.list.size(); ++k)
+      if (rows[first].wall == free_walls.list[k].wall)
+        pair.push_back(bodies.size() + k);
+    color(pair, {first, end}, taken);
   }
+  for (unsigned int s = 0; s < free_walls.n_stops(); ++s)
+    color({static_cast<unsigned int>(bodies.size() + free_walls.wall_of_stop(s))},
+          {static_cast<unsigned int>(rows.size() + s), static_cast<unsigned int>(rows.size() + s + 1)},
+          taken);
 }
 
 template <int dim>
@@ -194,7 +219,7 @@ void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
                    if (!bodies[b].driven && !body_components[b].empty())
                      solvers[b]->condense(body_rows[b], blocks[b]);
                });
-  contact::BlockDelassus W(rows.size(), n_components());
+  contact::BlockDelassus W(rows.size() + free_walls.n_stops(), n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)
       W.add_block(body_components[b], blocks[b]);
@@ -213,6 +238,7 @@ void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
       W.add_block(normals, Eigen::MatrixXd::Constant(normals.size(), normals.size(),
                                                      pair.compliance / (theta * dt * dt)));
     }
+  free_walls.add_blocks(W);
   delassus = std::make_shared<Operator>(Operator{std::move(W)});
 }
 
@@ -272,6 +298,12 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
     for (unsigned int k = 0; k < body_components[b].size(); ++k)
       for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
         list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());
+  for (unsigned int k = 0; k < free_walls.list.size(); ++k)
+  {
+    for (const auto &entry : free_walls.entries(k))
+      list[entry.component].emplace_back(inverse_mass.size(), -entry.factor);
+    inverse_mass.push_back(1. / free_walls.list[k].mass);
+  }
   std::vector<unsigned int> start(1, 0), dofs;
   std::vector<double> weights;
   for (const auto &row : list)
@@ -289,9 +321,14 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
 
 template <int dim>
 contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocity,
-                                                const contact::SolverSettings &settings,
+                                                const contact::SolverSettings &given_settings,
                                                 const bool relative)
 {
+  contact::SolverSettings settings = given_settings;
+  free_walls.add_stops(free_velocity);
+  const double factor = free_walls.tolerance_factor(free_velocity);
+  settings.tolerance *= factor;
+  settings.passable *= factor;
   return std::visit(
       [&](auto &W)
       {
@@ -306,8 +343,10 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
         }
         problem.free_velocity = std::move(free_velocity);
         last_start = impulse;
-        const contact::SolverReport report = contact::solve(W, problem, settings, impulse, velocity);
+        contact::SolverReport report = contact::solve(W, problem, settings, impulse, velocity);
+        report.residual /= factor;
         plain_solves += report.fell_back;
+        free_walls.move(impulse);
         return report;
       },
       delassus->kind);

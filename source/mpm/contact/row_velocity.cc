@@ -9,19 +9,31 @@ std::vector<double> row_velocity(const World &world,
                                  const std::vector<double> &start_relative,
                                  const double theta,
                                  const double dt,
-                                 const bool reopen)
+                                 const bool reopen,
+                                 const bool with_impulses)
 {
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   std::vector<double> q = world.contact.relative_velocity(world.bodies, v);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
+    // Slabs that are driven move in relative_velocity() already.
     const bool plane = rows[r].partner == ContactRow<2>::none;
-    const double wall = plane ? motion[rows[r].wall].velocity : 0.;
-    q[r * components] -= wall;
+    const FreeWall<2> *const free =
+        rows[r].wall == ContactRow<2>::none ? nullptr : world.contact.free_walls.find(rows[r].wall);
+    double start = plane ? motion[rows[r].wall].velocity : 0., end = start;
+    if (free != nullptr)
+    {
+      start = free->start_speed * (free->normal * rows[r].normal);
+      end = with_impulses ? free->speed : free->free_speed;
+      for (unsigned int c = 1; c < components; ++c)
+        q[r * components + c] -= end * (free->normal * rows[r].direction(c));
+      end *= free->normal * rows[r].normal;
+    }
+    q[r * components] -= end;
     double predicted = rows[r].gap;
     if (theta < 1.)
-      predicted += (1. - theta) * dt * (start_relative[r * components] - wall);
+      predicted += (1. - theta) * dt * (start_relative[r * components] - start);
     if (predicted > 0. || reopen)
       q[r * components] += predicted / (theta * dt);
   }

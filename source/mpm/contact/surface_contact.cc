@@ -28,7 +28,7 @@ public:
   {
     double drive = 0.;
     for (const WallMotion<2> &wall : scene.walls)
-      drive = std::max(drive, std::abs(wall.velocity));
+      drive = std::max(drive, wall.fastest);
     rest += 2. * scene.dt * drive;
   }
 

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/driving/contact_settings.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
@@ -35,16 +36,29 @@ public:
   }
 
 private:
+  /// @throw InputError when walls have what a scheme without inertia would ignore
+  static void check_wall_inertia(const Scene<2> &scene, const Settings &settings)
+  {
+    for (const WallDescription<2> &wall : scene.walls)
+    {
+      const WallInertia given = wall.drive->inertia();
+      if (!settings.scheme.inertia && (given.mass || given.damping))
+        throw InputError("'Walls/" + wall.name + (given.mass ? "/Mass" : "/Damping") +
+                         "' has no effect with 'Time/Scheme' = 'quasi_static': leave it at automatic");
+      if (!settings.scheme.inertia && !wall.drive->prescribed() && settings.max_held_steps == 0)
+        throw InputError("'Quasi-static/Held steps' = '0' is not allowed with the pressure on wall '" +
+                         wall.name + "', which is found in held steps: it must be greater than 0");
+    }
+  }
+
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
 
   static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm);
-    for (const WallDescription<2> &wall : scene.walls)
-      if (!wall.drive->prescribed())
-        throw InputError("'Walls/" + wall.name + "/Drive' = '" + prm.get({"Walls", wall.name}, "Drive") +
-                         "' is not allowed with 'Model' = 'mpm': choose 'velocity'");
+    check_free_walls(scene);
+    check_wall_inertia(scene, settings);
     Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {

@@ -74,7 +74,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   for (const BodyDescription<2> &body : descriptions)
     world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
                                      world.scene.materials[body.material].density, context));
-  world.walls = make_walls(world.scene.walls);
+  world.walls = make_walls(world.scene);
   for (unsigned int w = 0; w < world.walls.size(); ++w)
     if (world.walls[w].description.type == WallDescription<2>::Type::material_points)
     {
@@ -180,6 +180,14 @@ StepReport MpmModel::advance(const double dt_limit)
     check_energy();
   update_momentum_scale();
   return report;
+}
+
+void MpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
+{
+  // Whoever holds a wall gives it the energy of its motion, and takes it.
+  const double energy = softgrain::take_drives(world.walls, drives, world.time);
+  if (world.settings.scheme.inertia)
+    world.balance.wall_work += energy;
 }
 
 void MpmModel::check_energy() const
@@ -304,9 +312,12 @@ Energies MpmModel::energies() const
         energies.kinetic += body.kinetic_energy();
       energies.elastic += elastic[body.index];
     }
+  if (world.settings.scheme.inertia)
+    for (const Wall &wall : world.walls)
+      energies.kinetic += wall.kinetic_energy();
   energies.elastic += world.balance.subgrid_energy;
   energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
-                        world.balance.regularisation_work;
+                        world.balance.regularisation_work + world.balance.wall_damping_loss;
   energies.external_work = world.balance.external_work();
   return energies;
 }

@@ -155,6 +155,10 @@ void declare_quasi_static(dealii::ParameterHandler &prm)
                    "Held steps", "200", Integer(0, 100000),
                    "Largest number of steps with walls at rest after one in which they move; without balance "
                    "after so many the run ends with a message. 0: none, and steps do not end in balance.");
+               prm.declare_entry(
+                   "Wall motion", "0.3", Double(1e-6, 10.),
+                   "Way of a wall under pressure in a step and in each held step, at most. Held steps "
+                   "on the way to the grains do not count as 'Held steps'. Units: cells.");
              });
 }
 
@@ -262,6 +266,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
                unbalanced_force = prm.get_double("Unbalanced force");
                held_motion = prm.get_double("Held motion");
                max_held_steps = prm.get_integer("Held steps");
+               wall_motion = prm.get_double("Wall motion");
              });
   in_section(prm, "Newton",
              [&]

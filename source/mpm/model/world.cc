@@ -3,9 +3,11 @@
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -37,8 +39,14 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
 {
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
-    motion.push_back({wall.point(), wall.normal(), plan.held ? 0. : wall.demand(time, plan.dt).velocity,
-                      wall.description.friction, wall.body == Wall::no_body});
+  {
+    const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(time, plan.dt).velocity;
+    motion.push_back({wall.point(), wall.normal(), velocity, wall.description.friction,
+                      wall.body == Wall::no_body, velocity, std::abs(velocity)});
+  }
+  for (const FreeWall<2> &free : contact.free_walls.list)
+    motion[free.wall].fastest =
+        free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed));
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].body != Wall::no_body)
       bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
@@ -138,7 +146,7 @@ void account_contacts(World &world,
   {
     force_before.push_back(world.walls[w].force);
     world.walls[w].force = 0.;
-    world.walls[w].speed = motion[w].velocity;
+    world.walls[w].speed = motion[w].rate;
   }
   // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
   // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
@@ -150,7 +158,8 @@ void account_contacts(World &world,
   {
     wall.give(given, dt);
     world.balance.wall_impulse += given;
-    world.balance.wall_work += given * wall.velocity();
+    if (wall.prescribed() || balanced)
+      world.balance.wall_work += given * wall.velocity();
   };
   if (half)
     for (Wall &wall : world.walls)
@@ -179,13 +188,13 @@ void account_contacts(World &world,
       {
         Wall &wall = world.walls[rows[r].wall];
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
-        const dealii::Tensor<1, 2> drive = wall.velocity();
         give(wall, given);
         if (half)
           wall.carried += 2. / dt * given;
         // Slabs move in relative_velocity() already, planes do not.
-        if (rows[r].partner == ContactRow<2>::none)
-          relative -= drive * rows[r].direction(c);
+        const WallMotion<2> &moves = motion[rows[r].wall];
+        relative -= ((rows[r].partner == ContactRow<2>::none ? 0. : -moves.velocity) + moves.rate) *
+                    (wall.normal() * rows[r].direction(c));
       }
       else if (rows[r].partner != ContactRow<2>::none && world.bodies[rows[r].partner].driven)
       {
@@ -214,6 +223,8 @@ void account_contacts(World &world,
       world.balance.wall_work +=
           0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
     }
+  for (const FreeWall<2> &free : world.contact.free_walls.list)
+    account_free_wall(world, free, motion[free.wall].rate, dt, !half && world.settings.scheme.implicit);
 }
 
 /// Gives the points what the step has come to.
@@ -278,8 +289,8 @@ void accept_step(World &world,
     world.balance.law_loss += loss;
   world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
   world.balance.carried_load = load;
-  for (Wall &wall : world.walls)
-    wall.travel += dt * wall.speed;
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+    world.walls[w].travel += dt * motion[w].velocity;
   if (!plan.held)
     world.time += dt;
   world.contact.remember(dt);

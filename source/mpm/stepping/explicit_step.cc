@@ -2,6 +2,7 @@
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ StepOutcome explicit_step(World &world, const double dt)
 {
   StepOutcome outcome;
   const StepPlan plan{dt, false, 0.};
-  const std::vector<WallMotion<2>> motion = world.wall_motion(plan);
+  press_walls(world, plan);
+  std::vector<WallMotion<2>> motion = world.wall_motion(plan);
   world.find_rows(motion, dt, nullptr, 0.5, false);
   const unsigned int n_bodies = world.bodies.size();
   Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
@@ -72,6 +74,7 @@ StepOutcome explicit_step(World &world, const double dt)
   solve_contacts(world, dt, motion, v, outcome);
   if (!outcome.reason.empty())
     return outcome;
+  settle_free_walls(world, motion);
 
   dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
   Vectors forces(n_bodies);

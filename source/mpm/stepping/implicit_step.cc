@@ -5,6 +5,7 @@
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/following_rows.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -37,7 +38,7 @@ public:
       , plan(plan)
       , dt(plan.dt)
       , theta(world.settings.scheme.theta)
-      , motion(world.wall_motion(plan))
+      , motion(walls_of_step(world, plan))
       , equations(world, plan)
       , rows(world, plan.dt, motion)
       , n_bodies(world.bodies.size())
@@ -60,6 +61,7 @@ public:
           (settled || rows.searches() >= world.settings.max_searches))
       {
         outcome.rows_settled = settled;
+        settle_free_walls(world, motion);
         const std::string overlap = too_deep();
         return overlap.empty() ? finish() : reject(overlap);
       }
@@ -82,6 +84,12 @@ public:
   }
 
 private:
+  static std::vector<WallMotion<2>> walls_of_step(World &world, const StepPlan &plan)
+  {
+    press_walls(world, plan);
+    return world.wall_motion(plan);
+  }
+
   StepOutcome reject(const std::string &reason)
   {
     outcome.accepted = false;
@@ -109,6 +117,7 @@ private:
 
   void find_rows(const bool again)
   {
+    follow_free_walls(world, motion);
     rows.find(equations.increment, again);
     equations.rows_changed();
     condensed_rows_are_old = true;
@@ -246,7 +255,7 @@ private:
           std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
     const contact::SolverReport report =
         world.contact.solve(row_velocity(world, v, motion, equations.start_relative, theta, dt,
-                                         theta == 1. || world.settings.rows_follow()),
+                                         theta == 1. || world.settings.rows_follow(), relative),
                             settings, relative);
     outcome.contact_sweeps += report.sweeps;
     outcome.contact_residual = report.residual;
@@ -358,7 +367,7 @@ private:
   World &world;
   const StepPlan plan;
   const double dt, theta;
-  const std::vector<WallMotion<2>> motion;
+  std::vector<WallMotion<2>> motion;
   StepEquations equations;
   FollowingRows rows;
   const unsigned int n_bodies;

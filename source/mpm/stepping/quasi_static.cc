@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
 
 #include <algorithm>
@@ -105,25 +106,29 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
   StepOutcome sum = implicit_step(world, {dt, false, settings.regularisation * wanted / dt});
   if (!sum.accepted)
     return sum;
-  sum.unbalanced = unbalanced_force_here(world, dt);
+  double of_bodies = unbalanced_force_here(world, dt);
+  sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
   StepPlan held{dt, true, settings.regularisation};
   std::vector<Eigen::VectorXd> place = displacements(world), last_way;
   StepOutcome step;
-  for (sum.held_steps = 0; sum.held_steps < settings.max_held_steps; ++sum.held_steps)
+  unsigned int near_balance = 0; // held steps since all walls have met what bears them
+  for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
     step = implicit_step(world, held);
     add(step, sum);
     if (!step.accepted)
     {
+      held.guess = nullptr; // it may be what failed
       held.regularisation *= 10.;
       if (held.regularisation > 10.)
         throw ComputationError("no balance is found with the walls at rest: " + step.reason);
       continue;
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
-    const double before = sum.unbalanced;
-    sum.unbalanced = unbalanced_force_here(world, dt);
+    const double before = of_bodies;
+    of_bodies = unbalanced_force_here(world, dt);
+    sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * world.lattice->cell_size())
     {
@@ -137,17 +142,20 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
     last_way.swap(place);
     place.swap(now);
     held.guess = turn > 0.5 ? &last_way : nullptr;
+    if (walls_are_on_their_way(world))
+    {
+      check_room_of_walls(world);
+      near_balance = 0;
+      continue;
+    }
     // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
     if (turn < -0.3)
       held.regularisation = std::min(10. * held.regularisation, 10.);
-    else if (step.rows_settled && sum.unbalanced > 0.3 * before)
+    else if (step.rows_settled && of_bodies > 0.3 * before)
       held.regularisation = std::max(0.1 * held.regularisation, 1e-3 * settings.regularisation);
   }
   if (settings.max_held_steps == 0)
-  {
-    sum.unbalanced = unbalanced_force_here(world, dt);
     return sum;
-  }
   std::ostringstream message;
   message << "at time " << world.time << " s the bodies are not in balance after " << sum.held_steps
           << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced

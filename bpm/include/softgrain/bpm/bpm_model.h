@@ -44,6 +44,7 @@ public:
 
   std::string name() const override { return "bpm"; }
   StepReport advance(double dt_limit) override;
+  void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
   double time() const override { return now; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;

@@ -67,9 +67,11 @@ struct WallMotion
 {
   dealii::Point<dim> point;      ///< at the start of the step [m]
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  double velocity;               ///< mean over the step, along the normal [m/s]
+  double velocity; ///< mean over the step, along the normal; of a free wall as far as known [m/s]
   double friction = 0;
-  bool plane = true; ///< false: it is made of material points
+  bool plane = true;  ///< false: it is made of material points
+  double rate = 0;    ///< velocity with which its impulses do work [m/s]
+  double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]
 };
 } // namespace softgrain::mpm
 

@@ -6,6 +6,7 @@
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/free_walls.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 
 #include <Eigen/Core>
@@ -22,7 +23,7 @@ namespace softgrain::mpm
  * @brief The contact problem of one step: rows of all bodies, the Delassus operator, the impulses.
  *
  * Component c of row r has index r * n_components + c: the normal first, then the tangent when any row has
- * friction.
+ * friction. The impulses of the stops of free walls follow.
  */
 template <int dim>
 class ContactSystem
@@ -32,7 +33,10 @@ public:
   /// step before or, when @p again, the impulses that such rows have now.
   void reinit(std::vector<ContactRow<dim>> rows, const std::vector<Body<dim>> &bodies, double dt, bool again);
 
-  bool empty() const { return rows.empty(); }
+  /// Walls that are unknowns of the step; to be set before reinit().
+  FreeWalls<dim> free_walls;
+
+  bool empty() const { return rows.empty() && free_walls.n_stops() == 0; }
   const std::vector<ContactRow<dim>> &contact_rows() const { return rows; }
   unsigned int n_components() const { return problem.n_components; }
   /// Impulses of the last solve [N s].
@@ -111,6 +115,9 @@ private:
 
   Memory memory_of_now() const;
   void color_pairs(const std::vector<Body<dim>> &bodies);
+  void color(const std::vector<unsigned int> &taking,
+             contact::Problem::Range range,
+             std::vector<std::vector<char>> &taken);
 
   std::vector<ContactRow<dim>> rows;
   std::vector<Pair> pairs;

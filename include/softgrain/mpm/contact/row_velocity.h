@@ -16,6 +16,8 @@ namespace softgrain::mpm
  * as a gap is open after the known part, the contact condition is posed for the gap at the end of the step,
  * so that nothing touches early. When the known part closes the gap, the condition is posed for the velocity.
  * @param start_relative H v at the start of the step; empty when theta is 1 [m/s]
+ * @param with_impulses whether @p v holds the effect of the present impulses; the speeds of free walls then
+ * do too
  * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
  */
 std::vector<double> row_velocity(const World &world,
@@ -24,7 +26,8 @@ std::vector<double> row_velocity(const World &world,
                                  const std::vector<double> &start_relative,
                                  double theta,
                                  double dt,
-                                 bool reopen);
+                                 bool reopen,
+                                 bool with_impulses = false);
 } // namespace softgrain::mpm
 
 #endif

@@ -76,6 +76,7 @@ struct Settings
   double unbalanced_force = 1e-4;    ///< net force on a body over the mean contact force, in balance
   double held_motion = 1e-2;         ///< of a held step, in balance [cells]
   unsigned int max_held_steps = 200; ///< after one that moves
+  double wall_motion = 0.3;          ///< of a wall under pressure, in a step or a held step at most [cells]
 
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
   bool subgrid_compliance() const

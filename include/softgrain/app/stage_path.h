@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_stage_path_h
+#define softgrain_app_stage_path_h
+
+#include <softgrain/driving/stages.h>
+#include <softgrain/model/model.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain
+{
+class StateReader;
+class StateWriter;
+
+/**
+ * @brief Where a run is on its path of stages: which one it is in, and when and with which walls that began.
+ */
+class StagePath
+{
+public:
+  StagePath(const Stages &stages, Model<2> &model);
+
+  bool empty() const { return stages.empty(); }
+  unsigned int number() const { return current; } ///< from 0
+  const std::string &name() const { return stages[current].name; }
+
+  /// Enters the first stage, if there is one: its walls are driven as it says.
+  void begin();
+  /// Enters the next stage.
+  void next();
+
+  /// Part of the present stage that is done. @param slack what counts as having arrived [s]
+  double fraction_of_stage(double slack) const;
+  bool stage_is_done(const double slack) const { return fraction_of_stage(slack) >= 1.; }
+  bool is_last() const { return current + 1 >= stages.size(); }
+  /// Part of the whole path; 0 without stages, or where the last one has no end of its own.
+  double fraction_done(double slack) const;
+  /// The end of the present stage if it is known beforehand [s]; 0: it is not.
+  double end_time() const;
+
+  void save(StateWriter &writer) const;
+  /// Before the model is loaded: its walls are driven as they were.
+  void load(const StateReader &reader);
+
+private:
+  const Stages &stages;
+  Model<2> &model;
+  unsigned int current = 0;
+  double begin_time = 0.; ///< [s]
+  std::vector<WallState<2>> walls_at_begin;
+};
+} // namespace softgrain
+
+#endif

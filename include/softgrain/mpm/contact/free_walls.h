@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_free_walls_h
+#define softgrain_mpm_contact_free_walls_h
+
+#include <softgrain/contact/block_delassus.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// A wall that a load moves, as one unknown of a step: its velocity at the end is free_speed - (the impulses
+/// it gives) / mass.
+template <int dim>
+struct FreeWall
+{
+  unsigned int wall = 0;         ///< index among all walls
+  dealii::Tensor<1, dim> normal; ///< of the wall, unit
+  double mass = 0;               ///< [kg/m in 2D]
+  double start_speed = 0;        ///< along the normal at the start of the step [m/s]
+  double free_speed = 0;         ///< at its end without contact [m/s]
+  double stop = 0;               ///< largest speed at the end, either way; 0: any [m/s]
+  double speed = 0;              ///< at the end under the impulses of the last solve [m/s]
+};
+
+/**
+ * @brief The free walls of a step and what they add to its contact problem.
+ *
+ * A wall couples all its rows: a rank-one block of W. One with a stop has two rows more, which follow those
+ * of the contacts: a rigid partner that stands where the wall must not go any further, ahead and behind. So
+ * the solver finds by itself whether a wall is held by bodies or by its stop.
+ */
+template <int dim>
+class FreeWalls
+{
+public:
+  std::vector<FreeWall<dim>> list;
+
+  /// The free wall that is wall @p wall, or null.
+  const FreeWall<dim> *find(unsigned int wall) const;
+
+  /// Takes the rows of the contacts.
+  void reinit(const std::vector<ContactRow<dim>> &rows, unsigned int n_components);
+
+  /// Rows of the stops, after those of the contacts.
+  unsigned int n_stops() const { return stops; }
+  /// The free wall that the stop row @p s belongs to.
+  unsigned int wall_of_stop(const unsigned int s) const { return stop_wall[s]; }
+
+  /// A wall's share in the velocity of a component: +1 where it moves towards the bodies of a row.
+  struct Entry
+  {
+    unsigned int component;
+    double factor;
+  };
+  const std::vector<Entry> &entries(const unsigned int k) const { return of_wall[k]; }
+
+  void add_blocks(contact::BlockDelassus &W) const;
+
+  /// Velocities of the stops without impulses, appended [m/s].
+  void add_stops(std::vector<double> &free_velocity) const;
+
+  /**
+   * @brief Part of the speed of approach that the loads leave when no wall goes beyond its stop.
+   *
+   * A load that nothing bears drives a light wall away at hundreds of times the speed it can have in the
+   * step, and errors are relative to the speed of approach: tolerances are to be multiplied by this.
+   */
+  double tolerance_factor(const std::vector<double> &free_velocity) const;
+
+  /// Sets the speeds at the end for these impulses [N s/m].
+  void move(const std::vector<double> &impulse);
+
+private:
+  unsigned int n_components = 1, n_rows = 0, stops = 0;
+  std::vector<std::vector<Entry>> of_wall;
+  std::vector<unsigned int> stop_wall;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_pressed_walls_h
+#define softgrain_mpm_stepping_pressed_walls_h
+
+#include <softgrain/mpm/model/world.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// Puts their loads on the walls that are free and makes them unknowns of the step.
+void press_walls(World &world, const StepPlan &plan);
+
+/// Writes into @p motion where free walls go under the present impulses.
+void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion);
+
+/// The same when the step is found; slabs go with their walls.
+void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion);
+
+/// Books the work of the load of a free wall over a step, what its damping and the scheme take, and its speed
+/// at the end. @param scheme_damping takes part in it: impulses act at theta in the step
+void account_free_wall(World &world, const FreeWall<2> &free, double rate, double dt, bool scheme_damping);
+
+/// Largest difference of the force on a free wall from its load, over the load or, where that is less, over
+/// the smallest force that counts (dimensionless); `quasi_static`.
+double unbalanced_walls(const World &world);
+
+/// Whether a free wall went as far as its stop in the last step.
+bool walls_are_on_their_way(const World &world);
+
+/// @throw ComputationError when a free wall has left the room in which it could meet anything
+void check_room_of_walls(const World &world);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// The smallest of all bodies [Pa].
+double softest(const World &world)
+{
+  double modulus = std::numeric_limits<double>::max();
+  for (const Body<2> &body : world.bodies)
+    if (!body.driven)
+      modulus = std::min(modulus, body.law->young_modulus());
+  return modulus;
+}
+
+/// Without inertia: the wall is resisted by a spring that starts from nothing in every step, as bodies are,
+/// and goes no further than the settings allow.
+void resist(const World &world, const StepPlan &plan, const Wall &wall, FreeWall<2> &free)
+{
+  const Settings &settings = world.settings;
+  const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(world);
+  free.mass = stiffness * dt * dt;
+  free.free_speed = dt * wall.load / free.mass;
+  free.start_speed = 0.;
+  free.stop = settings.wall_motion * world.lattice->cell_size() / dt *
+              std::min(1., settings.regularisation / plan.regularisation);
+}
+} // namespace
+
+void press_walls(World &world, const StepPlan &plan)
+{
+  const TimeScheme &scheme = world.settings.scheme;
+  const double dt = plan.dt;
+  std::vector<FreeWall<2>> &list = world.contact.free_walls.list;
+  list.clear();
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  {
+    Wall &wall = world.walls[w];
+    if (wall.prescribed())
+      continue;
+    // Balance is at the end of a step, motion takes the mean.
+    const double asked = scheme.inertia
+                             ? asked_pressure(world.walls, w, world.time, dt)
+                             : asked_pressure(world.walls, w, world.time + (plan.held ? 0. : dt), 0.);
+    wall.press(asked, pressed_length(world.walls, w));
+    FreeWall<2> free;
+    free.wall = w;
+    free.normal = wall.normal();
+    if (scheme.inertia)
+    {
+      // newmark: the forces at the start act for the first half.
+      const FreeWallStep step =
+          free_wall_step(wall, dt, scheme.theta,
+                         scheme.stored_acceleration ? -0.5 * dt * (wall.carried * wall.normal()) : 0.);
+      free.mass = step.mass;
+      free.free_speed = step.free_speed;
+      free.start_speed = wall.speed;
+    }
+    else
+      resist(world, plan, wall, free);
+    free.speed = free.start_speed;
+    list.push_back(free);
+  }
+}
+
+void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion)
+{
+  const TimeScheme &scheme = world.settings.scheme;
+  for (const FreeWall<2> &free : world.contact.free_walls.list)
+  {
+    WallMotion<2> &here = motion[free.wall];
+    here.velocity = (1. - scheme.theta) * free.start_speed + scheme.theta * free.speed;
+    // The impulses of an explicit step act between the velocities before and after.
+    here.rate = scheme.implicit ? here.velocity : 0.5 * (free.start_speed + free.speed);
+  }
+}
+
+void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion)
+{
+  follow_free_walls(world, motion);
+  for (const FreeWall<2> &free : world.contact.free_walls.list)
+    if (world.walls[free.wall].body != Wall::no_body)
+      world.bodies[world.walls[free.wall].body].drive = motion[free.wall].velocity * free.normal;
+}
+
+void account_free_wall(
+    World &world, const FreeWall<2> &free, const double rate, const double dt, const bool scheme_damping)
+{
+  Wall &wall = world.walls[free.wall];
+  wall.speed = world.settings.scheme.inertia ? free.speed : rate;
+  if (!world.settings.scheme.inertia)
+    return;
+  const double theta = world.settings.scheme.theta;
+  const double moving = (1. - theta) * free.start_speed + theta * free.speed;
+  world.balance.wall_work += dt * wall.load * rate;
+  world.balance.wall_damping_loss += dt * wall.damping * moving * rate;
+  const double change = free.speed - free.start_speed;
+  if (scheme_damping)
+    world.balance.scheme_damping += (theta - 0.5) * wall.mass * change * change;
+}
+
+double unbalanced_walls(const World &world)
+{
+  double worst = 0.;
+  const double floor = 1e-6 * softest(world) * world.lattice->cell_size();
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  {
+    const Wall &wall = world.walls[w];
+    if (wall.prescribed())
+      continue;
+    // Walls beside it have moved: length and stress are others.
+    const double force = -1. * (wall.force * wall.normal()),
+                 load = asked_pressure(world.walls, w, world.time, 0.) * pressed_length(world.walls, w);
+    worst = std::max(worst, std::abs(force - load) / std::max(std::abs(load), floor));
+  }
+  return worst;
+}
+
+bool walls_are_on_their_way(const World &world)
+{
+  const auto &list = world.contact.free_walls.list;
+  return std::any_of(list.begin(), list.end(),
+                     [](const FreeWall<2> &free)
+                     { return free.stop > 0. && std::abs(free.speed) > 0.9 * free.stop; });
+}
+
+void check_room_of_walls(const World &world)
+{
+  const double room = world.settings.mesh_lower.distance(world.settings.mesh_upper);
+  for (unsigned int w = 0; w < world.walls.size(); ++w)
+    if (!world.walls[w].prescribed() &&
+        (pressed_length(world.walls, w) <= 0. || std::abs(world.walls[w].travel) > room))
+    {
+      std::ostringstream message;
+      message << "at time " << world.time << " s nothing bears the pressure of wall '"
+              << world.walls[w].description.name << "': it has gone " << world.walls[w].travel << " m";
+      throw ComputationError(message.str());
+    }
+}
+} // namespace softgrain::mpm
