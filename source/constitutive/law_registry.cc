@@ -12,13 +12,6 @@ namespace softgrain::constitutive
 {
 namespace
 {
-// A function, not a variable: laws register before the variables of this file exist.
-std::vector<std::string> &failed_registrations()
-{
-  static std::vector<std::string> messages;
-  return messages;
-}
-
 template <int dim>
 void declare_laws(dealii::ParameterHandler &prm)
 {
@@ -31,19 +24,6 @@ void declare_laws(dealii::ParameterHandler &prm)
   }
 }
 } // namespace
-
-void note_failed_registration(const std::string &message)
-{
-  failed_registrations().push_back(message);
-}
-
-void check_registrations()
-{
-  std::vector<std::string> messages;
-  std::swap(messages, failed_registrations());
-  if (!messages.empty())
-    throw InputError("constitutive law " + join(messages));
-}
 
 std::vector<std::string> law_names()
 {

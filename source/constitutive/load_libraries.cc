@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/plugin_interface.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/constitutive/load_libraries.h>
-#include <softgrain/constitutive/plugin_interface.h>
 
 #include <dlfcn.h>
 #include <link.h>

@@ -174,8 +174,8 @@ SolverReport solve(Operator &op,
     const double before = report.residual;
     trial = impulses;
     double after = newton_active_set(W, problem, compliance, settings, trial, newton);
-    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !from_nothing &&
-        (rounds > 0 || !warm))
+    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 &&
+        !from_nothing && (rounds > 0 || !warm))
     {
       from_nothing = true; // a second time would end the same
       std::vector<double> other = impulses;

@@ -13,7 +13,7 @@ void of_another_interface(const std::string &mark)
   std::ostringstream content;
   content << std::ifstream(SOFTGRAIN_CUSTOM_LAW, std::ios::binary).rdbuf();
   std::string bytes = content.str();
-  const std::string ours = softgrain::constitutive::plugin_interface_mark;
+  const std::string ours = softgrain::plugin_interface_mark;
   for (std::size_t place = bytes.find(ours); place != std::string::npos; place = bytes.find(ours))
     bytes.replace(place, ours.size(), mark.substr(0, ours.size()));
   std::ofstream("older.so", std::ios::binary) << bytes;
@@ -53,7 +53,7 @@ int main()
   catch (const InputError &error)
   {
     const std::string text = error.what();
-    std::cout << text.substr(text.rfind(": constitutive") + 2) << '\n';
+    std::cout << text.substr(text.rfind(": registered") + 2) << '\n';
   }
 
   of_another_interface("softgrain plug-in interface 1.");

@@ -53,10 +53,10 @@ int main()
   show([&] { constitutive::create_law<3>("linear_elastic", prm); });
 
   // A law that is registered twice is reported once, when somebody asks for laws.
-  show([] { constitutive::check_registrations(); });
-  constitutive::note_failed_registration("registered twice: hencky");
-  show([] { constitutive::check_registrations(); });
-  show([] { constitutive::check_registrations(); });
+  show([] { check_registrations(); });
+  note_failed_registration("registered twice: hencky");
+  show([] { check_registrations(); });
+  show([] { check_registrations(); });
 
   show([] { constitutive::load_libraries({}); });
   // The loader's own words differ between systems, so only ours are printed.

@@ -39,7 +39,7 @@ subsection Walls
   set Names = bottom, top, left, right
   subsection top
     set Point = 0, 1
-    set Drive = position
+    set Drive = track
     set Travel = 0.02*sin(200*t)^2
   end
   subsection right

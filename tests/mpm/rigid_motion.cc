@@ -90,8 +90,8 @@ void spin(const std::string &cell, const double turns)
   std::cout << "spin h " << cell << ", " << turns << " turns: centre stress " << first_sum / n_first / exact
             << " of the exact at first, " << last_sum / n_last / exact << " in the last turn, from "
             << lowest / exact << " to " << highest / exact << "; energy changed by "
-            << (e.kinetic + e.elastic) / energy - 1. << ", angular momentum by "
-            << model->snapshot().bodies[0].angular_momentum / angular - 1. << '\n';
+            << below(2e-6, (e.kinetic + e.elastic) / energy - 1.) << ", angular momentum by "
+            << below(1e-6, model->snapshot().bodies[0].angular_momentum / angular - 1.) << '\n';
 }
 } // namespace
 

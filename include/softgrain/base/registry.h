@@ -4,6 +4,7 @@
 
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/base/plugin_interface.h>
 
 #include <functional>
 #include <map>
@@ -13,6 +14,12 @@
 
 namespace softgrain
 {
+/// Keeps the message of a registration that failed, for check_registrations() to report.
+void note_failed_registration(const std::string &message);
+
+/// @throw InputError naming every registration that failed since the last call (a name used twice).
+void check_registrations();
+
 /**
  * @brief Names and factories of one family of replaceable parts (laws, measures, models, …).
  *
@@ -37,13 +44,15 @@ public:
   /// The one table of this family.
   static Registry &instance();
 
-  /// @return true, so that it can initialise a namespace-scope constant.
-  /// @throw std::logic_error when the name is already taken.
+  /// @return whether the name was free, so that it can initialise a namespace-scope constant. When it was
+  /// not, this is kept for check_registrations(): it happens before main() or inside dlopen(), where an
+  /// exception would end the program without a message.
   bool add(const std::string &name, const std::string &description, Factory factory)
   {
-    if (!entries.emplace(name, Entry{description, std::move(factory)}).second)
-      throw std::logic_error("registered twice: " + name);
-    return true;
+    const bool free = entries.emplace(name, Entry{description, std::move(factory)}).second;
+    if (!free)
+      note_failed_registration("registered twice: " + name);
+    return free;
   }
 
   /// Registered names in alphabetical order.

@@ -4,7 +4,6 @@
 
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law.h>
-#include <softgrain/constitutive/plugin_interface.h>
 
 #include <memory>
 #include <string>
@@ -21,12 +20,6 @@ Registry<constitutive::Law<3>> &Registry<constitutive::Law<3>>::instance();
 
 namespace softgrain::constitutive
 {
-/// Keeps the message of a registration that failed, for check_registrations() to report.
-void note_failed_registration(const std::string &message);
-
-/// @throw InputError naming every registration that failed since the last call (a law name used twice).
-void check_registrations();
-
 /**
  * @brief Makes a law known under @p name in every dimension of the template list.
  *
@@ -42,17 +35,9 @@ void check_registrations();
 template <template <int> class NamedLaw>
 bool register_law(const std::string &name, const std::string &description)
 {
-  try
-  {
-    Registry<Law<2>>::instance().add(name, description, [] { return std::make_unique<NamedLaw<2>>(); });
-    return Registry<Law<3>>::instance().add(name, description,
-                                            [] { return std::make_unique<NamedLaw<3>>(); });
-  }
-  catch (const std::logic_error &error)
-  {
-    note_failed_registration(error.what());
-    return false;
-  }
+  return Registry<Law<2>>::instance().add(name, description,
+                                          [] { return std::make_unique<NamedLaw<2>>(); }) &&
+         Registry<Law<3>>::instance().add(name, description, [] { return std::make_unique<NamedLaw<3>>(); });
 }
 
 /// Names that create_law() knows, in alphabetical order.

@@ -102,7 +102,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
           create_linear_solver(settings.linear_solver, world.matrices[body.index], 2, condensed));
     }
   }
-  if (settings.scheme.inertia && wanted_step() > 20.5 * cfl_step())
+  if (settings.scheme.inertia && settings.rows_follow() && wanted_step() > 20.5 * cfl_step())
     choose_for_long_steps(world.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   world.geometry = Registry<ContactGeometryKind>::instance()

@@ -183,7 +183,8 @@ void declare_contact(dealii::ParameterHandler &prm)
         prm.declare_entry(
             "Largest penetration", "0.1", Double(1e-6, 1e6),
             "Deepest overlap of bodies and walls at the end of an implicit step. A step that ends "
-            "deeper, and deeper than it began, is repeated with half its length. With 'Geometry = surface'. "
+            "deeper, and deeper than it began, is repeated with half its length. Where rows follow the "
+            "bodies (condensed surface contact with moreau_jean or quasi_static). "
             "Units: cells.");
         prm.declare_entry("Sub-grid compliance", "true", Bool(),
                           "Whether light frictionless contacts of round bodies get the dent that is narrower "

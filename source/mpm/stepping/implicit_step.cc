@@ -326,7 +326,7 @@ private:
   std::string too_deep()
   {
     outcome.max_penetration = rows.penetration(equations.increment);
-    if (!world.settings.contact_on_boundaries)
+    if (!world.settings.rows_follow())
       return "";
     const double allowed = world.settings.largest_penetration * world.lattice->cell_size();
     if (outcome.max_penetration <= std::max(allowed, rows.penetration_at_start()))

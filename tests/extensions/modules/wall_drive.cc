@@ -7,7 +7,7 @@
 
 using namespace softgrain;
 
-class PositionDrive final : public WallDrive
+class TrackDrive final : public WallDrive
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
@@ -33,4 +33,4 @@ private:
 };
 
 [[maybe_unused]] const bool registered = Registry<WallDrive>::instance().add(
-    "position", "the wall is where 'Travel' says", [] { return std::make_unique<PositionDrive>(); });
+    "track", "the wall is where 'Travel' says", [] { return std::make_unique<TrackDrive>(); });

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef softgrain_constitutive_plugin_interface_h
-#define softgrain_constitutive_plugin_interface_h
+#ifndef softgrain_base_plugin_interface_h
+#define softgrain_base_plugin_interface_h
 
 #include <string>
 
-/// Raised with every change of law.h, point_data.h or elastic_law.h that a library of laws must be built anew
+/// Raised with every change of a header that a library of parts must be built anew
 /// for.
-#define SOFTGRAIN_PLUGIN_INTERFACE "2"
+#define SOFTGRAIN_PLUGIN_INTERFACE "3"
 
-namespace softgrain::constitutive
+namespace softgrain
 {
 /**
- * @brief Is in every library that registers a law and says for which interface it was built.
+ * @brief Is in every library that registers a part and says for which interface it was built.
  *
  * It is read from the file before the library is loaded: what is loaded runs, and would already fail.
  */
@@ -21,6 +21,6 @@ namespace softgrain::constitutive
 /// @throw InputError when the library @p file was built for another interface; @p name is what the user calls
 /// it.
 void check_plugin_interface(const std::string &file, const std::string &name);
-} // namespace softgrain::constitutive
+} // namespace softgrain
 
 #endif
