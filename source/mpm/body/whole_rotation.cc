@@ -59,6 +59,15 @@ Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way)
   return moment_of_masses(body, body.displacement + way, on_the_way) / inertia;
 }
 
+double rotary_inertia(const Body<2> &body, const Eigen::VectorXd &r)
+{
+  // r is M w / I for the field w of a unit rotation, so that rᵀ M⁻¹ r = 1/I.
+  double inverse = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    inverse += r.segment<2>(2 * i).squaredNorm() / body.mass[i];
+  return 1. / inverse;
+}
+
 Eigen::VectorXd turned(const Eigen::VectorXd &vectors, const double angle)
 {
   if (angle == 0.)

@@ -192,13 +192,9 @@ double MpmModel::rotational_energy() const
     for (const Body<2> &body : world.bodies)
       if (!body.driven)
       {
-        // r is M w / I for the field w of a unit rotation, so that rᵀ M⁻¹ r = 1/I.
         const Eigen::VectorXd r = whole_rotation(body);
-        double inverse = 0.;
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          inverse += r.segment<2>(2 * i).squaredNorm() / body.mass[i];
         const double rate = r.dot(body.velocity);
-        energy += 0.5 * rate * rate / inverse;
+        energy += 0.5 * rate * rate * rotary_inertia(body, r);
       }
   return energy;
 }

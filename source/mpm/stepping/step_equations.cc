@@ -204,14 +204,6 @@ double StepEquations::regularisation_work() const
   return work;
 }
 
-double StepEquations::rotary_inertia(const Body<2> &body) const
-{
-  double inverse = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    inverse += rotation[body.index].segment<2>(2 * i).squaredNorm() / body.mass[i];
-  return scheme.inertia ? 1. / inverse : 0.;
-}
-
 bool StepEquations::rotation_chases_rows() const
 {
   return !rotation_is_gauge() && std::find(turns_easily.begin(), turns_easily.end(), 1) != turns_easily.end();
@@ -257,7 +249,8 @@ std::string StepEquations::factorise()
             const bool pressure_follows = attempt > 0;
             const double against_rotation = factor * rotation_stiffness(body);
             if (attempt == 0)
-              turns_easily[body.index] = against_rotation > 0.1 * rotary_inertia(body);
+              turns_easily[body.index] =
+                  scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
             add_stiffness(body, factor, matrix, pressure_follows);
             matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
             world.solvers[body.index]->set_update(rotation[body.index],

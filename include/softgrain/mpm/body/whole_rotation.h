@@ -16,6 +16,9 @@ Eigen::VectorXd whole_rotation(const Body<2> &body);
 /// inertia.
 Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way);
 
+/// Rotary inertia of a body about its centre of mass, of its whole_rotation() @p r [kg m^2/m].
+double rotary_inertia(const Body<2> &body, const Eigen::VectorXd &r);
+
 /// Vectors at nodes, turned by @p angle [rad].
 Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
 

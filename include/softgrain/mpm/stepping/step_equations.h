@@ -87,8 +87,6 @@ public:
 private:
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
-  /// Against rotation of the whole body, 0 without inertia [kg m^2/m].
-  double rotary_inertia(const Body<2> &body) const;
 
   World &world;
   const TimeScheme &scheme;
