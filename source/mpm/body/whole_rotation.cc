@@ -70,8 +70,6 @@ double rotary_inertia(const Body<2> &body, const Eigen::VectorXd &r)
 
 Eigen::VectorXd turned(const Eigen::VectorXd &vectors, const double angle)
 {
-  if (angle == 0.)
-    return vectors;
   const double c = std::cos(angle), s = std::sin(angle);
   Eigen::VectorXd result(vectors.size());
   for (Eigen::Index i = 0; i + 1 < vectors.size(); i += 2)

@@ -110,8 +110,11 @@ bool StepEquations::evaluate(const Vectors &v)
         // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
         const double half =
             scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
-        P = dt *
-            ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
+        if (half == 0.)
+          P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
+        else
+          P = dt *
+              ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
         if (external[b].size() > 0)
           // newmark's stored acceleration already holds the load at the start of the step.
           P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
