@@ -53,19 +53,6 @@ Packing pack_around(const dealii::Tensor<1, 2> &half,
 /// away.
 constexpr double filled_fraction = 0.82;
 
-/// Sizes that do not go together would need more memory than there is, or numbers that are none.
-void check_number(const BodyDescription<2> &body, const double n_primaries)
-{
-  constexpr double most = 1e8;
-  if (n_primaries <= most)
-    return;
-  std::ostringstream message;
-  message << "'Primaries/Largest diameter': the sizes of the primaries and of body '" << body.name
-          << "' do not go together: it would be cut from " << n_primaries << " primaries, at most " << most
-          << " are allowed";
-  throw InputError(message.str());
-}
-
 /// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
 /// all that lie wholly inside.
 Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
@@ -80,7 +67,7 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
   dealii::Tensor<1, 2> half;
   for (unsigned int d = 0; d < 2; ++d)
     half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
-  check_number(body, 4. * half[0] * half[1] / settings.sizes.mean_area());
+  check_number(body.name, 4. * half[0] * half[1] / settings.sizes.mean_area());
   const dealii::Tensor<1, 2> middle = box.first + 0.5 * edges - body.center;
   std::vector<double> radii;
   const Packing packing = pack_around(half, settings.sizes, radii, random);
@@ -208,6 +195,18 @@ void sort_by_place(Aggregate &aggregate)
   aggregate = sorted;
 }
 } // namespace
+
+void check_number(const std::string &body, const double n_primaries)
+{
+  constexpr double most = 1e8;
+  if (n_primaries <= most)
+    return;
+  std::ostringstream message;
+  message << "'Primaries/Largest diameter': the sizes of the primaries and of body '" << body
+          << "' do not go together: it would be cut from " << n_primaries << " primaries, at most " << most
+          << " are allowed";
+  throw InputError(message.str());
+}
 
 double attraction_time(const double diameter, const double density, const double contact_force)
 {

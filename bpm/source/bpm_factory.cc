@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/bpm/bpm_forecast.h>
 #include <softgrain/bpm/bpm_model.h>
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/geometry/box.h>
@@ -24,7 +25,7 @@ public:
   std::vector<std::string> changeable_on_restart() const override
   {
     std::vector<std::string> names = ContactSettings::names();
-    names.insert(names.end(), {"Time/", "Primaries/Library", "Contact/Wall tolerance",
+    names.insert(names.end(), {"Time/", "Primaries/Library", "Contact/Wall tolerance", "Contact/Wall floor",
                                "Contact/Penetration tolerance", "Contact/Largest penetration"});
     return names;
   }
@@ -46,10 +47,35 @@ public:
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
 
+  std::vector<std::pair<std::string, std::string>> presets(const std::string &fidelity,
+                                                           const Crowd &) const override
+  {
+    return {{"Time/Step fraction", fidelity == "draft" ? "0.2" : fidelity == "standard" ? "0.1" : "0.05"}};
+  }
+
+  double solid_area(const Scene<2> &scene, dealii::ParameterHandler &prm, const Crowd &crowd) const override
+  {
+    return bpm::solid_area(read(scene, prm).settings, crowd);
+  }
+
+  std::optional<Forecast>
+  forecast(const Scene<2> &scene, dealii::ParameterHandler &prm, const RunOutline &run) const override
+  {
+    const Read read_in = read(scene, prm);
+    return bpm::forecast(scene, read_in.settings, read_in.laws, run);
+  }
+
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
   {
     const Read read_in = read(scene, prm);
     return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts);
+  }
+
+  std::unique_ptr<Model<2>>
+  create_again(const Scene<2> &scene, dealii::ParameterHandler &prm, const StateReader &state) const override
+  {
+    const Read read_in = read(scene, prm);
+    return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts, &state);
   }
 
 private:

@@ -176,18 +176,14 @@ Energies BpmModel::energies() const
 SizeReport BpmModel::size_report() const
 {
   const double dt = wanted_step();
-  SizeReport report = {
-      {"bodies", std::to_string(n_bodies())},
-      {"primaries", std::to_string(n_points())},
-      {"mean diameter", text(dynamics->mean_diameter(), " m")},
-      {"neighbour pairs", std::to_string(dynamics->neighbours().n_pairs())},
-      {"contacts", std::to_string(dynamics->contacts().size())},
-      {"characteristic stress F0/<a0>", text(characteristic_force / dynamics->mean_diameter(), " Pa")},
-      {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
-                                      : text(dt, " s")}};
-  report.emplace_back("steps to the end time",
-                      scene.end_time > 0. ? text(std::ceil(scene.end_time / dt), "") : "no end time is set");
-  return report;
+  return {{"bodies", std::to_string(n_bodies())},
+          {"primaries", std::to_string(n_points())},
+          {"mean diameter", text(dynamics->mean_diameter(), " m")},
+          {"neighbour pairs", std::to_string(dynamics->neighbours().n_pairs())},
+          {"contacts", std::to_string(dynamics->contacts().size())},
+          {"characteristic stress F0/<a0>", text(characteristic_force / dynamics->mean_diameter(), " Pa")},
+          {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
+                                          : text(dt, " s")}};
 }
 
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const

@@ -6,6 +6,7 @@
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/bpm/bpm_model.h>
 #include <softgrain/geometry/polygon.h>
+#include <softgrain/model/state_file.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
@@ -74,7 +75,8 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
 BpmModel::BpmModel(const Scene<2> &scene_description,
                    const Settings &model_settings,
                    const std::vector<std::shared_ptr<const Attraction>> &laws,
-                   const std::vector<std::string> &law_texts)
+                   const std::vector<std::string> &law_texts,
+                   const StateReader *state)
     : scene(scene_description)
     , settings(model_settings)
     , timer(std::make_unique<dealii::TimerOutput>(
@@ -92,7 +94,9 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     contact_force = std::max(contact_force, laws[body.material]->contact_force());
     characteristic_force = std::max(characteristic_force, laws[body.material]->characteristic_force());
   }
-  Primaries disks = fill_bodies(laws, law_texts);
+  // Checkpoints of earlier versions do not say whose the primaries are.
+  const bool known = state != nullptr && state->contains("bpm/first_of_body");
+  Primaries disks = known ? primaries_of(*state) : fill_bodies(laws, law_texts);
   if (settings.dynamics.rotations(moving_walls))
   {
     disks.angular_velocity.resize(disks.size());
@@ -104,6 +108,11 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
                                    contact_force);
   if (wanted_step() <= 0.)
     throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
+  double area = 0.;
+  for (const double radius : disks.radius)
+    area += dealii::numbers::PI * radius * radius;
+  settings.dynamics.wall_force_floor =
+      settings.wall_floor * characteristic_force / disks.mean_diameter() * std::sqrt(area);
   // More than a step, for what it accelerates.
   settings.dynamics.look_ahead = 1.5 * wanted_step();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
@@ -120,7 +129,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (loaded || scene.gravity.norm() > 0.)
     acceleration.resize(dynamics->disks().size());
 
-  check_places();
+  if (!known)
+    check_places();
   dynamics->detect(moving_walls);
   drive_walls(0.);
   for (const auto &outline : outlines())
@@ -160,6 +170,27 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   }
   first_of_body.push_back(disks.size());
   library.save();
+  return disks;
+}
+
+Primaries BpmModel::primaries_of(const StateReader &state)
+{
+  Primaries disks;
+  disks.radius = state.read_doubles("bpm/radius");
+  const std::vector<double> place = state.read_doubles("bpm/position");
+  for (const std::uint64_t first : state.read_integers("bpm/first_of_body"))
+    first_of_body.push_back(first);
+  if (first_of_body.size() != scene.bodies.size() + 1 || first_of_body.back() != disks.radius.size() ||
+      place.size() != 2 * disks.radius.size())
+    throw InputError("the checkpoint was made with other bodies");
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (std::size_t i = first_of_body[b]; i < first_of_body[b + 1]; ++i)
+    {
+      disks.position.push_back({place[2 * i], place[2 * i + 1]});
+      disks.velocity.push_back({0., 0.});
+      disks.mass.push_back(dealii::numbers::PI * disks.radius[i] * disks.radius[i] * density[b]);
+      disks.body.push_back(b);
+    }
   return disks;
 }
 

@@ -3,6 +3,7 @@
 #include <softgrain/analysis/touching_pairs.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/aggregate_outline.h>
 #include <softgrain/geometry/polygon.h>
 
@@ -64,6 +65,11 @@ double BpmModel::solid_area() const
     area_of_list = dynamics->lists_made();
   }
   return area_now;
+}
+
+double BpmModel::unbalanced_walls() const
+{
+  return unbalanced(moving_walls);
 }
 
 std::vector<WallState<2>> BpmModel::walls() const

@@ -38,6 +38,7 @@ void BpmModel::save(StateWriter &out) const
   out.write("bpm/position", flat(disks.position));
   out.write("bpm/velocity", flat(disks.velocity));
   out.write("bpm/radius", disks.radius);
+  out.write("bpm/first_of_body", std::vector<std::uint64_t>(first_of_body.begin(), first_of_body.end()));
   out.write("bpm/angular_velocity", disks.angular_velocity);
   out.write("bpm/start_position", flat(start_position));
   out.write("bpm/area_at_start", area_at_start);

@@ -258,6 +258,7 @@ DynamicsReport Dynamics::step(const double dt,
   {
     const Section section(timer, "contact solve");
     contact::DiskSolverSettings solver = settings.solver;
+    solver.wall_floor = settings.wall_force_floor * dt;
     solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
     report.solver = contact::solve_disks(bodies, rows, solver);
   }

@@ -70,6 +70,12 @@ void declare_contact(dealii::ParameterHandler &prm)
       "Wall tolerance", "0.03", Double(1e-14, 1.),
       "Largest estimated error of the forces on walls, relative to the largest of them. Units: none.");
   prm.declare_entry(
+      "Wall floor", "0.03", Double(0.),
+      "The largest force on a wall counts as no less than this in 'Wall tolerance', so that bodies which "
+      "have "
+      "hardly met cost few sweeps. Units: F0/<a0> times the side of the square that has the area of all "
+      "primaries.");
+  prm.declare_entry(
       "Penetration tolerance", "1e-4", Double(1e-14, 1.),
       "Largest overlap that the error of a contact solution may add in one step. Units: mean diameters.");
   prm.leave_subsection();
@@ -115,6 +121,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   common.parse_parameters(prm);
   dynamics.solver.tolerance = common.tolerance;
   dynamics.solver.wall_tolerance = prm.get_double("Wall tolerance");
+  wall_floor = prm.get_double("Wall floor");
   dynamics.solver.max_sweeps = common.max_sweeps;
   dynamics.solver.relaxation = common.relaxation;
   dynamics.solver.algorithm = common.algorithm == "accelerated" ? contact::DiskAlgorithm::accelerated

@@ -13,6 +13,8 @@ from running import RunFailed, run
 WIDTH = 35.8e-3  # of the box of 300 disks [m]
 QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
 BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/results/bonded-particles.md, "The step"
+# A wall 25 times slower, by steps as much longer: .3 cells each, all of them written. See doc/results/quasi-static.md.
+SLOW = {"Walls/top/Velocity": "0.2", "Time/Time step": "4.8e-4", "Output/Snapshots every": "4.8e-4", "Stop/End time": "0.1"}
 FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "3"}  # the step goes with the cell
 
 
@@ -32,6 +34,8 @@ ALGORITHMS = {"plain": {"Contact/Algorithm": "gauss_seidel"},
 SERIES = {
     "seeds": [(f"mpm-{seed}", "mpm", {"Packing/Seed": str(seed)}) for seed in SEEDS],
     "friction": [(f"mpm-friction-{seed}", "mpm_friction", {"Packing/Seed": str(seed)}) for seed in SEEDS],
+    "slow": [(f"mpm-slow-{seed}", "mpm", {**SLOW, "Packing/Seed": str(seed)}) for seed in SEEDS],
+    "slow-friction": [(f"mpm-slow-friction-{seed}", "mpm_friction", {**SLOW, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "fine": [(f"mpm-fine-{seed}", "mpm", {**FINE, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bodies": [(f"mpm-{number}-bodies", "mpm", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],

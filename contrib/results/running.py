@@ -14,8 +14,13 @@ from softgrain import RunFailed  # noqa: E402
 def read_run(folder):
     """summary.json, and history.csv as a list of rows {column: number, nan where there is none}."""
     found = softgrain.open(folder)
+    return found.summary, rows_of(found)
+
+
+def rows_of(found):
+    """The history of an opened run as a list of rows."""
     table = found.history_table
-    return found.summary, [dict(zip(table, row)) for row in zip(*(table[name].tolist() for name in table))]
+    return [dict(zip(table, row)) for row in zip(*(table[name].tolist() for name in table))]
 
 
 def run(program, scene, folder, changes, threads=0, limit=None, again=True):

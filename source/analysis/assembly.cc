@@ -76,7 +76,8 @@ BodyContact merged(const std::vector<ContactState<2>> &rows)
 }
 } // namespace
 
-Assembly::Assembly(const Snapshot<2> &snapshot) : snapshot(snapshot)
+Assembly::Assembly(const Snapshot<2> &snapshot, const MeasureContext &context)
+    : snapshot(snapshot), context(context)
 {
   std::map<std::tuple<unsigned int, unsigned int, unsigned int>, std::vector<ContactState<2>>> groups;
   for (const ContactState<2> &row : snapshot.contacts)

@@ -50,10 +50,11 @@ std::vector<std::string> MeasureSet::columns() const
   return result;
 }
 
-std::vector<std::pair<std::string, MeasuredValue>> MeasureSet::evaluate(const Snapshot<2> &snapshot) const
+std::vector<std::pair<std::string, MeasuredValue>> MeasureSet::evaluate(const Snapshot<2> &snapshot,
+                                                                        const MeasureContext &context) const
 {
   check(snapshot);
-  const Assembly assembly(snapshot);
+  const Assembly assembly(snapshot, context);
   std::vector<std::pair<std::string, MeasuredValue>> result;
   for (const auto &measure : measures)
   {
@@ -63,5 +64,31 @@ std::vector<std::pair<std::string, MeasuredValue>> MeasureSet::evaluate(const Sn
       result.emplace_back(names[i], values.at(i));
   }
   return result;
+}
+
+std::vector<std::pair<std::string, MeasuredValue>> MeasureSeries::evaluate(const Snapshot<2> &snapshot)
+{
+  MeasureContext context;
+  context.first = first ? &*first : &snapshot;
+  context.previous = previous ? &*previous : nullptr;
+  context.friction = friction;
+  auto values = set.evaluate(snapshot, context);
+  remember(snapshot);
+  return values;
+}
+
+void MeasureSeries::remember(const Snapshot<2> &snapshot)
+{
+  Snapshot<2> light;
+  light.time = snapshot.time;
+  light.step = snapshot.step;
+  light.walls = snapshot.walls;
+  light.contacts = snapshot.contacts;
+  light.bodies = snapshot.bodies;
+  for (BodyState<2> &body : light.bodies)
+    body.outline.clear();
+  if (!first)
+    first = light;
+  previous = std::move(light);
 }
 } // namespace softgrain

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/input.h>
+#include <softgrain/app/progress.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/nearest_name.h>
+
+#include <unistd.h>
 
 #include <cmath>
 #include <ostream>
@@ -22,9 +25,34 @@ std::string interval_in_words(const double interval, const double end_time)
             " at most";
   return text;
 }
+
+/// [bytes]
+double memory_of_machine()
+{
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
 } // namespace
 
-void print_check_report(std::ostream &out, const Input &input, const Model<2> &model)
+SizeReport cost_report(const RunOutline &outline, const Forecast &forecast)
+{
+  SizeReport report;
+  if (forecast.n_steps > 0.)
+    report = {{"simulated time", "about " + number_in_words(outline.duration, "s")},
+              {"steps", "about " + count_in_words(forecast.n_steps)},
+              {"processor time", "about " + duration_in_words(start_seconds + forecast.seconds())}};
+  else
+    report = {
+        {"simulated time", "unknown: how the walls move does not end the run"},
+        {"processor time", "about " + duration_in_words(1000. * forecast.step_seconds) + " for 1000 steps"}};
+  report.emplace_back("memory", "about " + bytes_in_words(start_memory + forecast.memory));
+  return report;
+}
+
+void print_check_report(std::ostream &out,
+                        const Input &input,
+                        const std::optional<RunOutline> &outline,
+                        const std::optional<Forecast> &forecast,
+                        const Model<2> *model)
 {
   const Scene<2> &scene = input.scene();
   const RunParameters &run = input.run();
@@ -36,7 +64,7 @@ void print_check_report(std::ostream &out, const Input &input, const Model<2> &m
     materials.push_back(material.name + " (" + material.law + ")");
 
   SizeReport report = {
-      {"model", model.name()},
+      {"model", run.model},
       {"materials", join(materials)},
       {"walls", join(walls)},
       {"ends at", input.stop().empty() ? "the end of the last stage" : input.stop().in_words()},
@@ -47,8 +75,27 @@ void print_check_report(std::ostream &out, const Input &input, const Model<2> &m
     report.emplace_back("stage " + input.stages()[n].name,
                         input.stages()[n].stop.empty() ? "until the run ends"
                                                        : "until " + input.stages()[n].stop.in_words());
-  const SizeReport sizes = model.size_report();
-  report.insert(report.end(), sizes.begin(), sizes.end());
+  const auto append = [&report](const SizeReport &lines)
+  { report.insert(report.end(), lines.begin(), lines.end()); };
+  if (model != nullptr)
+    append(model->size_report());
+  else
+  {
+    report.emplace_back("bodies", count_in_words(outline->crowd.n_bodies()));
+    append(forecast->sizes);
+  }
+  if (forecast)
+    append(cost_report(*outline, *forecast));
   print_size_report(out, report);
+  if (!forecast)
+    return;
+  std::vector<std::string> warnings = forecast->warnings;
+  if (start_memory + forecast->memory > 0.9 * memory_of_machine())
+    warnings.push_back("about " + bytes_in_words(start_memory + forecast->memory) +
+                       " of memory are needed, this machine has " + bytes_in_words(memory_of_machine()));
+  for (const std::string &warning : warnings)
+    out << "warning: " << warning << '\n';
+  if (model == nullptr)
+    out << "sizes are estimates; --build makes packing and bodies and says exact ones\n";
 }
 } // namespace softgrain

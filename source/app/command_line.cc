@@ -3,6 +3,7 @@
 #include <softgrain/app/command_line.h>
 #include <softgrain/app/input.h>
 #include <softgrain/app/measure_table.h>
+#include <softgrain/app/outlook.h>
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/python_script.h>
 #include <softgrain/app/run_lock.h>
@@ -90,6 +91,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   CLI::App *check_command =
       app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");
   add_input(check_command);
+  check_command->add_flag("--build", build,
+                          "make the packing and the model, which may take long, to say exact sizes");
   CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
   parameters_command->add_option("--model", model,
                                  "model whose parameters are printed: mpm (default) or bpm");
@@ -116,7 +119,9 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   figures_command->require_subcommand(1);
   for (const auto &[name, help] :
        {std::pair("thesis-3", "section 3.4 of Nguyen (2016), one grain: softgrain figures thesis-3 DIR..."),
-        std::pair("thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR...")})
+        std::pair("thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR..."),
+        std::pair("thesis-5",
+                  "chapter 5 of Nguyen (2016), biaxial compression: softgrain figures thesis-5 DIR...")})
   {
     CLI::App *sub = figures_command->add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
@@ -160,7 +165,7 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   {
     command = Command::script;
     const CLI::App *figures = figures_command->get_subcommands().front();
-    script = figures->get_name() == "thesis-3" ? "figures_thesis3" : "figures_thesis4";
+    script = "figures_thesis" + figures->get_name().substr(std::string("thesis-").size());
     script_arguments = figures->remaining();
   }
   else
@@ -227,8 +232,12 @@ bool CommandLine::run() const
   }
   else
     check_may_begin_anew(folder, overwrite);
-  const std::unique_ptr<Model<2>> created = input.create_model();
+  const std::optional<RunOutline> outline = outline_of(input);
+  const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  const std::unique_ptr<Model<2>> created = input.create_model(state.get());
   Simulation simulation(input, *created, lock, std::cout);
+  if (forecast)
+    simulation.expect(cost_report(*outline, *forecast));
   if (restart)
     simulation.restart(*state, state_file, changes);
   return simulation.run() == "completed";
@@ -238,7 +247,13 @@ void CommandLine::check() const
 {
   Input input(parameter_file, assignments);
   set_n_threads(input.run().threads);
-  print_check_report(std::cout, input, *input.create_model());
+  const std::optional<RunOutline> outline = outline_of(input);
+  const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  std::unique_ptr<Model<2>> model;
+  // What is built in a moment is built: that finds more mistakes.
+  if (build || !forecast || forecast->is_soon_built())
+    model = input.create_model();
+  print_check_report(std::cout, input, outline, forecast, model.get());
 }
 
 void CommandLine::measure() const

@@ -62,9 +62,49 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
     check_scene(described_scene);
     stop_conditions.check(described_scene);
     const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
+    apply_fidelity(*factory);
     factory->check(described_scene, prm);
     described_stages.check(described_scene, [&](const Scene<2> &scene) { factory->check(scene, prm); });
     check_output_folder(run_parameters.output_directory);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(file.located(error.what()));
+  }
+}
+
+void Input::apply_fidelity(const ModelFactory &factory)
+{
+  const std::optional<Crowd> bodies = crowd();
+  if (!bodies)
+    return;
+  for (const auto &[name, value] : factory.presets(prm.get("Fidelity"), *bodies))
+  {
+    const auto slash = name.find('/');
+    const std::string section = name.substr(0, slash), key = name.substr(slash + 1);
+    // 0 is no length of anything: it leaves the choice to 'Fidelity' too.
+    if (file.value({section}, key, "0") != "0")
+      continue;
+    prm.enter_subsection(section);
+    prm.set(key, value);
+    prm.leave_subsection();
+  }
+}
+
+double Input::solid_area(const Crowd &bodies)
+{
+  return Registry<ModelFactory>::instance()
+      .create(run_parameters.model)
+      ->solid_area(described_scene, prm, bodies);
+}
+
+std::optional<Forecast> Input::forecast(const RunOutline &run)
+{
+  try
+  {
+    return Registry<ModelFactory>::instance()
+        .create(run_parameters.model)
+        ->forecast(described_scene, prm, run);
   }
   catch (const InputError &error)
   {
@@ -98,12 +138,15 @@ void Input::complete_scene()
   is_complete = true;
 }
 
-std::unique_ptr<Model<2>> Input::create_model()
+std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
 {
   complete_scene();
   try
   {
-    return Registry<ModelFactory>::instance().create(run_parameters.model)->create(described_scene, prm);
+    const std::unique_ptr<ModelFactory> factory =
+        Registry<ModelFactory>::instance().create(run_parameters.model);
+    return state == nullptr ? factory->create(described_scene, prm)
+                            : factory->create_again(described_scene, prm, *state);
   }
   catch (const InputError &error)
   {

@@ -3,6 +3,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/snapshot_file.h>
+#include <softgrain/parameters/parameter_file.h>
 
 #include <filesystem>
 #include <limits>
@@ -20,7 +21,7 @@ std::vector<std::string> measure_columns(const MeasureSet &measures)
   return names;
 }
 
-HistoryRow measure_row(const MeasureSet &measures, const Snapshot<2> &snapshot)
+HistoryRow measure_row(MeasureSeries &measures, const Snapshot<2> &snapshot)
 {
   HistoryRow row = {{"time_s", snapshot.time}, {"step", static_cast<double>(snapshot.step)}};
   for (const auto &[name, value] : measures.evaluate(snapshot))
@@ -28,12 +29,38 @@ HistoryRow measure_row(const MeasureSet &measures, const Snapshot<2> &snapshot)
   return row;
 }
 
+void remember_snapshots(MeasureSeries &measures, const std::string &directory, const double time)
+{
+  const std::string path = (fs::path(directory) / "snapshots.h5").string();
+  if (!fs::exists(path))
+    return;
+  std::size_t n = 0;
+  for (const double taken : snapshot_times(path))
+    n += taken <= time;
+  if (n > 0)
+    measures.remember(read_snapshot(path, 0));
+  if (n > 1)
+    measures.remember(read_snapshot(path, n - 1));
+}
+
+namespace
+{
+/// Friction between bodies of the run in @p directory; nothing when its parameters are not there.
+std::optional<double> friction_of(const std::string &directory)
+{
+  const fs::path file = fs::path(directory) / "parameters.prm";
+  if (!fs::exists(file))
+    return std::nullopt;
+  return std::stod(ParameterFile(file.string()).value({"Contact"}, "Friction", "0"));
+}
+} // namespace
+
 void measure_snapshots(const std::string &directory,
                        const std::string &output,
                        const std::vector<std::string> &names,
                        std::ostream &log)
 {
-  const MeasureSet measures(names.empty() ? std::vector<std::string>{"all"} : names);
+  MeasureSeries measures(names.empty() ? std::vector<std::string>{"all"} : names, friction_of(directory));
   if (!fs::is_directory(directory))
     throw InputError("there is no folder " + directory);
   const fs::path snapshots = fs::path(directory) / "snapshots.h5";

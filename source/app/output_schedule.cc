@@ -16,7 +16,7 @@ double OutputSchedule::next() const
 
 bool OutputSchedule::reached(const double time, const double slack)
 {
-  if (time < next() - slack)
+  if (!due(time, slack))
     return false;
   skip_to(time, slack);
   return true;

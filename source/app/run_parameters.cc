@@ -61,6 +61,9 @@ void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std:
   prm.declare_entry("Model", has_mpm || models.empty() ? (models.empty() ? "" : "mpm") : models.front(),
                     Selection(choice),
                     "How the bodies are computed: mpm, material points; bpm, bonded particles. Units: none.");
+  prm.declare_entry("Fidelity", "standard", Selection("draft|standard|reference"),
+                    "What the parameters on which accuracy and cost depend most are set to where this file "
+                    "does not set them: cells and steps (doc/results/trade.md). Units: none.");
   prm.declare_entry(
       "Output directory", "", Anything(),
       "Folder for the results; empty: output/NAME, where NAME.prm is the parameter file. Units: none.");

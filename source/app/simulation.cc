@@ -8,6 +8,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/geometry/box.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/summary.h>
@@ -26,6 +27,8 @@ namespace softgrain
 {
 namespace
 {
+const char *const seen_name = "driver/stop_seen";
+
 double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -46,11 +49,11 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
     , history(parameters.output_directory)
     , fields(parameters.output_directory, parameters.fields)
     , snapshots(parameters.output_directory, parameters.snapshots)
-    , measures(parameters.measures)
+    , measures(parameters.measures, scene.friction)
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
-    , path(input.stages(), model)
+    , path(input.stages(), model, scene.gravity)
 {
 }
 
@@ -67,8 +70,12 @@ void Simulation::restart(StateReader &checkpoint,
   field_schedule.skip_to(model.time(), planner.slack());
   snapshots.resume(model.time());
   snapshot_schedule.skip_to(model.time(), planner.slack());
-  if (!measures.empty())
-    measure_table.resume(model.step(), measure_columns(measures));
+  seen = load_stop_memory(checkpoint, seen_name);
+  if (!measures.measures().empty())
+  {
+    measure_table.resume(model.step(), measure_columns(measures.measures()));
+    remember_snapshots(measures, parameters.output_directory, model.time());
+  }
   restarted = true;
   log.open(parameters.output_directory, true);
   for (const std::string &change : changes)
@@ -190,6 +197,11 @@ std::string Simulation::loop()
       break; // the model is as it was before the step
     }
     planner.taken(report.dt);
+    // What ends the run or a stage is measured in a state that may be written, and so is the end.
+    settle_if_written(report);
+    stop.note(run_state(), seen);
+    path.note(planner.slack());
+    settle_if_written(report);
     statistics.add_step(report);
     write_due_output(report);
     if (!path.is_last() && path.stage_is_done(planner.slack()))
@@ -227,8 +239,20 @@ bool Simulation::finished() const
 
 double Simulation::fraction_done() const
 {
-  return std::max(stop.fraction_done({model, walls_at_start, planner.slack()}),
-                  path.fraction_done(planner.slack()));
+  return std::max(stop.fraction_done(run_state(), seen), path.fraction_done(planner.slack()));
+}
+
+RunState Simulation::run_state() const
+{
+  return {model, walls_at_start, planner.slack(), 0., scene.gravity};
+}
+
+void Simulation::settle_if_written(StepReport &report)
+{
+  if (model.step() % parameters.history_every == 0 || field_schedule.due(model.time(), planner.slack()) ||
+      snapshot_schedule.due(model.time(), planner.slack()) || finished() ||
+      (!path.is_last() && path.stage_is_done(planner.slack())))
+    model.settle(report);
 }
 
 void Simulation::write_due_output(const StepReport &report)
@@ -258,7 +282,9 @@ void Simulation::write_history(const StepReport &report)
   if (!path.empty())
     row.emplace_back("stage", path.number() + 1.);
   row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
-  row.emplace_back("packing_fraction", packing_fraction(walls, model.solid_area()).value_or(nothing));
+  // Where there is no box to be filled, nobody need know what fills it.
+  row.emplace_back("packing_fraction",
+                   box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
   row.emplace_back("coordination", model.coordination());
   row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
   row.emplace_back("elastic_energy_J_per_m", energies.elastic);
@@ -285,7 +311,7 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
     fields.write(snapshot);
   if (write_snapshots)
     snapshots.append(snapshot);
-  if (write_snapshots && !measures.empty())
+  if (write_snapshots && !measures.measures().empty())
     measure_table.write(measure_row(measures, snapshot));
   last_picture_step = model.step();
   statistics.add_output_seconds(seconds_since(begin));
@@ -311,6 +337,7 @@ void Simulation::write_state(const std::string &file)
   model.save(writer);
   statistics.save(writer);
   path.save(writer);
+  save(writer, seen_name, seen);
   writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
   save_description(writer, effective_parameters, scene);
   writer.commit();
@@ -337,7 +364,9 @@ void Simulation::print_head()
   log.both() << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", "
              << n_threads() << " threads)\n"
              << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
-  print_size_report(log.both(), model.size_report());
+  SizeReport report = model.size_report();
+  report.insert(report.end(), expected.begin(), expected.end());
+  print_size_report(log.both(), report);
   log.both() << std::flush;
 }
 

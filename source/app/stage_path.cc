@@ -7,11 +7,11 @@ namespace softgrain
 {
 namespace
 {
-const char *const state_name = "driver/stage";
+const char *const state_name = "driver/stage", *const seen_name = "driver/stage_seen";
 }
 
-StagePath::StagePath(const Stages &stages, Model<2> &model)
-    : stages(stages), model(model), walls_at_begin(model.walls())
+StagePath::StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity)
+    : stages(stages), model(model), gravity(gravity), walls_at_begin(model.walls())
 {
 }
 
@@ -26,12 +26,24 @@ void StagePath::next()
   ++current;
   begin_time = model.time();
   walls_at_begin = model.walls();
+  seen.clear();
   model.take_drives(stages[current].drives);
+}
+
+RunState StagePath::state(const double slack) const
+{
+  return {model, walls_at_begin, slack, begin_time, gravity};
+}
+
+void StagePath::note(const double slack)
+{
+  if (!stages.empty())
+    stages[current].stop.note(state(slack), seen);
 }
 
 double StagePath::fraction_of_stage(const double slack) const
 {
-  return stages.empty() ? 0. : stages[current].stop.fraction_done({model, walls_at_begin, slack, begin_time});
+  return stages.empty() ? 0. : stages[current].stop.fraction_done(state(slack), seen);
 }
 
 double StagePath::fraction_done(const double slack) const
@@ -58,6 +70,7 @@ void StagePath::save(StateWriter &writer) const
   for (const WallState<2> &wall : walls_at_begin)
     numbers.insert(numbers.end(), {wall.point[0], wall.point[1]});
   writer.write(state_name, numbers);
+  softgrain::save(writer, seen_name, seen);
 }
 
 void StagePath::load(const StateReader &reader)
@@ -69,6 +82,7 @@ void StagePath::load(const StateReader &reader)
     throw InputError("the checkpoint was made with other stages");
   current = static_cast<unsigned int>(numbers[0]);
   begin_time = numbers[1];
+  seen = load_stop_memory(reader, seen_name);
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
     walls_at_begin[w].point = dealii::Point<2>(numbers[2 + 2 * w], numbers[3 + 2 * w]);
   for (unsigned int n = 0; n <= current; ++n)

@@ -16,7 +16,7 @@ const char *const program_examples =
   softgrain run scene.prm                       compute; results go to output/scene
   softgrain run scene.prm --set "Mesh/Cell size=2e-4" --output output/fine
   softgrain run scene.prm --restart             go on from the newest checkpoint
-  softgrain check scene.prm                     read the file and print the size of the job
+  softgrain check scene.prm                     read the file, tell size, time and memory of the job
   softgrain render output/scene                 draw the last state
   softgrain plot output/scene output/fine       draw curves of two runs
   softgrain report output/scene                 make a page with all of it, report.html
@@ -35,6 +35,7 @@ const char *const run_examples =
 const char *const check_examples =
     R"(Examples:
   softgrain check scene.prm
+  softgrain check scene.prm --build             make packing and bodies too, for exact sizes
   softgrain check scene.prm --set "Mesh/Cell size=1e-4")";
 
 const char *const parameters_examples =
@@ -55,6 +56,7 @@ const char *const measure_examples =
 const char *const figures_examples =
     R"(Examples:
   softgrain figures thesis-4 output/uniaxial_compaction_mpm
+  softgrain figures thesis-5 output/biaxial_thirty_grains_mpm
   softgrain figures thesis-3 --help)";
 
 std::vector<std::string> command_names(const CLI::App &app)

@@ -120,6 +120,10 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
 /// gives up: where Newton fails so often, more sweeps do not help.
 constexpr unsigned int most_between_rounds = 200;
 
+/// Iterations without friction in each of the first rounds, and the round from which all that are allowed are
+/// made.
+constexpr unsigned int brief_newton = 15, patient_rounds = 2;
+
 template <class Operator>
 SolverReport solve(Operator &op,
                    const Problem &problem,
@@ -173,7 +177,11 @@ SolverReport solve(Operator &op,
     SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
     const double before = report.residual;
     trial = impulses;
-    double after = newton_active_set(W, problem, compliance, settings, trial, newton);
+    SolverSettings attempt = settings;
+    // Pivoting ends soon or wanders: a few sweeps are then a better start than many more exchanges.
+    if (problem.n_components == 1 && rounds < patient_rounds)
+      attempt.max_newton_iterations = std::min(settings.max_newton_iterations, brief_newton);
+    double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
     if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 &&
         !from_nothing && (rounds > 0 || !warm))
     {

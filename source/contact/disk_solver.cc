@@ -35,7 +35,7 @@ void check_finite(const std::vector<double> &values, const char *name)
 
 void check(const DiskSolverSettings &settings)
 {
-  if (!(settings.tolerance > 0.) || !(settings.wall_tolerance > 0.) ||
+  if (!(settings.tolerance > 0.) || !(settings.wall_tolerance > 0.) || !(settings.wall_floor >= 0.) ||
       !(settings.penetration_tolerance >= 0.))
     throw InputError("disk solver: the tolerances must be positive");
   if (!(settings.relaxation > 0. && settings.relaxation < 2.))
@@ -116,11 +116,13 @@ constexpr unsigned int refresh_interval = 1000;
 class WallBalance
 {
 public:
-  /// Takes the impulses on the walls; returns the estimated error over the largest of them.
+  explicit WallBalance(const double floor) : floor(floor) {}
+
+  /// Takes the impulses on the walls; returns the estimated error over the largest of them, or the floor.
   double estimate(const std::vector<double> &impulses)
   {
     history.push_back(impulses);
-    double largest = 0., error = 0.;
+    double largest = floor, error = 0.;
     for (const double impulse : impulses)
       largest = std::max(largest, std::abs(impulse));
     if (largest == 0.)
@@ -135,6 +137,7 @@ public:
   }
 
 private:
+  const double floor; ///< [N s/m]
   std::vector<std::vector<double>> history;
 };
 
@@ -151,6 +154,7 @@ public:
       , sweeps(bodies, contacts, team)
       , rounding(rounding_of(bodies))
       , momentum(n)
+      , walls(settings.wall_floor)
       , accelerating(settings.algorithm == DiskAlgorithm::accelerated)
   {
   }

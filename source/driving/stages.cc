@@ -60,6 +60,21 @@ void Stages::parse_parameters(dealii::ParameterHandler &prm,
   prm.leave_subsection();
 }
 
+std::string Stages::as_said_in(const Stage &stage, const Scene<2> &scene, std::string message)
+{
+  const auto replace = [&message](const std::string &from, const std::string &to)
+  {
+    for (std::size_t at = 0; (at = message.find(from, at)) != std::string::npos; at += to.size())
+      message.replace(at, from.size(), to);
+  };
+  const std::string section = "'Stages/" + stage.name + "/";
+  replace("'Stop/", section + "Stop/");
+  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    if (stage.drives[w])
+      replace("'Walls/" + scene.walls[w].name + "/", section + scene.walls[w].name + "/");
+  return message;
+}
+
 double Stages::end_time() const
 {
   double sum = 0.;

@@ -3,6 +3,7 @@
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/geometry/box.h>
+#include <softgrain/model/state_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -47,8 +48,9 @@ void StopConditions::parse_parameters(dealii::ParameterHandler &prm, const bool 
   prm.enter_subsection("Stop");
   for (const std::string &name : known().names())
   {
-    std::shared_ptr<const StopCondition> condition = known().create(name);
+    std::shared_ptr<StopCondition> condition = known().create(name);
     const double limit = prm.get_double(condition->key());
+    condition->parse_parameters(prm);
     if (limit > 0.)
       asked.push_back({condition, limit});
   }
@@ -81,12 +83,59 @@ double StopConditions::end_time() const
   return earliest;
 }
 
-double StopConditions::fraction_done(const RunState &state) const
+namespace
+{
+/// @p state as the condition sees it whose memory is @p own.
+RunState with_memory(const RunState &state, const std::vector<double> &own)
+{
+  return {state.model, state.walls_at_start, state.time_slack, state.begin, state.gravity, &own};
+}
+} // namespace
+
+void StopConditions::note(const RunState &state, StopMemory &memory) const
+{
+  for (const Asked &one : asked)
+    one.condition->note(state, one.limit, memory[one.condition->key()]);
+}
+
+double StopConditions::fraction_done(const RunState &state, const StopMemory &memory) const
 {
   double fraction = 0.;
+  const std::vector<double> nothing;
   for (const Asked &one : asked)
-    fraction = std::max(fraction, one.condition->fraction_done(state, one.limit));
+  {
+    const auto own = memory.find(one.condition->key());
+    const RunState seen = with_memory(state, own != memory.end() ? own->second : nothing);
+    fraction = std::max(fraction, one.condition->fraction_done(seen, one.limit));
+  }
   return fraction;
+}
+
+void save(StateWriter &out, const std::string &name, const StopMemory &memory)
+{
+  std::string keys;
+  for (const auto &[key, numbers] : memory)
+    if (!numbers.empty())
+    {
+      out.write(name + "/" + std::to_string(keys.size()), numbers);
+      keys += key + '\n';
+    }
+  out.write(name + "/keys", keys);
+}
+
+StopMemory load_stop_memory(const StateReader &in, const std::string &name)
+{
+  StopMemory memory;
+  if (!in.contains(name + "/keys"))
+    return memory;
+  const std::string keys = in.read_text(name + "/keys");
+  for (std::size_t begin = 0; begin < keys.size();)
+  {
+    const std::size_t end = keys.find('\n', begin);
+    memory[keys.substr(begin, end - begin)] = in.read_doubles(name + "/" + std::to_string(begin));
+    begin = end + 1;
+  }
+  return memory;
 }
 
 std::string StopConditions::in_words() const

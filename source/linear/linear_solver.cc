@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/exceptions.h>
 #include <softgrain/linear/banded_solver.h>
 #include <softgrain/linear/cholesky_solver.h>
 #include <softgrain/linear/linear_solver.h>
-#include <softgrain/linear/trilinos_solver.h>
+#include <softgrain/linear/linear_solver_kind.h>
+
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::LinearSolverKind)
 
 namespace softgrain
 {
@@ -21,10 +22,26 @@ std::unique_ptr<LinearSolver> create_linear_solver(const LinearSolverSettings &s
     else
       type = BandedSolver::bandwidth(matrix) <= settings.automatic_band ? "banded_cholesky" : "cholesky";
   }
-  if (type == "banded_cholesky")
-    return std::make_unique<BandedSolver>();
-  if (type == "cholesky")
-    return std::make_unique<CholeskySolver>();
-  return create_trilinos_solver(type, settings, dim);
+  return Registry<LinearSolverKind>::instance().create(type)->create(settings, dim);
 }
+
+namespace
+{
+template <class Solver>
+class Direct final : public LinearSolverKind
+{
+public:
+  std::unique_ptr<LinearSolver> create(const LinearSolverSettings &, unsigned int) const override
+  {
+    return std::make_unique<Solver>();
+  }
+};
+
+[[maybe_unused]] const bool registered[] = {
+    Registry<LinearSolverKind>::instance().add("banded_cholesky",
+                                               "dense kernels on the band of a compact body",
+                                               [] { return std::make_unique<Direct<BandedSolver>>(); }),
+    Registry<LinearSolverKind>::instance().add(
+        "cholesky", "sparse (Eigen)", [] { return std::make_unique<Direct<CholeskySolver>>(); })};
+} // namespace
 } // namespace softgrain

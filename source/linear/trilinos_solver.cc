@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/linear/trilinos_solver.h>
+#include <softgrain/linear/linear_solver_kind.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -156,15 +156,37 @@ private:
   Wrappers::PreconditionAMG amg;
   Wrappers::PreconditionILU ilu;
 };
-} // namespace
 
-std::unique_ptr<LinearSolver>
-create_trilinos_solver(const std::string &type, const LinearSolverSettings &settings, const unsigned int dim)
+class DirectKind final : public LinearSolverKind
 {
-  if (type == "trilinos_direct")
+public:
+  std::unique_ptr<LinearSolver> create(const LinearSolverSettings &, unsigned int) const override
+  {
     return std::make_unique<TrilinosDirect>();
-  if (type == "cg_ilu" || type == "cg_amg")
-    return std::make_unique<TrilinosCg>(settings, type == "cg_amg", dim);
-  throw InputError("'Linear solver/Type' = '" + type + "' is not known");
+  }
+};
+
+template <bool use_amg>
+class CgKind final : public LinearSolverKind
+{
+public:
+  std::unique_ptr<LinearSolver> create(const LinearSolverSettings &settings,
+                                       const unsigned int dim) const override
+  {
+    return std::make_unique<TrilinosCg>(settings, use_amg, dim);
+  }
+};
+
+template <class Kind>
+bool add(const std::string &name, const std::string &description)
+{
+  return Registry<LinearSolverKind>::instance().add(name, description,
+                                                    [] { return std::make_unique<Kind>(); });
 }
+
+[[maybe_unused]] const bool registered[] = {
+    add<DirectKind>("trilinos_direct", "Amesos of Trilinos"),
+    add<CgKind<false>>("cg_ilu", "conjugate gradients of Trilinos with an incomplete factorisation"),
+    add<CgKind<true>>("cg_amg", "the same with algebraic multigrid (ML), for large bodies without contact")};
+} // namespace
 } // namespace softgrain

@@ -117,9 +117,8 @@ Packing pack_disks(const std::vector<double> &radius,
   return packing;
 }
 
-Packing make_packing(const PackingRequest &request)
+std::vector<double> draw_radii(const PackingRequest &request, Uniform &random)
 {
-  Uniform random(request.seed);
   std::vector<double> radii(request.number);
   for (double &r : radii)
     r = 0.5 * request.sizes.draw(random);
@@ -132,6 +131,13 @@ Packing make_packing(const PackingRequest &request)
     for (double &r : radii)
       r *= scale;
   }
+  return radii;
+}
+
+Packing make_packing(const PackingRequest &request)
+{
+  Uniform random(request.seed);
+  const std::vector<double> radii = draw_radii(request, random);
   return pack_disks(radii, request.lower, request.upper, random, request.protocol);
 }
 } // namespace softgrain

@@ -51,8 +51,10 @@ void ShrinkingBox::throw_in(Uniform &random)
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radius[a] > radius[b]; });
   std::array<int, 2> n_cells;
+  // In a box that is nearly empty more cells than disks serve nobody.
+  const double most = 4. * std::sqrt(static_cast<double>(radius.size())) + 1.;
   for (unsigned int d = 0; d < 2; ++d)
-    n_cells[d] = std::max(1, static_cast<int>(form.half[d] / largest));
+    n_cells[d] = std::max(1, static_cast<int>(std::min(form.half[d] / largest, most)));
   std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(n_cells[0]) * n_cells[1]);
   for (const std::uint32_t i : order)
     for (unsigned int attempt = 0;; ++attempt)

@@ -60,5 +60,10 @@ void SizeDistribution::parse_parameters(dealii::ParameterHandler &prm, const std
     throw InputError("'" + section + "/Largest diameter' = '" + prm.get("Largest diameter") +
                      "' is not allowed: it must be at least 'Smallest diameter' = '" +
                      prm.get("Smallest diameter") + "'");
+  // Steps and cells of the search follow the largest disks; the smallest ones would never come to rest.
+  if (largest > 1000. * smallest)
+    throw InputError("'" + section + "/Smallest diameter' = '" + prm.get("Smallest diameter") +
+                     "' is not allowed: it must be at least a thousandth of 'Largest diameter' = '" +
+                     prm.get("Largest diameter") + "'");
 }
 } // namespace softgrain

@@ -59,11 +59,11 @@ class Help(unittest.TestCase):
         for words, said in (
                 (["chek", SCENE], "'softgrain' has no command 'chek' (did you mean 'check'?); there are run, check,"),
                 (["parameter"], "did you mean 'parameters'?"),
-                (["figures", "thesis-5", "out"], "'figures' has no command 'thesis-5' (did you mean 'thesis-"),
+                (["figures", "thesis-6", "out"], "'figures' has no command 'thesis-6' (did you mean 'thesis-"),
                 (["run", SCENE, "--ouptut", "out"], "'run' has no option '--ouptut' (did you mean '--output'?)"),
                 (["check", SCENE, "--restart"], "'check' has no option '--restart'"),
                 (["parameters", "--fromat=md"], "did you mean '--format'?"),
-                (["figures"], "no command after 'figures'; there are thesis-3, thesis-4"),
+                (["figures"], "no command after 'figures'; there are thesis-3, thesis-4, thesis-5"),
                 ([], "no command after 'softgrain'; there are run, check")):
             status, printed, errors = softgrain(*words)
             self.assertEqual((status, printed), (2, ""), words)

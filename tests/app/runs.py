@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a run does on a full disk, under signals, beside another run, over old results: nothing is lost or silent."""
+import json
 import os
 import pty
 import re
@@ -214,6 +215,9 @@ class Signals(Runs):
             self.assertEqual(process.wait(60), 3)
         self.run_scene("bpm", "--restart", settings=many)
         resumed = (self.folder / "history.csv").read_text()
+        # The checkpoint has the primaries: no aggregate is prepared again.
+        phases = json.loads((self.folder / "summary.json").read_text())["phases"]
+        self.assertNotIn("preparation of aggregates", phases)
         self.run_scene("bpm", settings=many)
         self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 

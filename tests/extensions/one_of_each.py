@@ -129,12 +129,17 @@ def same(a, b):
 
 def check_ellipse():
     own, _ = run("own", ELLIPSE, "Time/Scheme=backward_euler", "Material points/Shape function=hats")
+    dense, _ = run("dense", ELLIPSE, "Time/Scheme=moreau_jean", "Time/Theta=1", "Material points/Shape function=linear",
+                   "Linear solver/Type=dense")
     known, _ = run("known", ELLIPSE, "Time/Scheme=moreau_jean", "Time/Theta=1", "Material points/Shape function=linear")
     assert own["step"][-1] == 7, "stop condition: the run has " + str(own["step"][-1]) + " steps instead of 7"
     assert abs(own["packing_fraction"][0] - math.pi * 0.8 * 0.5 / 2) < 1e-3, "shape: the ellipse has another area"
     for time, place in zip(own["time_s"], own["top_position_m"]):
         assert abs(place - (1 - 0.02 * math.sin(200 * time) ** 2)) < 1e-9, f"wall drive: the wall is at {place}"
     assert max(own["top_force_N_per_m"]) > 0, "the ellipse has not been touched"
+    for force, other in zip(dense["top_force_N_per_m"], known["top_force_N_per_m"]):
+        assert abs(force - other) < 1e-8 * max(known["top_force_N_per_m"]), f"linear solver: {force}, not {other}"
+    assert not same(dense, known), "linear solver: to the last digit the numbers of another one"
     assert same(own, known), "time scheme or shape function: not the numbers of the same ones under other names"
 
 

@@ -36,7 +36,8 @@ std::string steps(mpm::MpmModel &model, const unsigned int from, const unsigned 
   std::string text;
   for (unsigned int i = from; i < to; ++i)
   {
-    const StepReport report = model.advance(1.);
+    StepReport report = model.advance(1.);
+    model.settle(report);
     text += state(model, report);
   }
   return text;

@@ -58,7 +58,11 @@ template <typename F>
 void run_until(mpm::MpmModel &model, const double end, const F &look)
 {
   while (model.time() < end * (1. - 1e-12))
-    look(model.advance(end - model.time()));
+  {
+    StepReport report = model.advance(end - model.time());
+    model.settle(report); // as in a run that writes every step
+    look(report);
+  }
 }
 
 inline void run_until(mpm::MpmModel &model, const double end)

@@ -3,6 +3,7 @@
 import json
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -15,7 +16,7 @@ SCENES = {"mpm": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Time/CFL mu
           "bpm": ["gallery/one_grain_bpm.prm", "Primaries/Number per body=40", "Stop/End time=1e-3",
                   "Stop/Axial strain=0"]}
 EVERY_STEP = ["Output/Checkpoint every=1e-9"]
-N_KILLS = 25  # of each model
+N_KILLS = 50  # of each model
 
 
 def command(model, folder, *words, settings=()):
@@ -105,6 +106,34 @@ class Faults(unittest.TestCase):
         newest_state(good).write_bytes(content[:-100])
         done = run(model, good, "--restart", settings=end)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def check_version(self, model):
+        """A checkpoint of another version is refused with a line that names both."""
+        good = self.folder / "good"
+        end = ["Stop/End time=3e-4"]
+        self.assertEqual(run(model, good, settings=end).returncode, 0)
+        content = newest_state(good).read_bytes()
+        mine = re.search(rb"softgrain checkpoint (\d+)", content)
+        other = self.folder / "state-000000001.h5"
+        other.write_bytes(content.replace(mine[0], b"softgrain checkpoint " + b"0" * len(mine[1])))
+        done = run(model, self.folder / "out", "--restart", other, settings=end)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertRegex(done.stderr, r"\Asoftgrain: error: [^\n]*softgrain checkpoint 0+[^\n]*\n\Z")
+        self.assertIn(mine[0].decode(), done.stderr)
+
+    def test_version_mpm(self):
+        self.check_version("mpm")
+
+    def test_version_bpm(self):
+        self.check_version("bpm")
+
+    def test_read_only(self):
+        """A folder that cannot be written is refused before anything is computed."""
+        if not pathlib.Path("/proc/self").exists():
+            self.skipTest("no /proc")
+        done = run("bpm", pathlib.Path("/proc/softgrain"))
+        self.assertEqual(done.returncode, 2, done)
+        self.assertRegex(done.stderr, r"\Asoftgrain: error: [^\n]*/proc/softgrain[^\n]*\n\Z")
 
     def test_damage_mpm(self):
         self.check_damage("mpm")

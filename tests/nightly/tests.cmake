@@ -15,6 +15,27 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   set_tests_properties(nightly/faults PROPERTIES LABELS nightly TIMEOUT 7200)
 endif()
 
+# What check foretells; parameters at their limits; what presets are worth.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  foreach(name forecasts fidelity)
+    add_test(NAME nightly/${name}
+      COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${PROJECT_SOURCE_DIR}/python
+        ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/${name}.py $<TARGET_FILE:softgrain_executable>
+        ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/nightly/${name})
+    set_tests_properties(nightly/${name} PROPERTIES LABELS nightly TIMEOUT 7200)
+  endforeach()
+  add_test(NAME nightly/extremes
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
+      ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/extremes.py $<TARGET_FILE:softgrain_executable>
+      ${CMAKE_BINARY_DIR}/tests/nightly/extremes)
+  set_tests_properties(nightly/extremes PROPERTIES LABELS nightly TIMEOUT 7200)
+  add_test(NAME app/extremes
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
+      ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/nightly/extremes.py $<TARGET_FILE:softgrain_executable>
+      ${CMAKE_BINARY_DIR}/tests/app/extremes --quick)
+  set_tests_properties(app/extremes PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+endif()
+
 # ParaView opens what a run writes.
 set(SOFTGRAIN_PARAVIEW "" CACHE PATH "folder into which contrib/paraview_beside.sh unpacked ParaView")
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)

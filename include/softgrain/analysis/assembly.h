@@ -33,6 +33,14 @@ struct MovingBox : Box
   double height_rate = 0; ///< [m/s]
 };
 
+/// What a measure may know beside the snapshot.
+struct MeasureContext
+{
+  const Snapshot<2> *first = nullptr;    ///< of the run; null: not known
+  const Snapshot<2> *previous = nullptr; ///< the one before; null: there is none
+  std::optional<double> friction;        ///< between bodies
+};
+
 /**
  * @brief A snapshot as measures see it: contacts merged by pair of bodies, and the box.
  *
@@ -41,13 +49,14 @@ struct MovingBox : Box
 class Assembly
 {
 public:
-  /// @param snapshot kept by reference
-  explicit Assembly(const Snapshot<2> &snapshot);
+  /// @param snapshot kept by reference, as are those of @p context
+  explicit Assembly(const Snapshot<2> &snapshot, const MeasureContext &context = MeasureContext());
 
   /// Diameter of the disk that has the area of body @p b at rest [m].
   double rest_diameter(unsigned int b) const;
 
   const Snapshot<2> &snapshot;
+  const MeasureContext context;
   /// In the order of body_a, then body_b, then walls.
   std::vector<BodyContact> contacts;
   /// Nothing unless all four walls are there.

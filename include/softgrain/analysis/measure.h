@@ -54,10 +54,34 @@ public:
 
   /// Columns and values in the order of columns(). A body without area or a contact without bodies is a
   /// ComputationError.
-  std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<2> &snapshot) const;
+  std::vector<std::pair<std::string, MeasuredValue>>
+  evaluate(const Snapshot<2> &snapshot, const MeasureContext &context = MeasureContext()) const;
 
 private:
   std::vector<std::unique_ptr<Measure>> measures;
+};
+
+/// The measures of a run, snapshot after snapshot: it knows the first one and the one before.
+class MeasureSeries
+{
+public:
+  MeasureSeries(const std::vector<std::string> &names, std::optional<double> friction)
+      : set(names), friction(friction)
+  {
+  }
+
+  const MeasureSet &measures() const { return set; }
+
+  /// As MeasureSet::evaluate(); @p snapshot is then the one before.
+  std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<2> &snapshot);
+
+  /// Takes a snapshot of the run for the first, or the one before, without measuring it.
+  void remember(const Snapshot<2> &snapshot);
+
+private:
+  const MeasureSet set;
+  const std::optional<double> friction;
+  std::optional<Snapshot<2>> first, previous; ///< without points and outlines
 };
 } // namespace softgrain
 

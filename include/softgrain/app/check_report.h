@@ -2,16 +2,29 @@
 #ifndef softgrain_app_check_report_h
 #define softgrain_app_check_report_h
 
-#include <softgrain/model/model.h>
+#include <softgrain/model/forecast.h>
 
 #include <iosfwd>
+#include <optional>
 
 namespace softgrain
 {
 class Input;
 
-/// What `softgrain check` prints: the scene in numbers, the model's sizes and cost, what would be written.
-void print_check_report(std::ostream &out, const Input &input, const Model<2> &model);
+/**
+ * @brief What `softgrain check` prints: the scene in numbers, sizes and cost, what would be written,
+ * warnings.
+ * @param outline, forecast where they are known
+ * @param model exact sizes; null: those of the forecast
+ */
+void print_check_report(std::ostream &out,
+                        const Input &input,
+                        const std::optional<RunOutline> &outline,
+                        const std::optional<Forecast> &forecast,
+                        const Model<2> *model);
+
+/// Length, steps, processor time and memory that a run is expected to take.
+SizeReport cost_report(const RunOutline &outline, const Forecast &forecast);
 } // namespace softgrain
 
 #endif

@@ -47,6 +47,7 @@ private:
   Command command = Command::run;
   std::string parameter_file;
   std::vector<std::string> assignments; ///< those of --output and --threads included
+  bool build = false;                   ///< check is to make packing and model
   bool restart = false;
   bool overwrite = false;
   std::string checkpoint; ///< empty: the newest

@@ -4,7 +4,7 @@
 
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/driving/stages.h>
-#include <softgrain/model/model.h>
+#include <softgrain/model/forecast.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/scene_parameters.h>
@@ -12,11 +12,13 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace softgrain
 {
+class ModelFactory;
 class StateReader;
 
 /**
@@ -39,12 +41,22 @@ public:
   const StopConditions &stop() const { return stop_conditions; }
   const Stages &stages() const { return described_stages; }
 
+  /// The bodies of the scene, made or expected; nothing when the packing cannot say.
+  std::optional<Crowd> crowd() const { return crowd_of(described_scene, is_complete); }
+
+  /// Area that the bodies fill at the start, made or expected [m^2].
+  double solid_area(const Crowd &bodies);
+
+  /// Size and cost of the run; nothing when model or packing cannot say.
+  std::optional<Forecast> forecast(const RunOutline &run);
+
   /// Makes the packing of the scene, once, on all threads. @throw InputError when it cannot be made, or its
   /// bodies do not suit walls and other bodies.
   void complete_scene();
 
   /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
-  std::unique_ptr<Model<2>> create_model();
+  /// @param state that it is going to load; null: it starts at time zero
+  std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
 
   /**
    * @brief Compares with the checkpoint that the run is to go on from.
@@ -57,6 +69,8 @@ public:
   std::string effective_parameters() const;
 
 private:
+  /// Sets what 'Fidelity' says and the file does not.
+  void apply_fidelity(const ModelFactory &factory);
   /// If it is known beforehand [s]; 0: it is not.
   double end_time() const;
 

@@ -18,7 +18,11 @@ constexpr const char *measure_table_name = "measures.csv";
 std::vector<std::string> measure_columns(const MeasureSet &measures);
 
 /// A row of the table; what is not defined is not a number, and its field stays empty.
-HistoryRow measure_row(const MeasureSet &measures, const Snapshot<2> &snapshot);
+HistoryRow measure_row(MeasureSeries &measures, const Snapshot<2> &snapshot);
+
+/// Has @p measures remember the first and the last of the snapshots in @p directory up to @p time [s], if
+/// there are any.
+void remember_snapshots(MeasureSeries &measures, const std::string &directory, double time);
 
 /**
  * @brief Takes measures from every snapshot of `snapshots.h5` in @p directory and writes them as a table.

@@ -18,7 +18,10 @@ public:
   /// The next time due, infinite when there is none [s].
   double next() const;
 
-  /// Whether the time is due at @p time; if so, goes on to the next one. @p slack is what counts as there
+  /// Whether the time is due at @p time; @p slack is what counts as there [s].
+  bool due(double time, double slack) const { return time >= next() - slack; }
+
+  /// The same; if so, goes on to the next one. @p slack is what counts as there
   /// [s].
   bool reached(double time, double slack);
 

@@ -29,6 +29,9 @@ class Simulation
 public:
   Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &terminal);
 
+  /// What the run is expected to take, to be printed at its start.
+  void expect(const SizeReport &report) { expected = report; }
+
   /**
    * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
    * @param file_name of the checkpoint, for the log
@@ -47,6 +50,7 @@ public:
   std::string run();
 
 private:
+  SizeReport expected;
   void print_head();
   void start_files();
   /// @return the text of @p error, or that the output folder is gone, which explains it.
@@ -60,6 +64,10 @@ private:
   /// Part of the work that is done, of the whole run: 0 at its start, 1 where a stop condition holds.
   double fraction_done() const;
   double next_target() const;
+  /// Lets the model settle after a step of whose state something is written.
+  void settle_if_written(StepReport &report);
+  /// What stop conditions of the whole run look at.
+  RunState run_state() const;
   void write_due_output(const StepReport &report);
   void write_history(const StepReport &report);
   void write_pictures(bool fields, bool snapshots);
@@ -85,13 +93,14 @@ private:
   HistoryWriter history;
   FieldWriter fields;
   SnapshotFile snapshots;
-  MeasureSet measures;
+  MeasureSeries measures;
   HistoryWriter measure_table;
   OutputSchedule field_schedule;
   OutputSchedule snapshot_schedule;
   bool restarted = false;
   StepPlanner planner;
   StagePath path;
+  StopMemory seen; ///< by the stop conditions of the whole run
   std::optional<std::uint64_t> last_history_step;
   std::optional<std::uint64_t> last_picture_step;
 };

@@ -19,7 +19,7 @@ class StateWriter;
 class StagePath
 {
 public:
-  StagePath(const Stages &stages, Model<2> &model);
+  StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity);
 
   bool empty() const { return stages.empty(); }
   unsigned int number() const { return current; } ///< from 0
@@ -29,6 +29,9 @@ public:
   void begin();
   /// Enters the next stage.
   void next();
+
+  /// After every step: the stop conditions of the present stage see it.
+  void note(double slack);
 
   /// Part of the present stage that is done. @param slack what counts as having arrived [s]
   double fraction_of_stage(double slack) const;
@@ -44,11 +47,15 @@ public:
   void load(const StateReader &reader);
 
 private:
+  RunState state(double slack) const;
+
   const Stages &stages;
   Model<2> &model;
+  const dealii::Tensor<1, 2> gravity; ///< [m/s^2]
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
   std::vector<WallState<2>> walls_at_begin;
+  StopMemory seen; ///< by the stop conditions of the present stage
 };
 } // namespace softgrain
 

@@ -21,6 +21,7 @@ struct DiskSolverSettings
   DiskAlgorithm algorithm = DiskAlgorithm::accelerated;
   double tolerance = 1e-3;      ///< natural-map residual over the approach speed
   double wall_tolerance = 3e-2; ///< estimated error of the forces on walls over the largest of them
+  double wall_floor = 0.;       ///< the largest counts as no less than this [N s/m]
   /// Worst approach speed that contacts may be left with [m/s]; 0: no matter.
   double penetration_tolerance = 0.;
   unsigned int max_sweeps = 10000;

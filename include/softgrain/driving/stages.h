@@ -2,6 +2,7 @@
 #ifndef softgrain_driving_stages_h
 #define softgrain_driving_stages_h
 
+#include <softgrain/base/exceptions.h>
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/scene/scene.h>
 
@@ -49,8 +50,15 @@ public:
           here.walls[w].drive = stage.drives[w];
           here.walls[w].drive_name = stage.drive_names[w];
         }
-      stage.stop.check(here);
-      check(here);
+      try
+      {
+        stage.stop.check(here);
+        check(here);
+      }
+      catch (const InputError &error)
+      {
+        throw InputError(as_said_in(stage, here, error.what()));
+      }
     }
   }
 
@@ -62,6 +70,9 @@ public:
   const Stage &operator[](const std::size_t n) const { return list[n]; }
 
 private:
+  /// @p message with the parameters of the stage in place of those of the run.
+  static std::string as_said_in(const Stage &stage, const Scene<2> &scene, std::string message);
+
   std::vector<Stage> list;
 };
 } // namespace softgrain

@@ -6,6 +6,7 @@
 #include <softgrain/model/model.h>
 #include <softgrain/scene/scene.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,13 +18,18 @@ class ParameterHandler;
 
 namespace softgrain
 {
+class StateReader;
+class StateWriter;
+
 /// What a stop condition looks at.
 struct RunState
 {
   const Model<2> &model;
   const std::vector<WallState<2>> &walls_at_start;
-  double time_slack = 0; ///< what counts as having arrived [s]
-  double begin = 0;      ///< from when times count [s]
+  double time_slack = 0;                       ///< what counts as having arrived [s]
+  double begin = 0;                            ///< from when times count [s]
+  dealii::Tensor<1, 2> gravity = {};           ///< [m/s^2]
+  const std::vector<double> *memory = nullptr; ///< what note() has kept; of this condition alone
 };
 
 /**
@@ -40,6 +46,9 @@ public:
   /// Declares key(), and more if there is more; the handler stands in section `Stop`.
   virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
 
+  /// Reads what is declared beside key(); the handler stands in section `Stop`. @throw InputError
+  virtual void parse_parameters(const dealii::ParameterHandler &) {}
+
   /// How the condition is to be understood in `softgrain check`, "axial strain 0.3". @p limit of key()
   virtual std::string in_words(double limit) const = 0;
 
@@ -52,12 +61,22 @@ public:
   /// Whether it makes sense for @p scene with all its bodies. @throw InputError
   virtual void check_start(const Scene<2> &, const double) const {}
 
+  /// Called once after every step, by conditions that look back: what @p memory keeps goes into checkpoints.
+  virtual void note(const RunState &, const double, std::vector<double> & /*memory*/) const {}
+
   /// Part of the way to @p limit that the run has made; 1 or more: it ends.
   virtual double fraction_done(const RunState &state, double limit) const = 0;
 };
 
 template <>
 Registry<StopCondition> &Registry<StopCondition>::instance();
+
+/// What conditions that look back have kept, by their keys.
+using StopMemory = std::map<std::string, std::vector<double>>;
+
+/// In a checkpoint, under @p name. A run may go on with other conditions than before.
+void save(StateWriter &out, const std::string &name, const StopMemory &memory);
+StopMemory load_stop_memory(const StateReader &in, const std::string &name);
 
 /// Section `Stop`: the run ends with the first condition that is met.
 class StopConditions
@@ -75,7 +94,9 @@ public:
 
   /// The earliest end that is known beforehand [s]; 0: none.
   double end_time() const;
-  double fraction_done(const RunState &state) const;
+  /// After every step. @p memory of all conditions, empty at the start
+  void note(const RunState &state, StopMemory &memory) const;
+  double fraction_done(const RunState &state, const StopMemory &memory) const;
   /// "t = 1 s, axial strain 0.3".
   std::string in_words() const;
 

@@ -37,8 +37,8 @@ public:
 /// What the `Linear solver` section may say.
 struct LinearSolverSettings
 {
-  std::string type = "automatic"; ///< automatic, banded_cholesky, cholesky, trilinos_direct, cg_ilu, cg_amg
-  double tolerance = 1e-10;       ///< relative residual of the iterative solvers
+  std::string type = "automatic";      ///< automatic, or a registered LinearSolverKind
+  double tolerance = 1e-10;            ///< relative residual of the iterative solvers
   unsigned int max_iterations = 2000;  ///< of the iterative solvers
   unsigned int automatic_dofs = 40000; ///< above this size `automatic` is `cg_amg` for a body that meets
                                        ///< nothing, else a Cholesky solver

@@ -54,6 +54,15 @@ public:
    */
   virtual StepReport advance(double dt_limit) = 0;
 
+  /**
+   * @brief Makes the state after a step what may be written, and adds what that took to @p report.
+   *
+   * Time stands still. Called after the steps that are written, not after all: `quasi_static` looks for
+   * balance here. Nothing is to be done in most models.
+   * @throw ComputationError when it cannot be done
+   */
+  virtual void settle(StepReport &report) { (void) report; }
+
   /// Drives the walls as @p drives say from now on, one per wall; null: as before.
   virtual void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) = 0;
 
@@ -65,6 +74,8 @@ public:
 
   /// Walls alone, cheap enough for every step.
   virtual std::vector<WallState<dim>> walls() const = 0;
+  /// Largest |force on a wall - its load| over its load, of the walls that are free to move; 0 without any.
+  virtual double unbalanced_walls() const { return 0.; }
   /// May cost a pass over the points.
   virtual Energies energies() const = 0;
 

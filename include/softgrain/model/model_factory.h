@@ -3,11 +3,16 @@
 #define softgrain_model_model_factory_h
 
 #include <softgrain/base/registry.h>
+#include <softgrain/model/forecast.h>
 #include <softgrain/model/model.h>
 #include <softgrain/scene/law_catalogue.h>
 #include <softgrain/scene/scene.h>
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dealii
 {
@@ -16,6 +21,8 @@ class ParameterHandler;
 
 namespace softgrain
 {
+class StateReader;
+
 /**
  * @brief How a model enters the program: it registers one of these under the name users write in `Model`.
  *
@@ -48,6 +55,32 @@ public:
    */
   virtual void check(const Scene<2> & /*scene*/, dealii::ParameterHandler & /*prm*/) const {}
 
+  /// What 'Fidelity' (draft, standard or reference) sets where a file does not, for the bodies given:
+  /// "Section/Key" and value of each.
+  virtual std::vector<std::pair<std::string, std::string>> presets(const std::string & /*fidelity*/,
+                                                                   const Crowd & /*crowd*/) const
+  {
+    return {};
+  }
+
+  /// Area that the outlines of the bodies will enclose at the start, judged as forecast() judges [m^2].
+  virtual double
+  solid_area(const Scene<2> & /*scene*/, dealii::ParameterHandler & /*prm*/, const Crowd &crowd) const
+  {
+    return crowd.area();
+  }
+
+  /**
+   * @brief Size and cost of a run, judged within a moment; nothing when the model cannot say.
+   *
+   * @p prm as for create(); the packing of @p scene may not be made yet.
+   */
+  virtual std::optional<Forecast>
+  forecast(const Scene<2> & /*scene*/, dealii::ParameterHandler & /*prm*/, const RunOutline & /*run*/) const
+  {
+    return std::nullopt;
+  }
+
   /**
    * @brief The model of @p scene at time zero.
    *
@@ -55,6 +88,13 @@ public:
    * @throw InputError when scene and parameters do not fit together.
    */
   virtual std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const = 0;
+
+  /// The model of @p scene that is going to load @p state, from which it may take what is dear to make anew.
+  virtual std::unique_ptr<Model<2>>
+  create_again(const Scene<2> &scene, dealii::ParameterHandler &prm, const StateReader & /*state*/) const
+  {
+    return create(scene, prm);
+  }
 };
 
 template <>

@@ -71,6 +71,9 @@ Packing pack_disks(const std::vector<double> &radii,
                    Uniform &random,
                    const PackingProtocol &protocol = {});
 
+/// The radii that make_packing() draws [m].
+std::vector<double> draw_radii(const PackingRequest &request, Uniform &random);
+
 /// pack_disks() with radii drawn at random.
 Packing make_packing(const PackingRequest &request);
 

@@ -5,6 +5,8 @@
 #include <softgrain/base/registry.h>
 #include <softgrain/packing/packing.h>
 
+#include <optional>
+
 namespace dealii
 {
 class ParameterHandler;
@@ -12,6 +14,14 @@ class ParameterHandler;
 
 namespace softgrain
 {
+/// What a packing will bring, as far as that is known before it is made.
+struct ExpectedDisks
+{
+  double number = 0;
+  double mean_area = 0; ///< [m^2]
+  double smallest = 0;  ///< diameter [m]
+};
+
 /**
  * @brief A way to come by many disks: `Packing/Method` names a member of this family.
  */
@@ -31,6 +41,10 @@ public:
 
   /// Whether the disks may come with materials of their own.
   virtual bool may_name_materials() const { return false; }
+
+  /// What make() is expected to bring, within a moment; nothing when it cannot say.
+  /// @throw InputError when a file cannot be read
+  virtual std::optional<ExpectedDisks> expected() const { return std::nullopt; }
 
   /// The disks; may take long, on all threads. @throw InputError when they do not fit or cannot be read.
   virtual Packing make() const = 0;

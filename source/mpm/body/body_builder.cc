@@ -92,7 +92,8 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
 bool points_to_nodes(Body<2> &body)
 {
   const BodyField<2> &field = body.field;
-  const bool accelerated = body.points.layout().has(PointSlot::acceleration),
+  const bool moving = body.points.layout().has(PointSlot::velocity),
+             accelerated = body.points.layout().has(PointSlot::acceleration),
              affine = body.points.layout().has(PointSlot::affine);
   const unsigned int n = field.nodes_per_cell();
   std::vector<double> mass(field.n_nodes(), 0.);
@@ -105,7 +106,9 @@ bool points_to_nodes(Body<2> &body)
       const unsigned int i = field.point_nodes(p)[k];
       const double m = point.mass() * field.values(p)[k];
       mass[i] += m;
-      dealii::Tensor<1, 2> v = point.velocity();
+      dealii::Tensor<1, 2> v;
+      if (moving)
+        v = point.velocity();
       if (affine)
         v += point.affine() * (field.position(i) - point.position());
       for (unsigned int d = 0; d < 2; ++d)
@@ -182,8 +185,9 @@ std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<
 void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context)
 {
   const BodyField<2> &field = body.field;
-  const bool accelerated = body.points.layout().has(PointSlot::acceleration),
-             affine = body.points.layout().has(PointSlot::affine);
+  const bool moving = body.points.layout().has(PointSlot::velocity),
+             accelerated = body.points.layout().has(PointSlot::acceleration),
+             affine = moving && body.points.layout().has(PointSlot::affine);
   const double pic = context.settings.pic_fraction, h = context.lattice.cell_size();
   const unsigned int n = field.nodes_per_cell();
   Eigen::VectorXd u, v, before, a;
@@ -219,7 +223,8 @@ void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, cons
     point.gradient() = gradient * point.gradient();
     if (body.small_strain() && !body.driven) // what is driven is never stressed
       point.volume() = body.step.volume[p];
-    point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
+    if (moving)
+      point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
     if (accelerated)
       point.acceleration() = acceleration;
     if (affine)
@@ -333,7 +338,8 @@ void start_body(Body<2> &body, const BodyDescription<2> &description, const Buil
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     auto point = body.points[p];
-    point.velocity() = body.driven ? body.drive : velocity_at(point.position());
+    if (body.points.layout().has(PointSlot::velocity))
+      point.velocity() = body.driven ? body.drive : velocity_at(point.position());
     if (body.points.layout().has(PointSlot::affine))
       point.affine() =
           dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});

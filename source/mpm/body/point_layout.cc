@@ -15,7 +15,7 @@ PointLayout<dim>::PointLayout(const PointNeeds &needs)
       {PointSlot::mass, "mass", 1, dim == 2 ? "kg/m" : "kg"},
       {PointSlot::half_extent, "half_extent", 1, "m"},
       {PointSlot::gradient, "deformation_gradient", dim * dim, ""},
-      {PointSlot::velocity, "velocity", dim, "m/s"},
+      {PointSlot::velocity, "velocity", needs.velocity ? dim : 0u, "m/s"},
       {PointSlot::stress, "stress", dealii::SymmetricTensor<2, dim>::n_independent_components, "Pa"},
       {PointSlot::volume, "volume", needs.volume ? 1u : 0u, length},
       {PointSlot::acceleration, "acceleration", needs.acceleration ? dim : 0u, "m/s^2"},

@@ -4,9 +4,13 @@
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/model/model_factory.h>
+#include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <iomanip>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -28,6 +32,33 @@ public:
   LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
+
+  std::vector<std::pair<std::string, std::string>> presets(const std::string &fidelity,
+                                                           const Crowd &crowd) const override
+  {
+    // Cells across the smallest body, by the studies: one body needs more, because its contacts count.
+    const bool alone = crowd.n_bodies() < 1.5;
+    const double cells = fidelity == "draft"      ? (alone ? 12. : 3.)
+                         : fidelity == "standard" ? (alone ? 24. : 4.5)
+                                                  : (alone ? 48. : 8.);
+    std::vector<std::pair<std::string, std::string>> list;
+    if (crowd.thickness() > 0.)
+    {
+      std::ostringstream cell;
+      cell << std::setprecision(3) << crowd.thickness() / cells;
+      list.emplace_back("Mesh/Cell size", cell.str());
+    }
+    if (fidelity == "reference")
+      list.emplace_back("Time/CFL multiple", "4");
+    return list;
+  }
+
+  std::optional<Forecast>
+  forecast(const Scene<2> &scene, dealii::ParameterHandler &prm, const RunOutline &run) const override
+  {
+    const auto [settings, laws] = read(scene, prm);
+    return mpm::forecast(scene, settings, laws, run);
+  }
 
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override
   {

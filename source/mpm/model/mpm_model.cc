@@ -7,6 +7,7 @@
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -61,6 +62,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   world.lattice = std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
   world.shape = create_shape_function(settings.shape);
   PointNeeds needs;
+  needs.velocity = settings.scheme.inertia;
   needs.acceleration = settings.scheme.stored_acceleration;
   needs.affine = settings.affine_transfer;
   for (const auto &law : laws)
@@ -164,12 +166,15 @@ StepReport MpmModel::advance(const double dt_limit)
     report.contact_residual = outcome.contact_residual;
     report.max_penetration = outcome.max_penetration;
     held_steps += outcome.held_steps;
+    if (outcome.held_steps > 0)
+      settled_step = steps + 1;
     last_unbalanced = !settings.scheme.inertia         ? outcome.unbalanced
                       : settings.contact_on_boundaries ? unbalanced_force(world, dt)
                                                        : 0.;
     return {true, "", outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
   };
-  const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, world.time, try_step);
+  const double limit = safe_step(world, std::min(dt_limit, wanted));
+  const StepTaken taken = step_control.advance(settings.step, wanted, limit, world.time, try_step);
   report.attempts = taken.attempts;
   report.dt = last_dt = taken.dt;
   ++steps;
@@ -180,6 +185,25 @@ StepReport MpmModel::advance(const double dt_limit)
     check_energy();
   update_momentum_scale();
   return report;
+}
+
+void MpmModel::settle(StepReport &report)
+{
+  // Explicit steps and those with inertia end where they should; what has been settled stays so.
+  if (world.settings.scheme.inertia || settled_step == steps)
+    return;
+  settled_step = steps;
+  const StepOutcome outcome = integrator->settle(world, last_dt);
+  last_unbalanced = outcome.unbalanced;
+  if (outcome.held_steps == 0)
+    return;
+  held_steps += outcome.held_steps;
+  report.newton_iterations += outcome.newton_iterations;
+  report.contact_sweeps += outcome.contact_sweeps;
+  report.newton_residual = outcome.newton_residual;
+  report.contact_residual = outcome.contact_residual;
+  report.max_penetration = outcome.max_penetration;
+  renew_grids();
 }
 
 void MpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
@@ -356,10 +380,7 @@ SizeReport MpmModel::size_report() const
           {"shape functions", world.settings.shape},
           {"time scheme", scheme_in_words(world.settings.scheme)},
           {"CFL step", text(cfl_step(), " s")},
-          {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")},
-          {"steps to the end time", world.scene.end_time > 0.
-                                        ? text(std::ceil(world.scene.end_time / wanted_step()), "")
-                                        : "no end time is set"}};
+          {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
 }
 
 std::map<std::string, double> MpmModel::phases() const

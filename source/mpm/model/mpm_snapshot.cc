@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/touching_pairs.h>
+#include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/polygon.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/whole_rotation.h>
@@ -154,6 +155,11 @@ Snapshot<2> MpmModel::snapshot() const
     snapshot.contacts.push_back(contact);
   }
   return snapshot;
+}
+
+double MpmModel::unbalanced_walls() const
+{
+  return unbalanced(world.walls);
 }
 
 std::vector<WallState<2>> MpmModel::walls() const

@@ -108,10 +108,11 @@ void MpmModel::save(StateWriter &out) const
   std::sort(memory.begin(), memory.end());
   std::vector<std::uint64_t> keys;
   std::vector<double> impulses;
+  const std::ptrdiff_t components = world.frictionless() ? 1 : 2;
   for (const auto &[key, impulse] : memory)
   {
     keys.push_back(key);
-    impulses.insert(impulses.end(), impulse.begin(), impulse.end());
+    impulses.insert(impulses.end(), impulse.begin(), impulse.begin() + components);
   }
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
@@ -153,8 +154,11 @@ void MpmModel::load(StateReader &in)
   b.carried_load = dealii::Tensor<1, 2>({own.at(4), own.at(5)});
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
+  const bool frictionless = impulses.size() == keys.size();
   for (std::size_t k = 0; k < keys.size(); ++k)
-    world.contact.memory()[keys[k]] = {{impulses.at(2 * k), impulses.at(2 * k + 1)}};
+    world.contact.memory()[keys[k]] =
+        frictionless ? std::array<double, 2>{{impulses[k], 0.}}
+                     : std::array<double, 2>{{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
   load_points(*world.points, in);
   world.sort_points();

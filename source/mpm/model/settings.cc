@@ -3,6 +3,7 @@
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/driving/contact_settings.h>
+#include <softgrain/linear/linear_solver_kind.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
@@ -43,7 +44,9 @@ void declare_discretisation(dealii::ParameterHandler &prm)
                prm.declare_entry(
                    "Upper", "1, 1", List(Double(), 2, 2),
                    "Upper right corner; the mesh ends at the first cell face beyond it. Units: m.");
-               prm.declare_entry("Cell size", "0.1", Double(tiny), "Edge of the square cells. Units: m.");
+               prm.declare_entry("Cell size", "0", Double(0.),
+                                 "Edge of the square cells. 0: a share of the width of the smallest body, as "
+                                 "'Fidelity' says. Units: m.");
              });
   in_section(
       prm, "Material points",
@@ -122,10 +125,10 @@ void declare_time(dealii::ParameterHandler &prm)
              {
                prm.declare_entry(
                    "Type", "automatic",
-                   Selection("automatic|banded_cholesky|cholesky|trilinos_direct|cg_ilu|cg_amg"),
-                   "banded_cholesky: dense kernels on the band of a compact body; cholesky: sparse (Eigen); "
-                   "trilinos_direct, cg_ilu, cg_amg: Trilinos; automatic: one of the Cholesky solvers, but "
-                   "cg_amg for a body of more than 'Automatic limit' unknowns without contact.");
+                   Selection("automatic|" + Registry<LinearSolverKind>::instance().choice()),
+                   "automatic: one of the Cholesky solvers, but cg_amg for a body of more than 'Automatic "
+                   "limit' unknowns without contact; " +
+                       Registry<LinearSolverKind>::instance().choice_in_words());
                prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1),
                                  "Relative residual at which an iterative solver stops. Units: none.");
                prm.declare_entry("Maximum iterations", "2000", Integer(1),
@@ -138,28 +141,28 @@ void declare_time(dealii::ParameterHandler &prm)
 
 void declare_quasi_static(dealii::ParameterHandler &prm)
 {
-  in_section(prm, "Quasi-static",
-             [&]
-             {
-               prm.declare_entry(
-                   "Regularisation", "1e-3", Double(1e-9, 1.),
-                   "Stiffness against the motion in a step, over Young's modulus. It takes the place of "
-                   "inertia and holds grains that touch nothing. Its forces vanish in held steps.");
-               prm.declare_entry("Unbalanced force", "1e-4", Double(1e-12, 1.),
-                                 "Bodies are in balance when the net force on each is at most this share of "
-                                 "the mean contact force.");
-               prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
-                                 "Bodies are in balance when no contact marker moves farther than this in a "
-                                 "held step. Units: cells.");
-               prm.declare_entry(
-                   "Held steps", "200", Integer(0, 100000),
-                   "Largest number of steps with walls at rest after one in which they move; without balance "
-                   "after so many the run ends with a message. 0: none, and steps do not end in balance.");
-               prm.declare_entry(
-                   "Wall motion", "0.3", Double(1e-6, 10.),
-                   "Way of a wall under pressure in a step and in each held step, at most. Held steps "
-                   "on the way to the grains do not count as 'Held steps'. Units: cells.");
-             });
+  in_section(
+      prm, "Quasi-static",
+      [&]
+      {
+        prm.declare_entry(
+            "Regularisation", "1e-3", Double(1e-9, 1.),
+            "Stiffness against the motion in a step, over Young's modulus. It takes the place of "
+            "inertia and holds grains that touch nothing. Its forces vanish in held steps.");
+        prm.declare_entry("Unbalanced force", "1e-4", Double(1e-12, 1.),
+                          "Bodies are in balance when the net force on each is at most this share of "
+                          "the mean contact force.");
+        prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
+                          "Bodies are in balance when no contact marker moves farther than this in a "
+                          "held step. Units: cells.");
+        prm.declare_entry(
+            "Held steps", "200", Integer(0, 100000),
+            "Largest number of steps with walls at rest before a state is written; without balance after "
+            "so many the run ends with a message. 0: none, and what is written is not in balance.");
+        prm.declare_entry("Wall motion", "0.3", Double(1e-6, 10.),
+                          "Way of a wall under pressure in a step and in each held step, at most. Held steps "
+                          "on the way to the grains do not count as 'Held steps'. Units: cells.");
+      });
 }
 
 void declare_contact(dealii::ParameterHandler &prm)
@@ -223,6 +226,11 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         mesh_lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
         mesh_upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
         cell_size = prm.get_double("Cell size");
+        if (cell_size < tiny)
+          throw InputError(
+              "'Mesh/Cell size' = '" + prm.get("Cell size") +
+              "' is not allowed here: there is no body whose width is known beforehand, so it must "
+              "be greater than 0");
         for (unsigned int d = 0; d < 2; ++d)
           if (!(mesh_upper[d] > mesh_lower[d]))
             throw InputError("'Mesh/Upper' = '" + prm.get("Upper") +

@@ -102,10 +102,24 @@ double unbalanced_force(World &world, const double dt)
 
 StepOutcome quasi_static_step(World &world, const double dt, const double wanted)
 {
-  const Settings &settings = world.settings;
-  StepOutcome sum = implicit_step(world, {dt, false, settings.regularisation * wanted / dt});
-  if (!sum.accepted)
+  StepOutcome sum = implicit_step(world, {dt, false, world.settings.regularisation * wanted / dt});
+  // Walls under pressure go as far as balance lets them.
+  if (!sum.accepted || world.contact.free_walls.list.empty())
     return sum;
+  const StepOutcome held = find_balance(world, dt);
+  if (held.held_steps > 0)
+    add(held, sum);
+  sum.held_steps = held.held_steps;
+  sum.unbalanced = held.unbalanced;
+  sum.largest_move = std::max(sum.largest_move, held.largest_move);
+  return sum;
+}
+
+StepOutcome find_balance(World &world, const double dt)
+{
+  const Settings &settings = world.settings;
+  StepOutcome sum;
+  sum.accepted = true;
   double of_bodies = unbalanced_force_here(world, dt);
   sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.

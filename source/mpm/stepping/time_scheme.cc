@@ -9,6 +9,13 @@ SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::TimeIntegrator)
 
 namespace softgrain::mpm
 {
+StepOutcome TimeIntegrator::settle(World &, double) const
+{
+  StepOutcome nothing;
+  nothing.accepted = true;
+  return nothing;
+}
+
 TimeScheme TimeScheme::create(const std::string &name, const double theta)
 {
   if (!(theta >= 0.5 && theta <= 1.))
@@ -56,6 +63,7 @@ public:
   {
     return quasi_static_step(world, dt, wanted);
   }
+  StepOutcome settle(World &world, const double dt) const override { return find_balance(world, dt); }
 };
 
 template <typename Member>

@@ -33,6 +33,18 @@ public:
 
   bool asked_for(const dealii::ParameterHandler &prm) const override { return !prm.get("File").empty(); }
   bool may_name_materials() const override { return true; }
+
+  std::optional<ExpectedDisks> expected() const override
+  {
+    const Packing packing = read_packing(file);
+    ExpectedDisks disks{static_cast<double>(packing.disks.size()),
+                        packing.solid_area() / packing.disks.size(), 0.};
+    for (const Packing::Disk &disk : packing.disks)
+      if (disks.smallest == 0. || 2. * disk.radius < disks.smallest)
+        disks.smallest = 2. * disk.radius;
+    return disks;
+  }
+
   Packing make() const override { return read_packing(file); }
 
 private:

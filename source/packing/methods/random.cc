@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/random.h>
 #include <softgrain/packing/packing_method.h>
 #include <softgrain/parameters/parameter_values.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace softgrain
 {
@@ -75,6 +80,27 @@ public:
   }
 
   bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
+
+  std::optional<ExpectedDisks> expected() const override
+  {
+    // The very radii that will be packed: with few disks the mean of the distribution says little.
+    Uniform random(request.seed);
+    std::vector<double> radii = draw_radii(request, random);
+    ExpectedDisks disks{static_cast<double>(request.number), 0., 0.};
+    for (const double r : radii)
+      disks.mean_area += dealii::numbers::PI * r * r / disks.number;
+    disks.smallest = 2. * *std::min_element(radii.begin(), radii.end());
+    if (request.protocol.jam)
+    {
+      // All are scaled to fill the box as jammed disks do.
+      const double box = (request.upper[0] - request.lower[0]) * (request.upper[1] - request.lower[1]);
+      const double larger = 0.83 * box / (disks.number * disks.mean_area);
+      disks.mean_area *= larger;
+      disks.smallest *= std::sqrt(larger);
+    }
+    return disks;
+  }
+
   Packing make() const override { return make_packing(request); }
 
 private:

@@ -24,6 +24,10 @@ struct Aggregate
 /// Time in which attraction moves a primary at rest by its own diameter, sqrt(m a0 / F0) [s].
 double attraction_time(double diameter, double density, double contact_force);
 
+/// Sizes that do not go together would need more memory than there is, or numbers that are none.
+/// @throw InputError when a body named @p body would be cut from too many primaries
+void check_number(const std::string &body, double n_primaries);
+
 /**
  * @brief Fills the shape of @p body with primaries at rest.
  *

@@ -35,11 +35,13 @@ public:
    * @param settings of the model
    * @param laws attraction of every material
    * @param law_texts parameters of the laws, for the keys of prepared aggregates
+   * @param state that is going to be loaded: it has the primaries; null: aggregates are prepared
    */
   BpmModel(const Scene<2> &scene,
            const Settings &settings,
            const std::vector<std::shared_ptr<const Attraction>> &laws,
-           const std::vector<std::string> &law_texts);
+           const std::vector<std::string> &law_texts,
+           const StateReader *state = nullptr);
   ~BpmModel() override;
 
   std::string name() const override { return "bpm"; }
@@ -49,6 +51,7 @@ public:
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
   std::vector<WallState<2>> walls() const override;
+  double unbalanced_walls() const override;
   Energies energies() const override;
   double solid_area() const override;
   double coordination() const override;
@@ -64,6 +67,7 @@ public:
 private:
   Primaries fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,
                         const std::vector<std::string> &law_texts);
+  Primaries primaries_of(const StateReader &state);
   void check_places() const;
   double wanted_step() const;
   void drive_walls(double dt);

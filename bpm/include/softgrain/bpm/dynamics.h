@@ -32,6 +32,7 @@ struct DynamicsSettings
   double look_ahead = 0;
   double skin = 0.3;                  ///< of the neighbour list
   double solver_penetration = 1e-4;   ///< that a step may add by an unfinished contact solution
+  double wall_force_floor = 0;        ///< what the force on a wall counts as at least [N/m]
   contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
 
   /// Whether rotations of the primaries matter.

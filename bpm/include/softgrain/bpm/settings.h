@@ -33,6 +33,7 @@ struct Settings
   StepSettings step;
   double step_fraction = 0;       ///< of the time in which attraction closes a gap, when no step is given
   double largest_penetration = 0; ///< that a step may leave, in mean diameters
+  double wall_floor = 0;          ///< over F0/a0 times the side of the primaries' area
   bool inner_contacts_in_output = true;
   DynamicsSettings dynamics; ///< friction between bodies comes from the scene
 

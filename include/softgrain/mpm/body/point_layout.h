@@ -16,7 +16,7 @@ enum class PointSlot : unsigned int
   mass,         ///< density times rest volume
   half_extent,  ///< half the edge of the domain at rest
   gradient,     ///< F from rest to the configuration of the grid, by rows
-  velocity,     ///< when the grid was laid
+  velocity,     ///< when the grid was laid; with inertia only
   stress,       ///< as the law returns it, end of the last step, in the order of dealii::SymmetricTensor
   volume,       ///< small-strain laws only: when the grid was laid
   acceleration, ///< `newmark` only
@@ -36,7 +36,8 @@ struct PointSlotDescription
 /// What a scene asks its points to carry beyond the rest.
 struct PointNeeds
 {
-  bool volume = false; ///< of their own, beside the rest volume and F
+  bool velocity = true; ///< of bodies with inertia
+  bool volume = false;  ///< of their own, beside the rest volume and F
   bool acceleration = false;
   bool affine = false;
   unsigned int n_history = 0; ///< largest number of history values of all laws

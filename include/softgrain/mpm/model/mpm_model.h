@@ -30,11 +30,13 @@ public:
 
   std::string name() const override { return "mpm"; }
   StepReport advance(double dt_limit) override;
+  void settle(StepReport &report) override;
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
   double time() const override { return world.time; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
   std::vector<WallState<2>> walls() const override;
+  double unbalanced_walls() const override;
   Energies energies() const override;
   double solid_area() const override;
   double coordination() const override;
@@ -70,6 +72,7 @@ private:
   StepControl step_control{1.5};
   std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
+  std::size_t settled_step = 0; ///< the last step after which settle() had its way
   double last_unbalanced = 0.;
   double last_dt = 0.;
   double initial_energy = 0.; ///< [J/m]

@@ -7,14 +7,20 @@
 namespace softgrain::mpm
 {
 /**
- * @brief One step of `quasi_static`: walls and loads go on by @p dt, then held steps until the bodies are in
- * balance. See doc/theory.md, "Without inertia".
+ * @brief One step of `quasi_static`: walls and loads go on by @p dt, and bodies follow them. With walls under
+ * pressure, find_balance() is part of it. See doc/theory.md, "Without inertia".
  *
  * @param wanted length of an uncut step [s]; a shorter one resists motion more, in proportion
  * @return not accepted, and nothing changed, when the bodies cannot follow the walls
- * @throw ComputationError when no balance is found after they did; the bodies have then moved
  */
 StepOutcome quasi_static_step(World &world, double dt, double wanted);
+
+/**
+ * @brief Held steps after a step of length @p dt [s], in which walls and loads stand, until the bodies are in
+ * balance.
+ * @throw ComputationError when they are not after 'Quasi-static/Held steps'; they have then moved
+ */
+StepOutcome find_balance(World &world, double dt);
 
 /// How far the bodies are from balance under the impulses of a step of length @p dt, along its rows: the
 /// largest net force of contacts and loads on a body, over the mean force of a contact, of a pair of bodies

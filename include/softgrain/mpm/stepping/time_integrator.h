@@ -30,6 +30,13 @@ public:
    * @param wanted length of steps that need not be cut [s]
    */
   virtual StepOutcome step(World &world, double dt, double wanted) const = 0;
+
+  /**
+   * @brief Goes from where a step of length @p dt [s] ended to what may be written, while time stands still;
+   * most schemes are there.
+   * @throw ComputationError when it is not found
+   */
+  virtual StepOutcome settle(World &world, double dt) const;
 };
 } // namespace softgrain::mpm
 

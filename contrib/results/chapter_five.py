@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs of doc/results/thesis-5.md: soft grains compacted isotropically, sheared biaxially and unloaded, by MPM and by BPM. A run that
+is there already is not repeated; `softgrain figures thesis-5` draws them."""
+import argparse
+import math
+import pathlib
+import sys
+
+from running import RunFailed, run
+
+SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
+DENSITY = {"mpm": 990., "bpm": 2000.}
+WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
+
+
+def box(model, number):
+    """Changes that give the gallery's scene another number of grains at the same packing fraction."""
+    if number == GRAINS:
+        return {}
+    side = f"{SIDE * math.sqrt(number / GRAINS):.6g}"
+    changes = {"Packing/Number": str(number), "Packing/Upper": f"{side}, {side}", "Walls/top/Point": f"0, {side}",
+               "Walls/right/Point": f"{side}, 0"}
+    if model == "mpm":
+        mesh = f"{1.3 * float(side):.6g}"  # sheared boxes are wider
+        changes["Mesh/Upper"] = f"{mesh}, {mesh}"
+    return changes
+
+
+def height(number):
+    return SIDE * math.sqrt(number / GRAINS)
+
+
+def shear(first, strain, unload, speed, pressure):
+    """Stages after the isotropic one, whose name is @first."""
+    names = [first, "shear"] + (["unload"] if unload else [])
+    changes = {"Stages/Names": ", ".join(names), "Stages/shear/Stop/Shear strain": f"{unload or strain:g}",
+               "Stages/shear/top/Drive": "velocity", "Stages/shear/top/Velocity": f"{speed:g}",
+               "Stages/shear/right/Drive": "pressure", "Stages/shear/right/Pressure": f"{pressure:g}"}
+    if unload:
+        changes.update({"Stages/unload/Stop/Shear strain": f"{strain:g}", "Stages/unload/top/Drive": "velocity",
+                        "Stages/unload/top/Velocity": f"{-speed:g}"})
+    return changes
+
+
+def material_points(case):
+    """Without inertia: time only orders the steps; the wall goes 0.2 cells in each."""
+    step, ramp = 6.4e-5, 1.92e-4 * (3 if case.pressure > 5e5 else 1)
+    pressed = f"{case.pressure:g}*min(t/{ramp:g}, 1)"
+    changes = {"Stages/compress/Stop/End time": f"{ramp:g}", "Stages/compress/top/Pressure": pressed,
+               "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
+               "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{2 * step:g}", **box("mpm", case.number),
+               **shear("compress", case.strain, case.unload, 1., case.pressure)}
+    return "gallery/biaxial_thirty_grains_mpm.prm", changes
+
+
+def bonded(case):
+    """At an inertial number of --inertia, which sets the speed of the wall; 100 states on the way."""
+    speed = case.inertia * height(case.number) / DIAMETER * math.sqrt(case.pressure / DENSITY["bpm"])
+    way = 0.5 * (case.strain + 2 * case.unload) * height(case.number)
+    pressed = f"{case.pressure:g}"
+    changes = {"Stages/compact/top/Pressure": pressed, "Stages/compact/right/Pressure": pressed,
+               "Stages/compact/Stop/End time": f"{2e-3 * height(case.number) / height(GRAINS):g}",
+               "Output/Snapshots every": f"{way / speed / 100:.3g}", "Output/History every": "20", **box("bpm", case.number),
+               **shear("compact", case.strain, case.unload, speed, case.pressure)}
+    if case.thesis_primaries:
+        changes.update({"Primaries/Smallest diameter": "0.07e-3", "Primaries/Largest diameter": "0.13e-3"})
+    return "gallery/biaxial_thirty_grains_bpm.prm", changes
+
+
+SCENES = {"mpm": material_points, "bpm": bonded}
+
+
+def cases(arguments):
+    """One set of arguments for every run, with its name."""
+    for pressure in arguments.pressures:
+        for friction in arguments.friction:
+            for seed in arguments.seeds:
+                for unload in [0., *arguments.unload]:
+                    case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
+                    name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
+                    yield name + (f"-unload{unload:g}" if unload else ""), friction, seed, case
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="build/release/bin/softgrain")
+    parser.add_argument("folder", type=pathlib.Path, help="for the output folders of the runs")
+    parser.add_argument("--model", choices=sorted(SCENES), required=True)
+    parser.add_argument("--number", type=int, default=GRAINS, help="grains (default: %(default)s; the thesis: 300)")
+    parser.add_argument("--pressures", type=float, nargs="+", default=[0.2, 0.4, 0.8, 1.6, 3.2], help="[MPa]")
+    parser.add_argument("--friction", type=float, nargs="+", default=[0.])
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1])
+    parser.add_argument("--strain", type=float, default=0.8, help="shear strain of every stage (default: %(default)s)")
+    parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
+    parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
+    parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
+    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")
+    parser.add_argument("--threads", type=int, default=0)
+    arguments = parser.parse_args()
+    further = dict(text.split("=", 1) for text in arguments.set)
+    print("| run | steps | shear strain | seconds |\n|---|---|---|---|")
+    for name, friction, seed, case in cases(arguments):
+        scene, changes = SCENES[arguments.model](case)
+        try:
+            summary, rows = run(arguments.program, scene, arguments.folder / name,
+                                {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further},
+                                arguments.threads, again=False)
+        except RunFailed as trouble:
+            print(f"{name}: {trouble}", file=sys.stderr, flush=True)
+            continue
+        strain = [math.log(1 / (row["top_position_m"] - row["bottom_position_m"])) -
+                  math.log(1 / (row["right_position_m"] - row["left_position_m"])) for row in rows]
+        first = max(i for i, row in enumerate(rows) if row["stage"] == 1)
+        print(f"| {name} | {summary['steps']} | {strain[-1] - strain[first]:.2f} | {summary['wall_seconds']:.0f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

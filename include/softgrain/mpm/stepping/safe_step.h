@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_safe_step_h
+#define softgrain_mpm_stepping_safe_step_h
+
+namespace softgrain::mpm
+{
+struct World;
+
+/**
+ * @brief The longest step from here, up to @p dt, in which no body can pass through another unseen [s].
+ *
+ * Two bodies whose boxes meet on their way may come nearer by the way that the contact geometry allows, by
+ * the velocities that they have now and their loads add; those that are apart may go as far as they are
+ * apart.
+ */
+double safe_step(const World &world, double dt);
+} // namespace softgrain::mpm
+
+#endif

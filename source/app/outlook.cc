@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/outlook.h>
+#include <softgrain/app/stage_path.h>
+#include <softgrain/driving/wall.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain
+{
+namespace
+{
+/// The scene without its bodies but for the area that they fill.
+class WallsAlone final : public Model<2>
+{
+public:
+  WallsAlone(const Scene<2> &scene, const double area) : area(area)
+  {
+    // What make_walls() asks of bodies is a mass, and no wall here has any.
+    Scene<2> empty;
+    empty.walls = scene.walls;
+    moving = make_walls(empty);
+  }
+
+  struct State
+  {
+    double time = 0.; ///< [s]
+    std::vector<Wall> walls;
+  };
+  State state() const { return {now, moving}; }
+  void restore(const State &state)
+  {
+    now = state.time;
+    moving = state.walls;
+  }
+
+  StepReport advance(const double dt) override
+  {
+    for (Wall &wall : moving)
+    {
+      wall.speed = wall.prescribed() ? wall.demand(now, dt).velocity : 0.;
+      wall.travel += dt * wall.speed;
+      fastest = std::max(fastest, std::abs(wall.speed));
+      pressed = pressed || !wall.prescribed();
+    }
+    now += dt;
+    return {};
+  }
+
+  void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override
+  {
+    softgrain::take_drives(moving, drives, now);
+  }
+
+  std::string name() const override { return "walls"; }
+  double time() const override { return now; }
+  std::size_t step() const override { return 0; }
+  Snapshot<2> snapshot() const override { return {}; }
+  std::vector<WallState<2>> walls() const override { return states_of(moving); }
+  Energies energies() const override { return {}; }
+  double solid_area() const override { return area; }
+  double coordination() const override { return 0.; }
+  double momentum_error() const override { return 0.; }
+  std::size_t n_points() const override { return 0; }
+  std::size_t n_bodies() const override { return 0; }
+  SizeReport size_report() const override { return {}; }
+  std::map<std::string, double> phases() const override { return {}; }
+  void save(StateWriter &) const override {}
+  void load(StateReader &) override {}
+
+  double fastest = 0.; ///< [m/s]
+  bool pressed = false;
+
+private:
+  double area;
+  double now = 0.;
+  std::vector<Wall> moving;
+};
+
+/// Goes the way of the walls in steps that follow what happens, until @p part says that all of it is done.
+/// @return whether it was
+template <typename Part>
+bool go(WallsAlone &model, const double longest, const Part &part)
+{
+  constexpr unsigned int most = 20000;
+  const double begin = model.time();
+  double dt = longest > 0. ? 1e-3 * longest : 1e-9;
+  for (unsigned int step = 0; step < most; ++step)
+  {
+    const double done = part();
+    if (done >= 1.)
+      return true;
+    const double limit = longest > 0. ? begin + longest - model.time() : dt;
+    const WallsAlone::State before = model.state();
+    model.advance(std::min(dt, limit));
+    const double now = part();
+    if (now > done + 1e-2 && dt > 1e-12 * model.time())
+    {
+      model.restore(before);
+      dt *= 0.5;
+    }
+    else if (now < done + 2e-3)
+      dt = longest > 0. ? std::min(1.5 * dt, 1e-3 * longest) : 1.5 * dt;
+    if (!std::isfinite(model.time()) || model.time() > 1e12)
+      return false;
+  }
+  return false;
+}
+} // namespace
+
+std::optional<RunOutline> outline_of(Input &input)
+{
+  std::optional<Crowd> crowd = input.crowd();
+  if (!crowd)
+    return std::nullopt;
+  RunOutline outline;
+  outline.crowd = *crowd;
+  outline.to_pack = input.scene().packing.method != nullptr;
+  WallsAlone model(input.scene(), input.solid_area(outline.crowd));
+  const std::vector<WallState<2>> start = model.walls();
+  StagePath path(input.stages(), model, input.scene().gravity);
+  path.begin();
+  bool known = true;
+  const StopConditions &stop = input.stop();
+  // Conditions that look back have seen nothing: when they end a run is not known beforehand.
+  const StopMemory nothing;
+  const auto of_run = [&] { return stop.empty() ? 0. : stop.fraction_done({model, start, 0.}, nothing); };
+  for (unsigned int n = 0; known && n < std::max<std::size_t>(1, input.stages().size()); ++n)
+  {
+    if (n > 0)
+      path.next();
+    const double end = path.empty() ? stop.end_time() : path.end_time();
+    known = go(model, path.empty() || end > model.time() ? end - (path.empty() ? 0. : model.time()) : 0.,
+               [&] { return std::max(of_run(), path.empty() ? 0. : path.fraction_of_stage(0.)); });
+    if (of_run() >= 1.)
+      break;
+  }
+  outline.duration = known ? model.time() : 0.;
+  outline.fastest_wall = model.fastest;
+  outline.pressed = model.pressed;
+  const RunParameters &run = input.run();
+  for (const double every : {run.fields_every, run.snapshots_every})
+    if (every > 0.)
+    {
+      outline.n_pictures += 1. + std::floor(outline.duration / every);
+      outline.output_every = outline.output_every > 0. ? std::min(outline.output_every, every) : every;
+    }
+  outline.history_every = run.history_every;
+  return outline;
+}
+} // namespace softgrain

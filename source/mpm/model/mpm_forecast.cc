@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/model/mpm_forecast.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Fitted to processor time and peak memory of runs of the shipped scenes on one thread.
+namespace fitted
+{
+constexpr double boundary = 0.34;            ///< cells beside the boundary that get points
+constexpr double point_seconds = 0.9e-6;     ///< of one iteration of Newton's method, one body
+constexpr double contact_seconds = 0.8e-6;   ///< more of it where bodies meet
+constexpr double factor_seconds = 0.7e-9;    ///< of a row of a band matrix, per square of its width
+constexpr double sparse_seconds = 7e-8;      ///< of a sparse factorisation, per power 3/2 of the unknowns
+constexpr double explicit_seconds = 0.6e-6;  ///< of a step of a point without a matrix
+constexpr double grid_seconds = 1.2e-6;      ///< of a point when a new grid is laid
+constexpr double picture_seconds = 6e-6;     ///< of a point in a picture
+constexpr double history_seconds = 1.5e-7;   ///< of a point in a row of the history
+constexpr double preparation_seconds = 2e-5; ///< of a point
+constexpr double packing_seconds = 4e-3;     ///< of a grain
+constexpr double friction_factor = 1.25;     ///< on the time of a step in which waves are resolved
+constexpr double slow_friction_factor = 2.3; ///< without them
+constexpr double point_memory = 4.6e3;       ///< [bytes]
+} // namespace fitted
+
+/// What a body costs.
+struct BodyCost
+{
+  double points = 0., unknowns = 0., factor_seconds = 0., memory = 0.;
+};
+
+BodyCost cost_of(const BodyGroup &body, const Settings &settings)
+{
+  const double h = settings.cell_size, per_cell = std::pow(settings.points_per_direction, 2);
+  const double cells = (body.area + fitted::boundary * h * body.perimeter) / (h * h);
+  BodyCost cost;
+  cost.points = std::max(1., per_cell * cells);
+  cost.memory = fitted::point_memory * cost.points;
+  if (body.driven)
+    return cost;
+  cost.unknowns = 2. * cells;
+  if (!settings.scheme.implicit)
+    return cost;
+  // Rows that span the body's shorter side, unless a sparse factorisation takes over.
+  const double n = cost.unknowns, band = 2. * body.short_edge / h;
+  cost.factor_seconds =
+      std::min(fitted::factor_seconds * n * band * band, fitted::sparse_seconds * std::pow(n, 1.5));
+  cost.memory += 8. * n * std::min(band, 8. * std::log2(n + 2.));
+  return cost;
+}
+
+/// Iterations of Newton's method in a step.
+double n_iterations(const Settings &settings, const RunOutline &run, const double dt, const double cfl)
+{
+  const double n_bodies = run.crowd.n_bodies();
+  if (!settings.scheme.implicit)
+    return 1.;
+  if (!settings.scheme.inertia)
+  {
+    const double way = run.fastest_wall * dt / settings.cell_size;
+    const double longer = std::clamp(std::pow(way / 0.1, 0.4), 1., 1.6);
+    return n_bodies < 1.5 ? 5.5 : 9. * std::pow(n_bodies, 0.4) * longer;
+  }
+  if (settings.rows_follow() && dt > 20.5 * cfl)
+    return 3. * std::pow(n_bodies, 0.2);
+  return n_bodies < 1.5 ? 2. : 2.6 + 0.6 * std::min(dt / cfl, 10.);
+}
+
+std::string text(const double value, const std::string &unit)
+{
+  std::ostringstream s;
+  s.precision(3);
+  s << value << unit;
+  return s.str();
+}
+
+/// What doc/results/trade.md says of such cells and steps.
+std::vector<std::string>
+warnings(const Settings &settings, const RunOutline &run, const bool walls, const double dt, const double cfl)
+{
+  std::vector<std::string> list;
+  const double h = settings.cell_size;
+  for (const BodyGroup &body : run.crowd.groups)
+  {
+    if (body.driven)
+      continue;
+    const double cells = body.thickness / h;
+    const std::string what = "'Mesh/Cell size' = " + text(h, " m") + " is " + text(1. / cells, "") +
+                             " of the width of body '" + body.name + "'";
+    if (cells < 1.)
+      list.push_back("'Mesh/Cell size' = " + text(h, " m") + " is larger than body '" + body.name + "', " +
+                     text(body.thickness, " m") + " wide: it can hardly deform");
+    else if (run.crowd.n_bodies() > 1.5 && cells < 2.6)
+      list.push_back(what + ": stresses of assemblies are 15 % off and more");
+    else if (walls && run.crowd.n_bodies() < 1.5 && cells < 8.)
+      list.push_back(what + ": contact forces are 5 % off and more, 12 cells make it 3 %");
+    else
+      continue;
+    break; // one body says it for all
+  }
+  const double way = run.fastest_wall * dt / h;
+  if (!settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && way > 0.5)
+    list.push_back("a wall moves " + text(way, " cells") +
+                   " in a step: assemblies without inertia were studied with up to 0.3");
+  if (settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && settings.scheme.implicit && way > 1.)
+    list.push_back("a wall moves " + text(way, " cells") + " in a step: steps will be cut");
+  if (settings.scheme.inertia && run.fastest_wall > 0.1 * h / cfl)
+    list.push_back("a wall moves at " + text(run.fastest_wall, " m/s") + ", waves at " +
+                   text(h / cfl, " m/s") + ": bodies are crushed where they meet it");
+  return list;
+}
+
+/// The step without which waves would cross a cell [s].
+double cfl_of(const Scene<2> &scene,
+              const Settings &settings,
+              const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws,
+              const Crowd &crowd)
+{
+  double step = 0.;
+  for (const BodyGroup &body : crowd.groups)
+  {
+    if (body.driven)
+      continue;
+    const double own = settings.cell_size * std::sqrt(scene.materials[body.material].density /
+                                                      laws[body.material]->wave_modulus());
+    step = step == 0. ? own : std::min(step, own);
+  }
+  return step;
+}
+} // namespace
+
+Forecast forecast(const Scene<2> &scene,
+                  const Settings &settings,
+                  const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws,
+                  const RunOutline &run)
+{
+  Forecast result;
+  double unknowns = 0., factors = 0., memory = 0.;
+  for (const BodyGroup &group : run.crowd.groups)
+  {
+    const BodyCost cost = cost_of(group, settings);
+    result.n_points += group.count * cost.points;
+    unknowns += group.count * cost.unknowns;
+    factors += group.count * cost.factor_seconds;
+    memory += group.count * cost.memory;
+  }
+  // Slabs are three cells thick and as long as the mesh.
+  for (const WallDescription<2> &wall : scene.walls)
+    if (wall.type == WallDescription<2>::Type::material_points)
+      result.n_points += 3. * std::pow(settings.points_per_direction, 2) / settings.cell_size *
+                         std::abs((settings.mesh_upper - settings.mesh_lower) *
+                                  dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
+  const double cfl = cfl_of(scene, settings, laws, run.crowd), points = result.n_points;
+  result.step = settings.step.wanted(
+      (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl);
+  result.n_steps = run.n_steps(result.step);
+  const bool friction =
+      scene.friction > 0. || std::any_of(scene.walls.begin(), scene.walls.end(),
+                                         [](const WallDescription<2> &wall) { return wall.friction > 0.; });
+  const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
+  const double iterations = n_iterations(settings, run, result.step, cfl);
+  const double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);
+  double seconds = settings.scheme.implicit ? iterations * (of_point * points + factors)
+                                            : fitted::explicit_seconds * points;
+  if (friction && run.crowd.n_bodies() > 1.5)
+    seconds *= slow ? fitted::slow_friction_factor : fitted::friction_factor;
+  if (settings.grid_update == GridUpdate::every_step)
+    seconds += fitted::grid_seconds * points;
+  seconds += fitted::history_seconds * points / run.history_every;
+  if (result.n_steps > 0.)
+    seconds += run.n_pictures / result.n_steps * fitted::picture_seconds * points;
+  result.step_seconds = seconds;
+  result.preparation = fitted::preparation_seconds * points +
+                       (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
+  result.memory = memory;
+  result.warnings = warnings(settings, run, !scene.walls.empty(), result.step, cfl);
+  const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.cell_size *
+                              (1. - 1e-9)),
+               ny = std::ceil((settings.mesh_upper[1] - settings.mesh_lower[1]) / settings.cell_size *
+                              (1. - 1e-9));
+  result.sizes = {
+      {"material points", "about " + count_in_words(points)},
+      {"background mesh", text(nx, " x ") + text(ny, " cells of ") + text(settings.cell_size, " m")},
+      {"unknowns", "about " + count_in_words(unknowns)},
+      {"shape functions", settings.shape},
+      {"time scheme", settings.scheme.name},
+      {"CFL step", text(cfl, " s")},
+      {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
+  return result;
+}
+} // namespace softgrain::mpm

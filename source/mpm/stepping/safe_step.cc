@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/safe_step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vector = dealii::Tensor<1, 2>;
+
+/// How a body moves, and where it is.
+struct Flight
+{
+  Vector velocity;               ///< mean [m/s]
+  double spread = 0.;            ///< of the velocities of its nodes about the mean [m/s]
+  double width = 0.;             ///< of the body where it is narrowest [m]
+  dealii::Point<2> lower, upper; ///< of the box around it [m]
+};
+
+Flight flight_of(const Body<2> &body)
+{
+  Flight flight;
+  const unsigned int n = body.velocity.size() / 2;
+  for (unsigned int i = 0; i < n; ++i)
+    flight.velocity += Vector({body.velocity[2 * i], body.velocity[2 * i + 1]}) / n;
+  if (body.driven)
+    flight.velocity = body.drive;
+  else
+    for (unsigned int i = 0; i < n; ++i)
+      flight.spread = std::max(
+          flight.spread, (Vector({body.velocity[2 * i], body.velocity[2 * i + 1]}) - flight.velocity).norm());
+  const std::vector<dealii::Point<2>> &markers = body.boundary.position;
+  flight.lower = flight.upper = markers.front();
+  double perimeter = 0.;
+  for (unsigned int m = 0; m < markers.size(); ++m)
+  {
+    perimeter += markers[m].distance(markers[body.boundary.next(m)]);
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      flight.lower[d] = std::min(flight.lower[d], markers[m][d]);
+      flight.upper[d] = std::max(flight.upper[d], markers[m][d]);
+    }
+  }
+  // The diameter of a disk, twice the width of a strip: half of it is always inside.
+  flight.width = 4. * body.rest_area / perimeter;
+  return flight;
+}
+
+double distance(const Flight &a, const Flight &b)
+{
+  Vector apart;
+  for (unsigned int d = 0; d < 2; ++d)
+    apart[d] = std::max({0., a.lower[d] - b.upper[d], b.lower[d] - a.upper[d]});
+  return apart.norm();
+}
+
+/// Time in which @p way is gone from @p speed on with @p acceleration [s].
+double time_of_way(const double way, const double speed, const double acceleration)
+{
+  return 2. * way / (speed + std::sqrt(speed * speed + 2. * acceleration * way));
+}
+
+/// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.
+double safe_from_walls(const World &world, const Flight &flight, const double reach, const double dt)
+{
+  double step = dt;
+  for (const Wall &wall : world.walls)
+  {
+    if (wall.description.type != WallDescription<2>::Type::plane)
+      continue;
+    const Vector &n = wall.normal();
+    const dealii::Point<2> nearest(n[0] > 0. ? flight.lower[0] : flight.upper[0],
+                                   n[1] > 0. ? flight.lower[1] : flight.upper[1]);
+    const double gap = (nearest - wall.point()) * n;
+    const double own = wall.prescribed() ? wall.demand(world.time, dt).velocity : wall.speed;
+    const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
+    step = std::min(step, time_of_way(std::max(reach, gap), speed, world.scene.gravity.norm()));
+  }
+  return step;
+}
+
+/// The longest step, up to @p dt, in which two bodies cannot pass through each other.
+double
+safe_from_bodies(const World &world, const std::vector<Flight> &flights, const double reach, const double dt)
+{
+  double fastest = 0., narrowest = std::numeric_limits<double>::max();
+  for (const Flight &flight : flights)
+  {
+    fastest = std::max(fastest, flight.velocity.norm() + flight.spread);
+    narrowest = std::min(narrowest, flight.width);
+  }
+  // Gravity pulls all bodies alike: it adds to the way to what is driven alone.
+  const double pull = world.scene.gravity.norm();
+  // Most steps are short: no pair need be looked at.
+  if (time_of_way(std::min(0.25 * narrowest, reach), 2. * fastest, pull) >= dt)
+    return dt;
+  double step = dt;
+  for (unsigned int a = 0; a < flights.size(); ++a)
+    for (unsigned int b = 0; b < a; ++b)
+    {
+      const bool one_driven = world.bodies[a].driven, other_driven = world.bodies[b].driven;
+      if (one_driven && other_driven)
+        continue;
+      const Flight &one = flights[a], &other = flights[b];
+      const double speed = (one.velocity - other.velocity).norm() + one.spread + other.spread;
+      const double allowed = std::min(0.25 * std::min(one.width, other.width), reach);
+      step = std::min(step, time_of_way(std::max(allowed, distance(one, other)), speed,
+                                        one_driven || other_driven ? pull : 0.));
+    }
+  return step;
+}
+} // namespace
+
+double safe_step(const World &world, const double dt)
+{
+  // Rows that follow the bodies see all that they come to meet, and an overlap that is left repeats the step;
+  // others are those of the start or the middle of the step.
+  const bool follow = world.settings.rows_follow();
+  if (follow && world.bodies.size() < 2)
+    return dt;
+  const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * world.lattice->cell_size();
+  std::vector<Flight> flights;
+  for (const Body<2> &body : world.bodies)
+    flights.push_back(flight_of(body));
+  double step = safe_from_bodies(world, flights, reach, dt);
+  if (!follow)
+    for (unsigned int b = 0; b < flights.size(); ++b)
+      if (!world.bodies[b].driven)
+        step = safe_from_walls(world, flights[b], reach, step);
+  return step;
+}
+} // namespace softgrain::mpm

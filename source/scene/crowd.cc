@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/geometry/shape.h>
+#include <softgrain/packing/packing_method.h>
+#include <softgrain/scene/crowd.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain
+{
+namespace
+{
+using dealii::numbers::PI;
+
+double length_of(const Polygon &polygon)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += polygon[i].distance(polygon[(i + 1) % polygon.size()]);
+  return sum;
+}
+
+BodyGroup group_of(const BodyDescription<2> &body)
+{
+  BodyGroup group;
+  group.name = body.name;
+  group.material = body.material;
+  group.area = body.shape->area();
+  group.driven = body.driven;
+  for (const Polygon &line : body.shape->outline(0.05 * body.shape->size()))
+    group.perimeter += length_of(line);
+  const auto box = body.shape->bounding_box();
+  // The diameter of a disk, twice the wall of a ring and twice the width of a long strip.
+  const double mean_width = 4. * group.area / group.perimeter;
+  group.short_edge = std::min(box.second[0] - box.first[0], box.second[1] - box.first[1]);
+  group.thickness = std::min(mean_width, group.short_edge);
+  return group;
+}
+
+/// Disks that are still to be packed.
+std::optional<BodyGroup> group_of(const PackingMethod &method)
+{
+  const std::optional<ExpectedDisks> disks = method.expected();
+  if (!disks)
+    return std::nullopt;
+  BodyGroup group;
+  group.name = "grain_1";
+  group.count = disks->number;
+  group.area = disks->mean_area;
+  group.perimeter = 2. * std::sqrt(PI * disks->mean_area);
+  group.thickness = disks->smallest;
+  group.short_edge = 2. * std::sqrt(disks->mean_area / PI);
+  return group;
+}
+} // namespace
+
+double Crowd::n_bodies() const
+{
+  double sum = 0.;
+  for (const BodyGroup &group : groups)
+    sum += group.count;
+  return sum;
+}
+
+double Crowd::area() const
+{
+  double sum = 0.;
+  for (const BodyGroup &group : groups)
+    sum += group.count * group.area;
+  return sum;
+}
+
+double Crowd::thickness() const
+{
+  double least = 0.;
+  for (const BodyGroup &group : groups)
+    if (!group.driven && (least == 0. || group.thickness < least))
+      least = group.thickness;
+  return least;
+}
+
+std::optional<Crowd> crowd_of(const Scene<2> &scene, const bool packed)
+{
+  Crowd crowd;
+  for (const BodyDescription<2> &body : scene.bodies)
+    crowd.groups.push_back(group_of(body));
+  if (!scene.packing.method || packed)
+    return crowd;
+  const std::optional<BodyGroup> grains = group_of(*scene.packing.method);
+  if (!grains)
+    return std::nullopt;
+  crowd.groups.push_back(*grains);
+  for (unsigned int m = 0; m < scene.materials.size(); ++m)
+    if (scene.materials[m].name == scene.packing.material)
+      crowd.groups.back().material = m;
+  return crowd;
+}
+} // namespace softgrain

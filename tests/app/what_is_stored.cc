@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What points, primaries and contacts carry, one scene per feature: without friction no tangent and no spin,
+// without inertia no velocity of points. With the argument "table" allocations of a step are counted, too.
+#include <softgrain/app/input.h>
+#include <softgrain/model/state_file.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <new>
+
+namespace
+{
+std::atomic<unsigned long> n_allocations{0};
+}
+
+void *operator new(const std::size_t size)
+{
+  ++n_allocations;
+  if (void *memory = std::malloc(size > 0 ? size : 1))
+    return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void *memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete(void *memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+using namespace softgrain;
+
+namespace
+{
+/// How many numbers a state keeps under every name.
+class Sizes final : public StateWriter
+{
+public:
+  void write(const std::string &name, const std::vector<double> &values) override
+  {
+    of[name] = values.size();
+  }
+  void write(const std::string &name, const std::vector<std::uint64_t> &values) override
+  {
+    of[name] = values.size();
+  }
+  void write(const std::string &, const std::string &) override {}
+
+  /// Of all arrays whose names begin with @p start.
+  std::size_t sum(const std::string &start) const
+  {
+    std::size_t n = 0;
+    for (const auto &[name, size] : of)
+      n += name.compare(0, start.size(), start) == 0 ? size : 0;
+    return n;
+  }
+
+  std::map<std::string, std::size_t> of;
+};
+
+struct Counted
+{
+  std::string name, file;
+  std::vector<std::string> changes;
+};
+
+double ratio(const std::size_t numbers, const std::size_t of)
+{
+  return of > 0 ? static_cast<double>(numbers) / static_cast<double>(of) : 0.;
+}
+
+void show(const Counted &scene, const bool table)
+{
+  std::vector<std::string> words = {"Output directory=results", "Threads=1"};
+  words.insert(words.end(), scene.changes.begin(), scene.changes.end());
+  Input input(SOFTGRAIN_SOURCE_DIR "/parameters/" + scene.file, words);
+  const std::unique_ptr<Model<2>> model = input.create_model();
+  constexpr unsigned int n_steps = 20, n_counted = 4;
+  unsigned long before = 0;
+  for (unsigned int step = 0; step < n_steps; ++step)
+  {
+    if (step + n_counted == n_steps)
+      before = n_allocations;
+    model->advance(1.);
+  }
+  const unsigned long allocations = (n_allocations - before) / n_counted;
+  Sizes state;
+  model->save(state);
+  const std::size_t n = model->n_points();
+  std::cout << scene.name << ": doubles per point ";
+  if (model->name() == "mpm")
+    std::cout << ratio(state.sum("mpm/points/"), n) << ", of them velocity "
+              << ratio(state.of["mpm/points/velocity"], n) << "; components of a contact "
+              << ratio(state.of["mpm/contact/impulses"], state.of["mpm/contact/keys"]) << '\n';
+  else
+    std::cout << ratio(state.of["bpm/position"] + state.of["bpm/velocity"] + state.of["bpm/radius"] +
+                           state.of["bpm/angular_velocity"],
+                       n)
+              << ", of them spin " << ratio(state.of["bpm/angular_velocity"], n) << '\n';
+  if (table)
+    std::cout << "  points " << n << ", allocations of a step " << allocations << '\n';
+}
+} // namespace
+
+int main(const int argc, char **)
+{
+  const std::string disks = "gallery/two_disks.prm", grains = "gallery/thirty_grains_mpm.prm",
+                    still = "gallery/thirty_grains_quasi_static_mpm.prm",
+                    bonded = "gallery/thirty_grains_bpm.prm";
+  std::vector<std::string> few = {"Packing/Number=6", "Packing/Packing fraction=0.6", "Walls/top/Velocity=20",
+                                  "Stop/Packing fraction=0"},
+                           rough = {"Packing/Number=6", "Packing/Packing fraction=0.6",
+                                    "Walls/top/Velocity=20", "Stop/Packing fraction=0",
+                                    "Contact/Friction=0.5"};
+  std::vector<std::string> primaries = few, rough_primaries = rough;
+  for (auto *changes : {&primaries, &rough_primaries})
+    changes->insert(changes->end(), {"Primaries/Smallest diameter=4e-4", "Primaries/Largest diameter=6e-4"});
+  for (auto *changes : {&few, &rough})
+    changes->push_back("Mesh/Cell size=6.4e-4");
+  std::vector<std::string> newmark = few;
+  newmark.push_back("Time/Scheme=newmark");
+  std::vector<std::string> slow = few, slow_rough = rough;
+  for (auto *changes : {&slow, &slow_rough})
+    changes->push_back("Walls/top/Velocity=5");
+  const std::vector<Counted> scenes = {{"one body, no contact", "verification/bar_period.prm", {}},
+                                       {"one body between plates", "verification/line_contact.prm", {}},
+                                       {"two bodies", disks, {"Bodies/left/Center=-5.001e-3, 0"}},
+                                       {"grains, no friction", grains, few},
+                                       {"grains, friction", grains, rough},
+                                       {"grains, newmark", grains, newmark},
+                                       {"grains without inertia", still, slow},
+                                       {"grains without inertia, friction", still, slow_rough},
+                                       {"bonded grains, no friction", bonded, primaries},
+                                       {"bonded grains, friction", bonded, rough_primaries}};
+  for (const Counted &scene : scenes)
+    show(scene, argc > 1);
+}
