@@ -2,10 +2,9 @@
 // A run takes the measures it is asked for with its snapshots; interrupted and continued it has the table of
 // one that never stopped, and `measure` makes the same table from the snapshots.
 #include "stub_model.h"
+#include <softgrain/base/mpi_session.h>
 
 #include <softgrain/analysis/measure.h>
-
-#include <deal.II/base/mpi.h>
 
 namespace
 {
@@ -20,7 +19,7 @@ std::string content(const std::string &path)
 int main(int argc, char **argv)
 {
   using namespace softgrain;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   write_text("scene.prm", std::string(stub_scene) + "subsection Output\n set Snapshots every = 0.4\n"
                                                     " set Measures = energies, packing\nend\n");
   softgrain_command({"run", "scene.prm", "--output", "whole"});

@@ -2,8 +2,7 @@
 // A run interrupted by a signal and continued, and continued once more, leaves the history of one that never
 // stopped; a failed step saves the last good state.
 #include "stub_model.h"
-
-#include <deal.II/base/mpi.h>
+#include <softgrain/base/mpi_session.h>
 
 #include <nlohmann/json.hpp>
 
@@ -28,7 +27,7 @@ std::string status(const std::string &directory)
 int main(int argc, char **argv)
 {
   using namespace softgrain;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   write_text("scene.prm", std::string(stub_scene) +
                               "subsection Output\n set Fields every = 0.095\n set History every = 4\nend\n");
   softgrain_command({"run", "scene.prm", "--output", "whole"});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A whole run with a stub model: columns of the history, pictures at exact times, what the summary says.
 #include "stub_model.h"
-
-#include <deal.II/base/mpi.h>
+#include <softgrain/base/mpi_session.h>
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +10,7 @@
 int main(int argc, char **argv)
 {
   using namespace softgrain;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   write_text("scene.prm", stub_scene);
   std::cout << "exit code "
             << softgrain_command({"run", "scene.prm", "--output", "out", "--set", "Stub/Time step = 0.03",

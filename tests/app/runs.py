@@ -137,6 +137,11 @@ class OneFolder(Runs):
             self.run_scene("mpm", "--overwrite")
         self.assertFalse((self.folder / "run.lock").exists())
 
+    def test_no_folder_of_mpi(self):
+        # Open MPI's folder is shared by all programs that no launcher has started: of two that start or end at the same
+        # moment one may abort. A run needs none, so it does not mind that none can be made.
+        self.run_scene("mpm", env={**os.environ, "OMPI_MCA_orte_tmpdir_base": "/proc/none"})
+
     def test_mpirun(self):
         mpirun = shutil.which("mpirun")
         if mpirun is None:

@@ -3,8 +3,7 @@
 // Each stage ends where it says; a run that was stopped within a stage, and one that goes on from the end of
 // a stage, leave the same history.
 #include "stub_model.h"
-
-#include <deal.II/base/mpi.h>
+#include <softgrain/base/mpi_session.h>
 
 #include <algorithm>
 
@@ -122,7 +121,7 @@ const char *same(const std::string &a, const std::string &b)
 int main(int argc, char **argv)
 {
   using namespace softgrain;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   write_text("scene.prm", scene);
   softgrain_command({"run", "scene.prm", "--output", "whole"});
   print("whole");

@@ -2,11 +2,10 @@
 // A body that leaves the mesh ends the run with a message that names it, and the state then is whole: it can
 // be saved, and a run that starts from it ends at the same place.
 #include "scene_of.h"
+#include <softgrain/base/mpi_session.h>
 
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <iostream>
 
@@ -33,7 +32,7 @@ std::string run_out(mpm::MpmModel &model)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   const std::vector<std::string> changes = {"Material points/Grid update=every step",
                                             "Bodies/left/Velocity=-20; 0"};
   const auto first = shipped_scene("gallery/two_disks.prm", changes);

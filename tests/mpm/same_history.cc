@@ -2,11 +2,10 @@
 // The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
 // twice.
 #include "scene_of.h"
+#include <softgrain/base/mpi_session.h>
 
 #include <softgrain/base/parallel.h>
 #include <softgrain/output/checkpoint.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <iostream>
 
@@ -81,7 +80,7 @@ void compare(const std::string &what, const std::string &file, const Changes &ch
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const softgrain::MPISession mpi(argc, argv);
   compare("impact", "gallery/two_disks.prm", {"Contact/Friction=0.3"}, 30);
   compare("grid update", "gallery/two_disks.prm", {"Material points/Grid update=every step"}, 30);
   compare("apic", "gallery/two_disks.prm",
