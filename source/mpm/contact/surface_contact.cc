@@ -19,23 +19,24 @@ using Vector = MovedBoundary::Vector;
 using Place = MovedBoundary::Place;
 using Row = ContactRow<2>;
 
-/// Gap up to which a row is needed where things come nearer by @p approach over the step: twice that way, and
-/// what the walls may add when they hit what was at rest.
+/// Gap up to which a row is needed where things come nearer by @p approach over the step: that way times
+/// ContactScene::foresight, and what the walls may add when they hit what was at rest.
 class Reach
 {
 public:
-  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size)
+  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size), foresight(scene.foresight)
   {
     double drive = 0.;
     for (const WallMotion<2> &wall : scene.walls)
       drive = std::max(drive, wall.fastest);
-    rest += 2. * scene.dt * drive;
+    rest += foresight * scene.dt * drive;
   }
 
-  double operator()(const double approach) const { return rest + 2. * approach; }
+  double operator()(const double approach) const { return rest + foresight * approach; }
 
 private:
   double rest;
+  const double foresight;
 };
 
 std::uint64_t

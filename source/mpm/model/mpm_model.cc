@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/driving/wall_step.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
@@ -33,6 +34,9 @@ MpmModel::MpmModel(const Scene<2> &scene,
 
 namespace
 {
+/// Steps that are looked at for 'Wall way' are not longer than this many CFL steps.
+constexpr double longest_by_walls = 1e12;
+
 /// What is best where a step does not resolve waves and inertia hardly holds what contacts do not, unless it
 /// is given.
 void choose_for_long_steps(Settings &settings)
@@ -145,6 +149,14 @@ double MpmModel::cfl_step() const
 double MpmModel::wanted_step() const
 {
   const Settings &settings = world.settings;
+  if (settings.wall_way > 0.)
+  {
+    const double cfl = cfl_step(), step = step_of_wall_way(world.walls, world.time,
+                                                           settings.wall_way * world.lattice->cell_size(),
+                                                           cfl, longest_by_walls * cfl);
+    if (step > 0.)
+      return step;
+  }
   // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
   return settings.step.wanted(
       (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl_step());

@@ -99,6 +99,11 @@ void declare_time(dealii::ParameterHandler &prm)
         prm.declare_entry("CFL multiple", "20", Double(1e-6),
                           "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
                           "'Time step' is 0. Units: none.");
+        prm.declare_entry(
+            "Wall way", "0", Double(0., 10.),
+            "Steps by the way of the walls: how far the fastest of those that are told how to move "
+            "goes in a step, in cells. For slow walls: 0.1 to 0.3. 0, or while no wall moves so: "
+            "'Time step' or 'CFL multiple'. Units: cells.");
       });
   in_section(prm, "Newton",
              [&]
@@ -267,6 +272,11 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
                scheme = TimeScheme::create(prm.get("Scheme"), theta == 0. ? 0.55 : theta);
                step.parse_parameters(prm);
                cfl_multiple = prm.get_double("CFL multiple");
+               wall_way = prm.get_double("Wall way");
+               if (wall_way > 0. && !scheme.implicit)
+                 throw InputError("'Time/Wall way' = '" + prm.get("Wall way") +
+                                  "' is not allowed with 'Time/Scheme' = '" + scheme.name +
+                                  "', whose steps waves limit: leave it at 0");
              });
   in_section(prm, "Quasi-static",
              [&]

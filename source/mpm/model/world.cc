@@ -62,8 +62,11 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  geometry->find({bodies, motion, scene.friction, dt, lattice->cell_size(), increment, share, frictionless()},
-                 rows);
+  ContactScene<2> where{bodies,    motion, scene.friction, dt, lattice->cell_size(),
+                        increment, share,  frictionless()};
+  if (again)
+    where.foresight = 0.5; // the next search sees what this one leaves out
+  geometry->find(where, rows);
   if (start_gaps != nullptr)
     for (ContactRow<2> &row : rows)
     {

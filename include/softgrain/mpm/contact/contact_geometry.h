@@ -24,6 +24,9 @@ struct ContactScene
   /// Where in the step places and normals are taken: 0 its start, 1 its end.
   double share = 0.5;
   bool frictionless = false; ///< no row of the scene has friction
+  /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
+  /// over the step. A search that is followed by others for what comes out needs less.
+  double foresight = 2.;
 };
 
 /**

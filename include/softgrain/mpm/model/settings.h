@@ -52,6 +52,7 @@ struct Settings
   TimeScheme scheme;
   StepSettings step;
   double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
+  double wall_way = 0.;      ///< of the fastest wall in a step [cells]; 0: steps do not depend on walls
 
   double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
   double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
