@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -159,7 +160,8 @@ Forecast forecast(const Scene<2> &scene,
   result.step = settings.step.wanted(
       (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl);
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
-    result.step = settings.wall_way * settings.cell_size / run.fastest_wall;
+    result.step = std::min(settings.wall_way * settings.cell_size / run.fastest_wall,
+                           settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(result.step);
   const bool friction =
       scene.friction > 0. || std::any_of(scene.walls.begin(), scene.walls.end(),

@@ -151,11 +151,11 @@ double MpmModel::wanted_step() const
   const Settings &settings = world.settings;
   if (settings.wall_way > 0.)
   {
-    const double cfl = cfl_step(), step = step_of_wall_way(world.walls, world.time,
-                                                           settings.wall_way * world.lattice->cell_size(),
-                                                           cfl, longest_by_walls * cfl);
+    const double cfl = cfl_step(), longest = settings.step.wanted(longest_by_walls * cfl);
+    const double way = settings.wall_way * world.lattice->cell_size();
+    const double step = step_of_wall_way(world.walls, world.time, way, std::min(cfl, longest), longest);
     if (step > 0.)
-      return step;
+      return std::min(step, longest);
   }
   // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
   return settings.step.wanted(

@@ -102,8 +102,8 @@ void declare_time(dealii::ParameterHandler &prm)
         prm.declare_entry(
             "Wall way", "0", Double(0., 10.),
             "Steps by the way of the walls: how far the fastest of those that are told how to move "
-            "goes in a step, in cells. For slow walls: 0.1 to 0.3. 0, or while no wall moves so: "
-            "'Time step' or 'CFL multiple'. Units: cells.");
+            "goes in a step, in cells. For slow walls: 0.1 to 0.3. 'Time step', if given, is then the "
+            "longest step. 0, or while no wall moves so: 'Time step' or 'CFL multiple'. Units: cells.");
       });
   in_section(prm, "Newton",
              [&]
