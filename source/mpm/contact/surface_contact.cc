@@ -24,7 +24,7 @@ using Row = ContactRow<2>;
 class Reach
 {
 public:
-  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size)
+  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size + scene.adhesion_reach)
   {
     double drive = 0.;
     for (const WallMotion<2> &wall : scene.walls)
@@ -133,7 +133,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.gap = start;
                  row.gap_where_found = gap;
                  row.length = tributary_length(own, seeker);
-                 row.friction = wall.friction;
+                 take_pair(scene, row);
                  row.key = row_key(body.index, seeker.number, w, true);
                  rows.push_back(row);
                  return true;
@@ -268,7 +268,7 @@ private:
     row.gap = start;
     row.gap_where_found = gap;
     row.length = tributary_length(own, seeker);
-    row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+    take_pair(scene, row);
     row.key = row_key(body.index, seeker.number, partner.index, false);
     rows.push_back(row);
     return true;
