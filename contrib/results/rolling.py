@@ -20,13 +20,13 @@ COLUMNS = ("coordination", "orientation_anisotropy")
 def changes(grains, friction, rolling, seed, coarse):
     side = math.sqrt(grains / 30)
     made = {
-        "Packing/Number": grains, "Packing/Seed": seed, "Packing/Upper": f"{10e-3 * side}, {10.6e-3 * side}",
-        "Walls/top/Point": f"0, {10.6e-3 * side}", "Walls/right/Point": f"{10e-3 * side}, 0",
+        "Packing/Number": grains, "Packing/Seed": seed, "Packing/Upper": f"{10e-3 * side}, {11.4e-3 * side}",
+        "Walls/top/Point": f"0, {11.4e-3 * side}", "Walls/right/Point": f"{10e-3 * side}, 0",
         "Walls/top/Velocity": 5 * side,  # of one rate of strain
         "Contact/Friction": friction, "Contact/Rolling resistance": rolling,
         "Primaries/Smallest diameter": 0.1e-3 * coarse, "Primaries/Largest diameter": 0.18e-3 * coarse,
         "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 1e-5, "Output/Fields every": 0,
-        "Output/Inner forces": "false", "Stop/Packing fraction": FRACTIONS[-1] + 0.005}
+        "Output/Inner forces": "false", "Output/History every": 1, "Stop/End time": 1.4e-3, "Stop/Packing fraction": FRACTIONS[-1] + 0.005}
     for wall in ("bottom", "top", "left", "right"):
         made[f"Walls/{wall}/Friction"] = 0
     return made
@@ -36,6 +36,11 @@ def at(rows, place, column):
     """Mean of a column of history or measures over 0.01 of packing fraction around @place."""
     near = [row[column] for row in rows if abs(row["packing_fraction"] - place) < 0.005 and math.isfinite(row[column])]
     return statistics.fmean(near) if near else math.nan
+
+
+def deviation(values):
+    """Standard deviation, nan where there is none."""
+    return statistics.stdev(values) if len(values) > 1 and all(map(math.isfinite, values)) else math.nan
 
 
 def main():
@@ -68,7 +73,7 @@ def main():
                               [at(measured, place, column) for column in COLUMNS for place in FRACTIONS] +
                               [cpu, summary["steps"]])
             means = [statistics.fmean(column) for column in zip(*values)]
-            scatter = [statistics.stdev(column) if len(column) > 1 else math.nan for column in zip(*values)]
+            scatter = [deviation(column) for column in zip(*values)]
             table.append([friction, rolling, *means, *scatter[:len(FRACTIONS)]])
             print(f"μ = {friction}, rolling resistance {rolling}: " + ", ".join(f"{value:.4g}" for value in means), flush=True)
     if words.table:

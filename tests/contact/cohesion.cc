@@ -142,7 +142,7 @@ int main()
   one_contact(4., 9.);  // pulled, slides
   one_contact(8., 1.);  // torn apart
   packing("without friction", 1, 0.);
-  packing("without friction, loose bodies", 1, 1e3);
+  packing("without friction, loose bodies", 1, 10.);
   packing("in the plane", 2, 0.);
   packing("in the plane, loose bodies", 2, 1e2);
   packing("in space", 3, 0.);

@@ -93,18 +93,18 @@ void torn(const std::string &title, const std::vector<std::string> &changes)
             << below(1e-9, model->momentum_error()) << '\n';
 }
 
-/// Pulled with 1.2 times the strength for a short while, let fall, and pulled with half of it.
+/// Pulled with 1.2 times the strength until it is off, pushed back, and pulled with half of the strength.
 void again(const std::string &title, const std::vector<std::string> &changes)
 {
   const auto model = scene_of_text(
-      scene("a",
-            block("a", "0, 5e-3", "set Body force = 0; t < 0.1 ? 80*t : t < 0.2 ? 12 : t < 0.6 ? -5 : 5\n")),
+      scene("a", block("a", "0, 5e-3",
+                       "set Body force = 0; t < 0.1 ? 80*t : t < 0.112 ? 12 : t < 0.3 ? -20 : 5\n")),
       changes);
   std::cout << title << ':';
-  for (const double time : {0.1, 0.2, 0.6, 0.8})
+  for (const double time : {0.1, 0.112, 0.3, 0.45})
   {
     run_until(*model, time);
-    std::cout << (height(*model, 0) < 5.5e-3 ? " down" : " up");
+    std::cout << (height(*model, 0) < 5.2e-3 ? " down" : " up");
   }
   std::cout << '\n';
 }
@@ -115,10 +115,12 @@ int main()
   for (const double share : {0.97, 1.03})
   {
     hang("theta 1", share, {});
-    hang("newmark", share, {"Time/Scheme=newmark"});
-    hang("in balance", share, {"Time/Scheme=quasi_static"});
-    hang("explicit", share, {"Time/Scheme=explicit", "Time/Time step=0", "Time/CFL multiple=0.5"});
-    hang("with friction, lumped", share, {"Contact/Coupling=lumped", "Walls/bottom/Friction=0.5"});
+    hang("newmark", share, {"Time/Scheme=newmark", "Time/Theta=0"});
+    if (share < 1.) // above there is no balance to be found
+      hang("in balance", share, {"Time/Scheme=quasi_static", "Time/Theta=0"});
+    hang("explicit", share,
+         {"Time/Scheme=explicit", "Time/Theta=0", "Time/Time step=0", "Time/CFL multiple=0.5"});
+    hang("with friction", share, {"Walls/bottom/Friction=0.5"});
   }
   const std::vector<std::string> range = {"Contact/Adhesion range=2e-4", "Time/Time step=1e-4",
                                           "Contact/Adhesion of pairs=gel / bottom: 1e4"};
