@@ -81,6 +81,7 @@ StepReport BpmModel::advance(const double dt_limit)
   const auto positions = dynamics->disks().position, velocities = dynamics->disks().velocity;
   const auto spins = dynamics->disks().angular_velocity;
   const std::vector<Wall> walls_before = moving_walls;
+  const Adhesion memory = dynamics->contact_memory();
   const auto try_step = [&](const double dt) -> Attempt
   {
     drive_walls(dt);
@@ -109,6 +110,7 @@ StepReport BpmModel::advance(const double dt_limit)
     dynamics->disks().velocity = velocities;
     dynamics->disks().angular_velocity = spins;
     moving_walls = walls_before;
+    dynamics->contact_memory() = memory;
     dynamics->detect(moving_walls);
     return {false, why_not(done, limit)};
   };
@@ -117,8 +119,8 @@ StepReport BpmModel::advance(const double dt_limit)
   report.dt = last_dt = taken.dt;
   now += taken.dt;
   ++steps;
-  for (const double impulse : dynamics->contacts().impulse)
-    report.n_contacts += impulse > 0.;
+  for (std::size_t row = 0; row < dynamics->contacts().size(); ++row)
+    report.n_contacts += dynamics->carries_force(row);
   return report;
 }
 
@@ -143,6 +145,7 @@ void BpmModel::keep_books(const DynamicsReport &report, const double dt)
   balance.wall_work += report.wall_work;
   balance.body_force_work += report.force_work;
   balance.contact_loss += report.contact_loss;
+  balance.adhesion_work += report.adhesion_work;
   balance.wall_damping_loss += report.damping_loss;
 }
 
@@ -188,8 +191,12 @@ SizeReport BpmModel::size_report() const
 
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 {
-  return {{"contacts", static_cast<double>(dynamics->contacts().size())},
-          {"plain_solves", static_cast<double>(fallbacks)}};
+  std::vector<std::pair<std::string, double>> columns = {
+      {"contacts", static_cast<double>(dynamics->contacts().size())},
+      {"plain_solves", static_cast<double>(fallbacks)}};
+  if (settings.dynamics.pairs.adhere())
+    columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
+  return columns;
 }
 
 std::map<std::string, double> BpmModel::phases() const

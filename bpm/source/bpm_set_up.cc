@@ -83,7 +83,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
     , moving_walls(make_walls(scene))
 {
-  settings.dynamics.friction = scene.friction;
+  settings.dynamics.pairs = ContactPairs(scene);
+  settings.dynamics.contact_law = scene.contact_law;
   std::vector<std::shared_ptr<const Attraction>> law_of_body;
   double contact_force = 0.;
   for (const BodyDescription<2> &body : scene.bodies)
@@ -97,12 +98,14 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   // Checkpoints of earlier versions do not say whose the primaries are.
   const bool known = state != nullptr && state->contains("bpm/first_of_body");
   Primaries disks = known ? primaries_of(*state) : fill_bodies(laws, law_texts);
-  if (settings.dynamics.rotations(moving_walls))
+  if (settings.dynamics.rotations())
   {
     disks.angular_velocity.resize(disks.size());
     for (std::size_t i = 0; i < disks.size(); ++i)
       disks.angular_velocity[i] = scene.bodies[disks.body[i]].angular_velocity;
   }
+  if (!disks.strength.empty())
+    contact_force *= *std::max_element(disks.strength.begin(), disks.strength.end());
   if (contact_force > 0.)
     natural_time = attraction_time(disks.mean_diameter(), *std::min_element(density.begin(), density.end()),
                                    contact_force);
@@ -169,6 +172,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
     }
   }
   first_of_body.push_back(disks.size());
+  grade(disks);
   library.save();
   return disks;
 }
@@ -191,6 +195,8 @@ Primaries BpmModel::primaries_of(const StateReader &state)
       disks.mass.push_back(dealii::numbers::PI * disks.radius[i] * disks.radius[i] * density[b]);
       disks.body.push_back(b);
     }
+  if (state.contains("bpm/strength"))
+    disks.strength = state.read_doubles("bpm/strength");
   return disks;
 }
 

@@ -84,7 +84,7 @@ double BpmModel::coordination() const
   TouchingPairs touching;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    if (!(rows.impulse[row] > 0.))
+    if (!dynamics->carries_force(row))
       continue;
     const std::size_t body = disks.body[rows.a[row]], b = rows.b[row];
     if (b < disks.size())
@@ -205,7 +205,7 @@ Snapshot<2> BpmModel::snapshot() const
   for (std::size_t row = 0; row < rows.size() && last_dt > 0.; ++row)
   {
     const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];
-    if (!inner && rows.impulse[row] > 0.)
+    if (!inner && dynamics->carries_force(row))
       snapshot.contacts.push_back(contact_state(row));
   }
   if (settings.inner_contacts_in_output && last_dt > 0.)
@@ -235,7 +235,7 @@ void BpmModel::add_stresses(Snapshot<2> &snapshot) const
   };
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    if (!(rows.impulse[row] > 0.))
+    if (!dynamics->carries_force(row))
       continue;
     const ContactState<2> contact = contact_state(row);
     if (rows.b[row] < disks.size())

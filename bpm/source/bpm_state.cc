@@ -38,6 +38,8 @@ void BpmModel::save(StateWriter &out) const
   out.write("bpm/position", flat(disks.position));
   out.write("bpm/velocity", flat(disks.velocity));
   out.write("bpm/radius", disks.radius);
+  if (!disks.strength.empty())
+    out.write("bpm/strength", disks.strength);
   out.write("bpm/first_of_body", std::vector<std::uint64_t>(first_of_body.begin(), first_of_body.end()));
   out.write("bpm/angular_velocity", disks.angular_velocity);
   out.write("bpm/start_position", flat(start_position));
@@ -58,6 +60,7 @@ void BpmModel::save(StateWriter &out) const
   }
   out.write("bpm/wall_contacts/indices", indices);
   out.write("bpm/wall_contacts/memory", flat(impulses));
+  dynamics->contact_memory().save(out, "bpm/adhesion");
 }
 
 void BpmModel::load(StateReader &in)
@@ -89,6 +92,7 @@ void BpmModel::load(StateReader &in)
   for (std::size_t k = 0; k < impulses.size(); ++k)
     dynamics->wall_memory().push_back({static_cast<std::uint32_t>(indices.at(2 * k)),
                                        static_cast<std::uint32_t>(indices.at(2 * k + 1)), impulses[k]});
+  dynamics->contact_memory().load(in, "bpm/adhesion");
   dynamics->detect(moving_walls);
   area_now = in.read_doubles("bpm/solid_area").at(0);
   area_of_list = dynamics->lists_made();

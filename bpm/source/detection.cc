@@ -39,7 +39,7 @@ bool Dynamics::closes(const std::array<double, 2> &relative,
                       const std::array<double, 2> &normal,
                       const double opening) const
 {
-  const double range = settings.contact_range * diameter;
+  const double range = std::max(settings.contact_range * diameter, adhesion.reach());
   if (opening < range)
     return true;
   const double approach = -(relative[0] * normal[0] + relative[1] * normal[1]);
@@ -65,6 +65,12 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     scratch.energy.resize(n);
     law->evaluate(n, scratch.distance.data(), scratch.sum.data(), scratch.strength.data(),
                   scratch.energy.data());
+    for (std::size_t k = 0; k < n && !primaries.strength.empty(); ++k)
+    {
+      const double factor = strength_of(list.a(scratch.pair[k]), list.b(scratch.pair[k]));
+      scratch.strength[k] *= factor;
+      scratch.energy[k] *= factor;
+    }
     for (std::size_t k = 0; k < n; ++k)
     {
       const std::uint32_t a = list.a(scratch.pair[k]), b = list.b(scratch.pair[k]);
@@ -130,7 +136,7 @@ double Dynamics::attraction_of(const std::size_t pair) const
     return 0.;
   double strength = 0.;
   law.evaluate(1, &distance, &sum, &strength, nullptr);
-  return strength;
+  return strength * strength_of(a, b);
 }
 
 void Dynamics::detect(const std::vector<Wall> &walls)
@@ -225,8 +231,7 @@ void Dynamics::collect_walls(const std::vector<Wall> &walls)
     const Wall &wall = walls[w];
     const dealii::Point<2> &start = wall.description.point;
     const std::array<double, 2> normal = {wall.normal()[0], wall.normal()[1]};
-    const double offset = start[0] * normal[0] + start[1] * normal[1] + wall.travel, speed = wall.speed,
-                 friction = wall.description.friction;
+    const double offset = start[0] * normal[0] + start[1] * normal[1] + wall.travel, speed = wall.speed;
     for (std::uint32_t i = 0; i < primaries.size(); ++i)
     {
       const double opening = primaries.position[i][0] * normal[0] + primaries.position[i][1] * normal[1] -
@@ -242,7 +247,8 @@ void Dynamics::collect_walls(const std::vector<Wall> &walls)
       const bool known =
           remembered != remembered_at_walls.end() && remembered->wall == w && remembered->primary == i;
       resize_rows(rows.size() + 1);
-      set_row(rows.size() - 1, i, primaries.size() + w, normal, opening, friction,
+      set_row(rows.size() - 1, i, primaries.size() + w, normal, opening,
+              settings.pairs.friction_at_wall(primaries.body[i], w),
               primaries.radius[i] * settings.rolling_resistance,
               known ? remembered->impulse : contact::NeighbourList::Memory{});
     }
@@ -257,28 +263,31 @@ void Dynamics::collect(const std::vector<Wall> &walls)
     rows.tile_start.push_back(rows.tile_start.back() + contacts.size());
   resize_rows(rows.tile_start.back());
   pair_of_row.resize(rows.tile_start.back());
-  parallel_for(found.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t tile = begin; tile < end; ++tile)
-                 {
-                   std::size_t row = rows.tile_start[tile];
-                   for (const Found &contact : found[tile])
-                   {
-                     const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
-                     const bool same = primaries.body[a] == primaries.body[b];
-                     const double ra = primaries.radius[a], rb = primaries.radius[b];
-                     // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a
-                     // plane.
-                     set_row(row, a, b, contact.normal, contact.gap, same ? 0. : settings.friction,
-                             2. * ra * rb / (ra + rb) *
-                                 (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
-                             list.memory()[contact.pair]);
-                     pair_of_row[row++] = contact.pair;
-                   }
-                 }
-               });
+  parallel_for(
+      found.size(), 1,
+      [&](const std::size_t begin, const std::size_t end)
+      {
+        for (std::size_t tile = begin; tile < end; ++tile)
+        {
+          std::size_t row = rows.tile_start[tile];
+          for (const Found &contact : found[tile])
+          {
+            const std::uint32_t a = list.a(contact.pair), b = list.b(contact.pair);
+            const bool same = primaries.body[a] == primaries.body[b];
+            const double ra = primaries.radius[a], rb = primaries.radius[b];
+            // (2.12) with the radius that acts in a pair: harmonic mean, the disk's own against a
+            // plane.
+            set_row(row, a, b, contact.normal, contact.gap,
+                    same || !rotations ? 0. : settings.pairs.friction(primaries.body[a], primaries.body[b]),
+                    2. * ra * rb / (ra + rb) *
+                        (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
+                    list.memory()[contact.pair]);
+            pair_of_row[row++] = contact.pair;
+          }
+        }
+      });
   collect_walls(walls);
+  find_pulls();
   deepest = 0.;
   for (const double opening : gap)
     deepest = std::max(deepest, -opening);

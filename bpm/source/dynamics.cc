@@ -35,6 +35,9 @@ private:
 /// sees those.
 constexpr double farthest_look = 0.1;
 
+/// Gap up to which primaries touch for adhesion [mean diameters]; contact solutions leave less.
+constexpr double touching = 1e-3;
+
 contact::NeighbourList::Range range_of(const double contact_reach,
                                        const double skin,
                                        const std::vector<std::shared_ptr<const Attraction>> &laws,
@@ -50,11 +53,9 @@ contact::NeighbourList::Range range_of(const double contact_reach,
 }
 } // namespace
 
-bool DynamicsSettings::rotations(const std::vector<Wall> &walls) const
+bool DynamicsSettings::rotations() const
 {
-  return friction > 0. || rolling_resistance > 0. || inner_rolling_resistance > 0. ||
-         std::any_of(walls.begin(), walls.end(),
-                     [](const Wall &wall) { return wall.description.friction > 0.; });
+  return !pairs.frictionless() || rolling_resistance > 0. || inner_rolling_resistance > 0.;
 }
 
 Dynamics::Dynamics(Primaries disks,
@@ -67,6 +68,8 @@ Dynamics::Dynamics(Primaries disks,
     , rotations(primaries.rotate())
 {
   diameter = primaries.mean_diameter();
+  if (settings.pairs.adhere())
+    adhesion = Adhesion(settings.contact_law, touching * diameter);
   inverse_mass.resize(primaries.size());
   for (std::size_t i = 0; i < primaries.size(); ++i)
     inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
@@ -77,7 +80,8 @@ Dynamics::Dynamics(Primaries disks,
 
 double Dynamics::contact_reach() const
 {
-  return settings.look_ahead > 0. ? std::max(settings.contact_range, farthest_look) : settings.contact_range;
+  const double range = std::max(settings.contact_range, adhesion.reach() / diameter);
+  return settings.look_ahead > 0. ? std::max(range, farthest_look) : range;
 }
 
 void Dynamics::prepare_bodies(const double dt,
@@ -260,13 +264,18 @@ DynamicsReport Dynamics::step(const double dt,
     contact::DiskSolverSettings solver = settings.solver;
     solver.wall_floor = settings.wall_force_floor * dt;
     solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
+    shift_cones(dt, false);
     report.solver = contact::solve_disks(bodies, rows, solver);
+    shift_cones(dt, true);
   }
 
   {
     const Section section(timer, "motion");
+    report.adhesion_work = adhesion_work(dt, walls);
     move_walls(dt, walls, report);
     account(dt, acceleration, report);
+    report.contact_loss += report.adhesion_work;
+    note_contacts(dt);
     parallel_for(n, grain,
                  [&](const std::size_t begin, const std::size_t end)
                  {

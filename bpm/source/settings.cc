@@ -1,15 +1,40 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/expression.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/driving/contact_settings.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
+
 namespace softgrain::bpm
 {
 namespace
 {
+/// A strength that is none at some place of a disk would be found only when its bodies have been made.
+void check_strength(const std::string &text)
+{
+  const std::string what = "'Primaries/Strength' = '" + text + "'";
+  try
+  {
+    const Expression strength(text, {"x", "y", "r"});
+    for (double x = -1.; x < 1.01; x += 0.1)
+      for (double y = -1.; y < 1.01; y += 0.1)
+      {
+        const double r = std::hypot(x, y), value = strength({x, y, r});
+        if (r <= 1. && (!(value >= 0.) || !std::isfinite(value)))
+          throw InputError("it must be 0 or more everywhere in a body, and is " + std::to_string(value) +
+                           " at r = " + std::to_string(r));
+      }
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(what + " is not allowed: " + error.what());
+  }
+}
+
 using dealii::Patterns::Bool;
 using dealii::Patterns::Double;
 using dealii::Patterns::Integer;
@@ -26,6 +51,15 @@ void declare_primaries(dealii::ParameterHandler &prm)
       "Variants", "0", Integer(0),
       "Number of different fillings for bodies of the same shape and size, which are used in turn, so that "
       "large assemblies of equal grains are prepared sooner. 0: every body has its own. Units: none.");
+  prm.declare_entry(
+      "Strength", "1", dealii::Patterns::Anything(),
+      "Attraction of a primary over that of its law, a formula of its place in the body: x and y "
+      "from the centre, r = sqrt(x^2 + y^2), all over the radius of the disk of the same area. A "
+      "pair has the mean of its two. Units: none.");
+  prm.declare_entry(
+      "Strength spread", "0", Double(0., 0.99),
+      "Attraction in whole bodies differs by random factors between 1 less this and 1 plus this. "
+      "Units: none.");
   prm.declare_entry("Library", "", dealii::Patterns::Anything(),
                     "File (CSV) in which prepared aggregates are kept for the next run; empty: none.");
   prm.leave_subsection();
@@ -100,6 +134,9 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
   primaries.number = prm.get_integer("Number per body");
   primaries.seed = prm.get_integer("Seed");
   primaries.variants = prm.get_integer("Variants");
+  primaries.strength = prm.get("Strength");
+  check_strength(primaries.strength);
+  primaries.strength_spread = prm.get_double("Strength spread");
   primaries.aggregate_file = prm.get("Library");
   prm.leave_subsection();
 

@@ -45,13 +45,19 @@ void remember_snapshots(MeasureSeries &measures, const std::string &directory, c
 
 namespace
 {
-/// Friction between bodies of the run in @p directory; nothing when its parameters are not there.
+/// Friction between bodies of the run in @p directory, as uniform_friction(); nothing when its parameters are
+/// not there.
 std::optional<double> friction_of(const std::string &directory)
 {
   const fs::path file = fs::path(directory) / "parameters.prm";
   if (!fs::exists(file))
     return std::nullopt;
-  return std::stod(ParameterFile(file.string()).value({"Contact"}, "Friction", "0"));
+  const ParameterFile parameters(file.string());
+  // Which friction a contact has is not in the snapshots.
+  if (!parameters.value({"Contact"}, "Friction of pairs", "").empty() ||
+      parameters.value({"Contact"}, "Law", "coulomb") != "coulomb")
+    return std::nullopt;
+  return std::stod(parameters.value({"Contact"}, "Friction", "0"));
 }
 } // namespace
 

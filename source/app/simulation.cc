@@ -12,6 +12,7 @@
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/summary.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <deal.II/base/config.h>
 
@@ -49,7 +50,7 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
     , history(parameters.output_directory)
     , fields(parameters.output_directory, parameters.fields)
     , snapshots(parameters.output_directory, parameters.snapshots)
-    , measures(parameters.measures, scene.friction)
+    , measures(parameters.measures, uniform_friction(scene))
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)

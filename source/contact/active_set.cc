@@ -8,6 +8,7 @@
 #include <softgrain/contact/interior_point.h>
 #include <softgrain/contact/mass_delassus.h>
 #include <softgrain/contact/residual.h>
+#include <softgrain/contact/shifted_cones.h>
 
 #include <algorithm>
 
@@ -131,6 +132,11 @@ SolverReport solve(Operator &op,
                    std::vector<double> &impulses,
                    std::vector<double> &velocities)
 {
+  if (!problem.cohesion.empty())
+    return solve_with_shifted_cones(
+        op, problem, impulses, velocities,
+        [&](const Problem &shifted, std::vector<double> &P, std::vector<double> &w)
+        { return solve(op, shifted, settings, P, w); });
   // Sweeps cost little and find most of the active set.
   SolverSettings sweeping = settings;
   const bool newton_allowed = settings.algorithm == Algorithm::active_set ||

@@ -9,6 +9,7 @@
 #include <softgrain/contact/mass_delassus.h>
 #include <softgrain/contact/momentum.h>
 #include <softgrain/contact/residual.h>
+#include <softgrain/contact/shifted_cones.h>
 #include <softgrain/contact/thread_team.h>
 
 #include <algorithm>
@@ -358,6 +359,11 @@ SolverReport gauss_seidel(Operator &op,
                           std::vector<double> &impulses,
                           std::vector<double> &velocities)
 {
+  if (!problem.cohesion.empty())
+    return solve_with_shifted_cones(
+        op, problem, impulses, velocities,
+        [&](const Problem &shifted, std::vector<double> &P, std::vector<double> &w)
+        { return gauss_seidel(op, shifted, settings, P, w); });
   settings.check();
   problem.check();
   if (op.n_components() != problem.n_components || op.n_contacts() != problem.n_contacts())

@@ -25,6 +25,17 @@ void Problem::check() const
   if (!colors.empty() && colored != n_contacts())
     throw InputError("contact problem: colours hold " + std::to_string(colored) + " of " +
                      std::to_string(n_contacts()) + " contacts");
+  if (!cohesion.empty() && cohesion.size() != n_contacts())
+    throw InputError("contact problem: " + std::to_string(cohesion.size()) + " cohesive impulses for " +
+                     std::to_string(n_contacts()) + " contacts");
+  for (std::size_t i = 0; i < cohesion.size(); ++i)
+  {
+    if (!std::isfinite(cohesion[i]))
+      throw ComputationError("contact " + std::to_string(i) + ": the cohesive impulse is not finite");
+    if (cohesion[i] < 0.)
+      throw InputError("contact " + std::to_string(i) + ": the cohesive impulse is negative (" +
+                       std::to_string(cohesion[i]) + ")");
+  }
   for (std::size_t i = 0; i < free_velocity.size(); ++i)
     if (!std::isfinite(free_velocity[i]))
       throw ComputationError("contact " + std::to_string(i / n_components) +

@@ -226,6 +226,8 @@ SavedProblem read_all(const hid_t file)
   saved.problem.n_components = read_number<unsigned int>(file, "n_components");
   saved.problem.free_velocity = read_array<double>(file, "free_velocity");
   saved.problem.friction = read_array<double>(file, "friction");
+  if (H5Lexists(file, "cohesion", H5P_DEFAULT) > 0)
+    saved.problem.cohesion = read_array<double>(file, "cohesion");
   saved.impulses = read_array<double>(file, "impulses");
   const std::string type = read_text(file, "operator");
   if (type == "blocks")
@@ -250,6 +252,8 @@ void write_all(const hid_t file, const SavedProblem &saved)
   write_settings(file, saved.settings);
   write_array(file, "free_velocity", saved.problem.free_velocity);
   write_array(file, "friction", saved.problem.friction);
+  if (!saved.problem.cohesion.empty())
+    write_array(file, "cohesion", saved.problem.cohesion);
   write_array(file, "impulses", saved.impulses);
   std::visit([file](const auto &delassus) { write_operator(file, delassus); }, saved.delassus);
 }

@@ -22,7 +22,7 @@ void Balance::save(StateWriter &out, const std::string &name) const
   out.write(name,
             std::vector<double>{initial_momentum[0], initial_momentum[1], body_force_impulse[0],
                                 body_force_impulse[1], wall_impulse[0], wall_impulse[1], largest_momentum,
-                                wall_work, body_force_work, contact_loss, wall_damping_loss});
+                                wall_work, body_force_work, contact_loss, wall_damping_loss, adhesion_work});
 }
 
 void Balance::load(const StateReader &in, const std::string &name)
@@ -36,5 +36,6 @@ void Balance::load(const StateReader &in, const std::string &name)
   body_force_work = b.at(8);
   contact_loss = b.at(9);
   wall_damping_loss = b.at(10);
+  adhesion_work = b.size() > 11 ? b[11] : 0.; // checkpoints of earlier versions have none
 }
 } // namespace softgrain

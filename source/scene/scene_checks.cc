@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <algorithm>
@@ -109,6 +110,7 @@ void check_scene(const Scene<2> &scene)
     check_formulas(body);
   }
   check_walls(scene.walls);
+  (void) ContactPairs(scene); // whether its tables agree with themselves
   for (const WallDescription<2> &wall : scene.walls)
     for (const BodyDescription<2> &body : scene.bodies)
       check_inside(body, wall);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/scene/contact_law.h>
 #include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_parameters.h>
 
@@ -8,7 +10,7 @@
 namespace softgrain
 {
 SceneParameters::SceneParameters(const SceneNames &names, const LawCatalogue &laws)
-    : materials(names.materials, laws), bodies(names.bodies), walls(names.walls)
+    : names(names), materials(names.materials, laws), bodies(names.bodies), walls(names.walls)
 {
 }
 
@@ -21,10 +23,40 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   walls.declare_parameters(prm);
   prm.enter_subsection("Contact");
   prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction between bodies. Units: none.");
+  const std::string table =
+      "Other values for pairs, \"first / second: value; ...\". Each name is that of a material, of a body or "
+      "of "
+      "a wall; an entry that names a body counts more than one that names its material.";
+  prm.declare_entry("Friction of pairs", "", Anything(), table + " Units: none.");
+  declare_contact_laws(prm);
+  prm.declare_entry(
+      "Adhesion", "0", Double(0),
+      "Strength with which a 'Law' that adheres holds bodies together, and to walls. Units: N/m^2 with Model "
+      "= "
+      "mpm, of the length along which bodies touch; N/m with Model = bpm, of every pair of primaries.");
+  prm.declare_entry("Adhesion of pairs", "", Anything(), table + " Units: those of 'Adhesion'.");
   prm.leave_subsection();
   prm.enter_subsection("Loads");
   prm.declare_entry("Gravity", "0, 0", List(Double(), 2, 2, ","),
                     "Acceleration of gravity, \"gx, gy\". Units: m/s^2.");
+  prm.leave_subsection();
+}
+
+void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const
+{
+  prm.enter_subsection("Contact");
+  scene.friction = prm.get_double("Friction");
+  scene.friction_pairs = parse_pairs("Contact/Friction of pairs", prm.get("Friction of pairs"), names);
+  scene.contact_law = parse_contact_law(prm);
+  scene.adhesion = prm.get_double("Adhesion");
+  scene.adhesion_pairs = parse_pairs("Contact/Adhesion of pairs", prm.get("Adhesion of pairs"), names);
+  const bool table = !scene.adhesion_pairs.empty();
+  if (!scene.contact_law->adheres() && (scene.adhesion > 0. || table))
+  {
+    const std::string name = table ? "Adhesion of pairs" : "Adhesion";
+    throw InputError("'Contact/" + name + "' = '" + prm.get(name) + "' has no effect with 'Contact/Law' = '" +
+                     prm.get("Law") + "': leave it out, or choose a law that adheres");
+  }
   prm.leave_subsection();
 }
 
@@ -35,7 +67,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   scene.bodies = bodies.parse_parameters(prm, scene.materials);
   scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
   scene.walls = walls.parse_parameters(prm);
-  scene.friction = prm.get_double({"Contact"}, "Friction");
+  parse_contact(prm, scene);
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;
 }

@@ -90,4 +90,9 @@ int main()
 {
   compare("frictionless", {});
   compare("friction and rolling resistance", {"Contact/Friction=0.5", "Contact/Rolling resistance=0.1"});
+  const std::string of_walls = "Contact/Adhesion of pairs=m / bottom: 0.2; m / left: 0",
+                    rough = "Contact/Friction of pairs=m / bottom: 0.5; m / m: 0.2";
+  compare("cohesion and tables", {"Contact/Law=cohesive", "Contact/Adhesion=0.1", of_walls, rough});
+  compare("graded strength", {"Primaries/Strength=2 - r", "Primaries/Strength spread=0.3"});
+  compare("bonds", {"Contact/Law=bond", "Contact/Adhesion=0.1", "Contact/Healing time=5", of_walls, rough});
 }

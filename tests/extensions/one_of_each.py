@@ -107,6 +107,47 @@ subsection Stop
 end
 """
 
+STICKING = """
+set Model = bpm
+set Additional shared libraries = {libraries}
+subsection Materials
+  set Names = m
+  subsection m
+    set Density = 1
+    subsection Power law
+      set Force at contact = 0
+    end
+  end
+end
+subsection Bodies
+  set Names = disk
+  subsection disk
+    set Center   = 0, 0.5
+    set Radius   = 0.5
+    set Velocity = 0; 1
+  end
+end
+subsection Primaries
+  set Smallest diameter = 1
+  set Largest diameter  = 1
+  set Number per body   = 1
+end
+subsection Walls
+  set Names = bottom
+end
+subsection Contact
+  set Law          = fading
+  set Adhesion     = 2
+  set Fading range = 0.1
+end
+subsection Time
+  set Time step = 1e-4
+end
+subsection Stop
+  set End time = 0.2
+end
+"""
+
 
 def run(name, text, *changes):
     """Columns of the history of a run, by name."""
@@ -173,6 +214,14 @@ def check_aggregate():
     assert kinetic < 1e-3 * -history["elastic_energy_J_per_m"][0], "attraction: the aggregate is not at rest"
 
 
+def check_sticking():
+    history, _ = run("sticking", STICKING)
+    lost = history["kinetic_energy_J_per_m"][0] - history["kinetic_energy_J_per_m"][-1]
+    work = history["adhesion_work_J_per_m"][-1]
+    assert abs(lost - 0.5 * 2 * 0.1) < 1e-3 * lost, f"contact law: the disk has lost {lost} J/m, not 0.1"
+    assert abs(lost + work) < 1e-9 * lost, f"contact law: its work is {work} J/m, what the disk has lost {lost} J/m"
+
+
 def check_table():
     """CONTRIBUTING's table has a row for every module here, at most four files each, and the folders exist."""
     page = (SOURCE / "CONTRIBUTING.md").read_text()
@@ -189,6 +238,6 @@ def check_table():
         assert header, f"{module}.cc includes nothing of softgrain"
 
 
-for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate):
+for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate, check_sticking):
     check()
     print(check.__name__[6:].replace("_", " "), "as expected")

@@ -50,13 +50,26 @@ public:
   std::vector<ContactRow<2>> find(const bool gap) const
   {
     std::vector<ContactRow<2>> rows;
-    NodalContact(*shape, gap).find({bodies, walls, 0.3, 1e-6, 0.1}, rows);
+    NodalContact(*shape, gap).find({bodies, walls, pairs(), 1e-6, 0.1}, rows);
     return rows;
   }
 
   std::vector<WallMotion<2>> walls;
 
 private:
+  /// Friction of 0.3 between bodies and 0.2 with walls.
+  ContactPairs pairs() const
+  {
+    Scene<2> scene;
+    scene.materials.resize(1);
+    scene.bodies.resize(bodies.size());
+    scene.friction = 0.3;
+    scene.walls.resize(walls.size());
+    for (WallDescription<2> &wall : scene.walls)
+      wall.friction = 0.2;
+    return ContactPairs(scene);
+  }
+
   static PointNeeds needs()
   {
     PointNeeds needs;
@@ -123,7 +136,7 @@ int main()
 
   Setup wall;
   wall.add(0.5, 0.5, 1.0, 1.0);
-  wall.walls.push_back({dealii::Point<2>(0.45, 0.), dealii::Tensor<1, 2>({1., 0.}), 0., 0.2});
+  wall.walls.push_back({dealii::Point<2>(0.45, 0.), dealii::Tensor<1, 2>({1., 0.}), 0.});
   print("plane wall half a cell behind", wall.find(true));
   print("the same, no gap", wall.find(false));
   wall.walls[0].plane = false;

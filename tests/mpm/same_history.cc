@@ -102,6 +102,15 @@ int main(int argc, char **argv)
           {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
            "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"},
           4);
+  const Changes sticky = {"Contact/Friction of pairs=gel / bottom: 0.4; gel / gel: 0.1",
+                          "Contact/Adhesion=2e3", "Contact/Adhesion range=2e-5",
+                          "Contact/Adhesion of pairs=gel / left: 0"};
+  Changes bonds = sticky;
+  bonds.insert(bonds.end(), {"Contact/Law=bond", "Contact/Healing time=1e-4"});
+  Changes cohesive = sticky;
+  cohesive.push_back("Contact/Law=cohesive");
+  compare("cohesion and tables", "gallery/thirty_grains_mpm.prm", cohesive, 12);
+  compare("bonds", "gallery/thirty_grains_mpm.prm", bonds, 12);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

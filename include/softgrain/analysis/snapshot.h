@@ -86,7 +86,7 @@ struct Energies
   double kinetic = 0;
   double elastic = 0;
   double dissipated = 0;    ///< by friction, inelastic contact and the laws, since the start
-  double external_work = 0; ///< done by walls and body forces since the start
+  double external_work = 0; ///< done by walls, body forces and adhesion since the start
 };
 
 /**

@@ -13,6 +13,9 @@ namespace softgrain::contact
  * such that in every contact `0 <= P_n ⟂ w_n >= 0` (Signorini at velocity level) and `|P_t| <= mu P_n`, with
  * `P_t = -mu P_n w_t / |w_t|` when it slides (Coulomb, not associated). Components of contact i are at
  * `i * n_components`: the normal first (positive when the pair separates), then the tangents.
+ *
+ * Where a contact is held together by a cohesive impulse c, P_n + c takes the place of P_n in these
+ * conditions: the same cone, shifted along the normal.
  */
 struct Problem
 {
@@ -36,6 +39,9 @@ struct Problem
   /// Empty: one contact after the other.
   std::vector<std::vector<Range>> colors = {};
 
+  /// Cohesive impulse c of every contact (N s); empty: none.
+  std::vector<double> cohesion = {};
+
   /// Number of contacts that @p free_velocity describes.
   unsigned int n_contacts() const { return n_components == 0 ? 0 : free_velocity.size() / n_components; }
 
@@ -44,8 +50,8 @@ struct Problem
 
   /**
    * @brief Checks sizes and values.
-   * @throw InputError when sizes do not fit or a friction coefficient is negative.
-   * @throw ComputationError when a velocity or a friction coefficient is not finite.
+   * @throw InputError when sizes do not fit, or a friction coefficient or a cohesive impulse is negative.
+   * @throw ComputationError when a velocity, a friction coefficient or a cohesive impulse is not finite.
    */
   void check() const;
 };

@@ -23,7 +23,7 @@ namespace softgrain::contact
  * `max_sweeps`, `relaxation`, `check_interval`, `sweeps_before_newton`, `max_newton_components`,
  * `max_newton_iterations`
  * - `/free_velocity`, `/impulses` (the warm start): n_contacts * n_components; `/friction`: n_contacts, or
- * empty
+ * empty; `/cohesion`: n_contacts, only where contacts are held together
  * - blocks: `/block_size` (rows of each block), `/block_components` (the rows' components, block after
  * block),
  *   `/block_values` (the blocks one after the other, each row by row): W = Σ_b E_b W_b E_bᵀ

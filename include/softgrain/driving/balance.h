@@ -20,6 +20,8 @@ struct Balance
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
   double largest_momentum = 0;                                 ///< scale of the momentum error [N s/m]
   double wall_work = 0, body_force_work = 0, contact_loss = 0; ///< [J/m]
+  double adhesion_work =
+      0; ///< done by adhesion, which pulls what comes nearer; not part of contact_loss [J/m]
   double wall_damping_loss = 0; ///< in the damping of walls that are free to move [J/m]
 
   /// Sees to the scale: @p moving is the sum of the sizes of momenta, which may cancel in their sum [N s/m].
@@ -28,8 +30,8 @@ struct Balance
   /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term.
   double momentum_error(const dealii::Tensor<1, 2> &momentum) const;
 
-  /// Done by walls and body forces [J/m].
-  double external_work() const { return wall_work + body_force_work; }
+  /// Done by walls, body forces and adhesion [J/m].
+  double external_work() const { return wall_work + body_force_work + adhesion_work; }
 
   void save(StateWriter &out, const std::string &name) const;
   void load(const StateReader &in, const std::string &name);

@@ -2,6 +2,8 @@
 #ifndef softgrain_scene_scene_h
 #define softgrain_scene_scene_h
 
+#include <softgrain/scene/pair_table.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -11,6 +13,7 @@
 
 namespace softgrain
 {
+class ContactLaw;
 class PackingMethod;
 template <int dim>
 class Shape;
@@ -57,7 +60,7 @@ struct WallDescription
   dealii::Tensor<1, dim> normal;          ///< unit, into the domain
   std::shared_ptr<const WallDrive> drive; ///< how it moves
   std::string drive_name;                 ///< in the registry of drives, for messages
-  double friction = 0;
+  double friction = 0;                    ///< with bodies that the table of pairs does not name with it
 };
 
 /// Many grains at once, made when everything else is known to be right; see add_packing().
@@ -77,8 +80,12 @@ struct Scene
   PackingDescription packing;
   std::vector<WallDescription<dim>> walls;
   dealii::Tensor<1, dim> gravity; ///< [m/s^2]
-  double friction = 0;            ///< between bodies
-  double end_time = 0;            ///< of the run, if it has one [s]
+  double friction = 0;            ///< between bodies, where the table of pairs says nothing
+  std::vector<PairValue> friction_pairs;
+  std::shared_ptr<const ContactLaw> contact_law; ///< null: Coulomb's
+  double adhesion = 0; ///< strength where the table says nothing [N/m^2]; between primaries [N/m]
+  std::vector<PairValue> adhesion_pairs;
+  double end_time = 0; ///< of the run, if it has one [s]
 };
 } // namespace softgrain
 

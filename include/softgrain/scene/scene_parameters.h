@@ -37,6 +37,9 @@ public:
   Scene<2> parse_parameters(dealii::ParameterHandler &prm) const;
 
 private:
+  void parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const;
+
+  const SceneNames names;
   const MaterialParameters materials;
   const BodyParameters bodies;
   const WallParameters walls;

@@ -61,6 +61,13 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
       problem.friction.push_back(row.friction);
     problem.friction.resize(rows.size() + free_walls.n_stops(), 0.);
   }
+  problem.cohesion.clear();
+  if (std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.pull > 0.; }))
+  {
+    for (const auto &row : rows)
+      problem.cohesion.push_back(dt * row.pull);
+    problem.cohesion.resize(rows.size() + free_walls.n_stops(), 0.);
+  }
   body_components.assign(bodies.size(), {});
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (const unsigned int b : {rows[r].body, rows[r].partner})
@@ -155,7 +162,7 @@ typename ContactSystem<dim>::Memory ContactSystem<dim>::memory_of_now() const
 {
   Memory now;
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (impulse[r * n_components()] > 0.)
+    if (carries_force(r))
     {
       std::array<double, dim> value{};
       for (unsigned int c = 0; c < n_components(); ++c)

@@ -218,39 +218,40 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
           row.normal = wall.normal;
           row.gap =
               with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
-          row.friction = wall.friction;
+          take_pair(scene, row);
           row.key = row_key(body.field.lattice_node(i), body.index, w, true);
           rows.push_back(std::move(row));
         }
 
-  for_shared_nodes(
-      visits,
-      [&](Visit first, Visit second)
-      {
-        if (bodies[first.body].driven)
-          std::swap(first, second); // what is driven can only be the partner
-        const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
-        if (body.driven)
-          return;
-        const View &own = views[first.body](first.node), &other = views[second.body](second.node);
-        if (own.points.empty() || other.points.empty())
-          return;
-        const Vector normal = outward(other, h) - outward(own, h); // (3.23)
-        // Both look the same way, or neither shows a surface here: the nodes around tell them
-        // apart.
-        if (normal.norm() < 0.2)
-          return;
-        Row row = start_row(body, first.node, h);
-        row.partner = partner.index;
-        row.wall = partner.wall;
-        row.partner_weights = partner.field.extension(second.node);
-        row.normal = normal / normal.norm();
-        row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
-                                 extent(partner, views[partner.index], second.node, row.normal, h)
-                           : 0.;
-        row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
-        row.key = row_key(first.lattice, body.index, partner.index, false);
-        rows.push_back(std::move(row));
-      });
+  for_shared_nodes(visits,
+                   [&](Visit first, Visit second)
+                   {
+                     if (bodies[first.body].driven)
+                       std::swap(first, second); // what is driven can only be the partner
+                     const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
+                     if (body.driven)
+                       return;
+                     const View &own = views[first.body](first.node),
+                                &other = views[second.body](second.node);
+                     if (own.points.empty() || other.points.empty())
+                       return;
+                     const Vector normal = outward(other, h) - outward(own, h); // (3.23)
+                     // Both look the same way, or neither shows a surface here: the nodes around tell them
+                     // apart.
+                     if (normal.norm() < 0.2)
+                       return;
+                     Row row = start_row(body, first.node, h);
+                     row.partner = partner.index;
+                     row.wall = partner.wall;
+                     row.partner_weights = partner.field.extension(second.node);
+                     row.normal = normal / normal.norm();
+                     row.gap = with_gap
+                                   ? -extent(body, views[body.index], first.node, -row.normal, h) -
+                                         extent(partner, views[partner.index], second.node, row.normal, h)
+                                   : 0.;
+                     take_pair(scene, row);
+                     row.key = row_key(first.lattice, body.index, partner.index, false);
+                     rows.push_back(std::move(row));
+                   });
 }
 } // namespace softgrain::mpm

@@ -24,7 +24,8 @@ using Row = ContactRow<2>;
 class Reach
 {
 public:
-  explicit Reach(const ContactScene<2> &scene) : rest(0.1 * scene.cell_size), foresight(scene.foresight)
+  explicit Reach(const ContactScene<2> &scene)
+      : rest(0.1 * scene.cell_size + scene.adhesion_reach), foresight(scene.foresight)
   {
     double drive = 0.;
     for (const WallMotion<2> &wall : scene.walls)
@@ -97,6 +98,24 @@ double tributary_length(const MovedBoundary &own, const Seeker &seeker)
                 own.place(seeker.parameter - stride, false).position.distance(seeker.at.position));
 }
 
+/// Share of the boundary around a seeker that faces what has @p normal: at a corner one side looks elsewhere
+/// and does not adhere.
+double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector &normal)
+{
+  if (own.is_free || !own.boundary().corner[seeker.number])
+    return 1.;
+  double facing = 0., length = 0.;
+  const unsigned int m = seeker.number;
+  for (const Vector &edge : {own.marker(own.boundary().next(m)) - own.marker(m),
+                             own.marker(m) - own.marker(own.boundary().previous(m))})
+  {
+    length += edge.norm();
+    if (edge[0] * normal[1] - edge[1] * normal[0] > 0.5 * edge.norm())
+      facing += edge.norm();
+  }
+  return length > 0. ? facing / length : 0.;
+}
+
 NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
 {
   return boundary.place(parameter, true).weights;
@@ -134,7 +153,9 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.gap = start;
                  row.gap_where_found = gap;
                  row.length = tributary_length(own, seeker);
-                 row.friction = wall.friction;
+                 take_pair(scene, row);
+                 if (row.adhesion > 0.)
+                   row.adhesion *= facing_share(own, seeker, row.normal);
                  row.key = row_key(body.index, seeker.number, w, true);
                  rows.push_back(row);
                  return true;
@@ -203,7 +224,7 @@ public:
     if (!segments.empty())
       for (unsigned int m = 0; m < own.n_markers(); ++m)
         if (own.boundary().corner[m])
-          look({own.place(m, 0., false), static_cast<double>(m), m}, rows);
+          look({own.place(m, 0., false), static_cast<double>(m), m}, rows, true);
   }
 
 private:
@@ -241,7 +262,7 @@ private:
   }
 
   /// @return whether the partner is near
-  bool look(const Seeker &seeker, std::vector<Row> &rows) const
+  bool look(const Seeker &seeker, std::vector<Row> &rows, const bool corners_only = false) const
   {
     const Place &at = seeker.at;
     if (!other.near(at.position, margin))
@@ -269,7 +290,10 @@ private:
     row.gap = start;
     row.gap_where_found = gap;
     row.length = tributary_length(own, seeker);
-    row.friction = partner.wall != Row::none ? scene.walls[partner.wall].friction : scene.friction;
+    take_pair(scene, row);
+    // What lies around the corners of a partner is held by the rows of the one that looks everywhere.
+    if (row.adhesion > 0.)
+      row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
     row.key = row_key(body.index, seeker.number, partner.index, false);
     rows.push_back(row);
     return true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/model/mpm_forecast.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -163,9 +164,7 @@ Forecast forecast(const Scene<2> &scene,
     result.step = std::min(settings.wall_way * settings.cell_size / run.fastest_wall,
                            settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(result.step);
-  const bool friction =
-      scene.friction > 0. || std::any_of(scene.walls.begin(), scene.walls.end(),
-                                         [](const WallDescription<2> &wall) { return wall.friction > 0.; });
+  const bool friction = has_friction(scene);
   const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
   const double iterations = n_iterations(settings, run, result.step, cfl);
   const double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);

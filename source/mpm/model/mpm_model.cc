@@ -20,6 +20,11 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+constexpr double touching = 1e-3; ///< gap up to which surfaces touch for adhesion [cells]
+}
+
 MpmModel::MpmModel(const Scene<2> &scene,
                    const Settings &settings,
                    std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
@@ -80,6 +85,9 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   for (const BodyDescription<2> &body : descriptions)
     world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
                                      world.scene.materials[body.material].density, context));
+  world.pairs = ContactPairs(world.scene);
+  if (world.pairs.adhere())
+    world.adhesion = Adhesion(world.scene.contact_law, touching * settings.cell_size);
   world.walls = make_walls(world.scene);
   for (unsigned int w = 0; w < world.walls.size(); ++w)
     if (world.walls[w].description.type == WallDescription<2>::Type::material_points)
@@ -191,7 +199,7 @@ StepReport MpmModel::advance(const double dt_limit)
   report.dt = last_dt = taken.dt;
   ++steps;
   for (unsigned int r = 0; r < world.contact.contact_rows().size(); ++r)
-    report.n_contacts += world.contact.impulses()[r * world.contact.n_components()] > 0.;
+    report.n_contacts += world.contact.carries_force(r);
   renew_grids();
   if (!world.settings.scheme.implicit && steps % 20 == 0)
     check_energy();

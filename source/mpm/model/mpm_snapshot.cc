@@ -136,7 +136,7 @@ Snapshot<2> MpmModel::snapshot() const
   const unsigned int components = world.contact.n_components();
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    if (!(world.contact.impulses()[r * components] > 0.) || last_dt == 0.)
+    if (!world.contact.carries_force(r) || last_dt == 0.)
       continue;
     ContactState<2> contact;
     contact.body_a = rows[r].body;
@@ -181,7 +181,7 @@ double MpmModel::coordination() const
   TouchingPairs touching;
   const auto &rows = world.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (world.contact.impulses()[r * world.contact.n_components()] > 0.)
+    if (world.contact.carries_force(r))
     {
       if (rows[r].wall != Row::none)
         touching.add_wall(rows[r].body, rows[r].wall);
@@ -214,6 +214,8 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
       {"rotational_energy_J_per_m", rotational_energy()},
       {"scheme_damping_J_per_m", balance.scheme_damping},
       {"regularisation_work_J_per_m", balance.regularisation_work}};
+  if (world.pairs.adhere())
+    columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
   if (!world.settings.scheme.inertia)
     columns.emplace_back("held_steps", held_steps);
   if (world.settings.contact_on_boundaries)

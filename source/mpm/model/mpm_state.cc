@@ -108,7 +108,7 @@ void MpmModel::save(StateWriter &out) const
   std::sort(memory.begin(), memory.end());
   std::vector<std::uint64_t> keys;
   std::vector<double> impulses;
-  const std::ptrdiff_t components = world.frictionless() ? 1 : 2;
+  const std::ptrdiff_t components = world.slippery() ? 1 : 2;
   for (const auto &[key, impulse] : memory)
   {
     keys.push_back(key);
@@ -116,6 +116,7 @@ void MpmModel::save(StateWriter &out) const
   }
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
+  world.adhesion.save(out, "mpm/contact/adhesion");
 
   save_points(*world.points, out);
   for (const Body<2> &body : world.bodies)
@@ -159,6 +160,8 @@ void MpmModel::load(StateReader &in)
     world.contact.memory()[keys[k]] =
         frictionless ? std::array<double, 2>{{impulses[k], 0.}}
                      : std::array<double, 2>{{impulses.at(2 * k), impulses.at(2 * k + 1)}};
+
+  world.adhesion.load(in, "mpm/contact/adhesion");
 
   load_points(*world.points, in);
   world.sort_points();

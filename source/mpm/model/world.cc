@@ -25,14 +25,7 @@ void World::sort_points()
 
 SubgridCompliance World::subgrid() const
 {
-  return {settings.subgrid_compliance() && frictionless(), lattice->cell_size()};
-}
-
-bool World::frictionless() const
-{
-  return scene.friction == 0. &&
-         std::all_of(walls.begin(), walls.end(),
-                     [](const Wall &wall) { return wall.description.friction == 0.; });
+  return {settings.subgrid_compliance() && pairs.frictionless() && !pairs.adhere(), lattice->cell_size()};
 }
 
 std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
@@ -41,8 +34,8 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
   for (const Wall &wall : walls)
   {
     const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(time, plan.dt).velocity;
-    motion.push_back({wall.point(), wall.normal(), velocity, wall.description.friction,
-                      wall.body == Wall::no_body, velocity, std::abs(velocity)});
+    motion.push_back(
+        {wall.point(), wall.normal(), velocity, wall.body == Wall::no_body, velocity, std::abs(velocity)});
   }
   for (const FreeWall<2> &free : contact.free_walls.list)
     motion[free.wall].fastest =
@@ -62,8 +55,8 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  ContactScene<2> where{bodies,    motion, scene.friction, dt, lattice->cell_size(),
-                        increment, share,  frictionless()};
+  ContactScene<2> where{bodies, motion,     pairs,           dt, lattice->cell_size(), increment,
+                        share,  slippery(), adhesion.reach()};
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
   geometry->find(where, rows);
@@ -74,6 +67,11 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
       if (gap != start_gaps->end())
         row.gap = gap->second;
     }
+  if (pairs.adhere())
+    for (ContactRow<2> &row : rows)
+      // The impulse of newmark is half a step of the force at its end.
+      row.pull = (settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
+                 (row.adhesion > 0. ? adhesion.share(row.key, row.gap) : 0.);
   contact.reinit(std::move(rows), bodies, dt, again);
 }
 
@@ -85,7 +83,8 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
   geometry->find(
-      {bodies, motion, scene.friction, dt, lattice->cell_size(), &increment, share, frictionless()}, rows);
+      {bodies, motion, pairs, dt, lattice->cell_size(), &increment, share, slippery(), adhesion.reach()},
+      rows);
   GapsByRow gaps;
   gaps.reserve(rows.size());
   for (const ContactRow<2> &row : rows)
@@ -136,6 +135,24 @@ std::vector<double> end_gaps(const World &world,
   return gap;
 }
 
+void World::note_contacts(const std::vector<Eigen::VectorXd> &increment,
+                          const std::vector<WallMotion<2>> &motion,
+                          const double dt)
+{
+  constexpr double near_limit = 1. - 1e-6; // of friction: solvers have tolerances
+  const auto &rows = contact.contact_rows();
+  const unsigned int components = contact.n_components();
+  const std::vector<double> gaps = end_gaps(*this, increment, motion, dt), &P = contact.impulses();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    const double closing = P[r * components] + dt * rows[r].pull;
+    const bool slides = components > 1 && closing > 0. && rows[r].friction > 0. &&
+                        std::abs(P[r * components + 1]) >= near_limit * rows[r].friction * closing;
+    adhesion.note(rows[r].key, rows[r].gap, {gaps[r], closing > 0., slides, dt});
+  }
+  adhesion.finish_step();
+}
+
 namespace
 {
 /// Impulses felt by the walls and the work done at the contacts during the step.
@@ -184,7 +201,7 @@ void account_contacts(World &world,
     for (unsigned int c = 0; c < components; ++c)
     {
       const double impulse = P[r * components + c];
-      if (impulse == 0.)
+      if (impulse == 0. && rows[r].pull == 0.)
         continue;
       double relative = w[r * components + c];
       if (rows[r].wall != ContactRow<2>::none)
@@ -213,6 +230,13 @@ void account_contacts(World &world,
                            : half                                 ? before->second[c]
                                   : before->second[c] * dt / world.contact.memory_step;
         acting = (half ? 1. : 0.5) * (impulse + old);
+      }
+      if (c == 0 && rows[r].pull > 0.)
+      {
+        const double work = -(half ? 2. : 1.) * rows[r].pull * dt * relative;
+        world.balance.adhesion_work += work;
+        if (!balanced)
+          world.balance.contact_loss += work;
       }
       // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
       // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
@@ -254,6 +278,8 @@ void accept_step(World &world,
 {
   const double dt = plan.dt;
   account_contacts(world, dt, rate, motion);
+  if (world.adhesion.remembers())
+    world.note_contacts(increment, motion, dt);
   const bool half = world.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
   for (Body<2> &body : world.bodies)

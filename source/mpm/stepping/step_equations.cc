@@ -57,11 +57,11 @@ StepEquations::StepEquations(World &world, const StepPlan &plan)
         if (!scheme.inertia)
           shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
         rotation[b] = whole_rotation(body);
-        // A round body without friction is the same when it is turned: without inertia, that it stays is a
+        // A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
         // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
-        round_and_smooth[b] = body.boundary.smooth && world.frictionless() && !scheme.stored_acceleration;
+        round_and_smooth[b] = body.boundary.smooth && world.slippery() && !scheme.stored_acceleration;
         if (scheme.inertia && round_and_smooth[b])
           spin[b] = turned_by_load(body, external[b]);
         if (scheme.inertia && !round_and_smooth[b])

@@ -68,6 +68,7 @@ private:
   Primaries fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,
                         const std::vector<std::string> &law_texts);
   Primaries primaries_of(const StateReader &state);
+  void grade(Primaries &disks) const;
   void check_places() const;
   double wanted_step() const;
   void drive_walls(double dt);

@@ -7,7 +7,9 @@
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
+#include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <memory>
 #include <vector>
@@ -22,7 +24,7 @@ namespace softgrain::bpm
 /// What the motion of primaries may be told. Lengths are in mean diameters of the primaries.
 struct DynamicsSettings
 {
-  double friction = 0;                 ///< between primaries of different bodies
+  ContactPairs pairs;                  ///< friction and adhesion of primaries of different bodies and walls
   double rolling_resistance = 0;       ///< mu_r of (2.12), primaries of different bodies and walls
   double inner_rolling_resistance = 0; ///< mu_r between primaries of one body
   double restitution = 0;              ///< normal, of every contact
@@ -35,8 +37,11 @@ struct DynamicsSettings
   double wall_force_floor = 0;        ///< what the force on a wall counts as at least [N/m]
   contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
 
+  /// Law of these contacts; null: Coulomb's.
+  std::shared_ptr<const ContactLaw> contact_law;
+
   /// Whether rotations of the primaries matter.
-  bool rotations(const std::vector<Wall> &walls) const;
+  bool rotations() const;
 };
 
 /// What one step did.
@@ -44,7 +49,8 @@ struct DynamicsReport
 {
   contact::DiskSolverReport solver;
   dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
-  double contact_loss = 0;           ///< kinetic energy that contacts took [J/m]
+  double contact_loss = 0;           ///< kinetic energy that contacts took beside adhesion [J/m]
+  double adhesion_work = 0;          ///< done by adhesion [J/m]
   double wall_work = 0;       ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
   double damping_loss = 0;    ///< in the damping of walls [J/m]
   double force_work = 0;      ///< done by body forces [J/m]
@@ -107,8 +113,24 @@ public:
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
 
+  /// Memories of the contacts between bodies and with walls.
+  Adhesion &contact_memory() { return adhesion; }
+  const Adhesion &contact_memory() const { return adhesion; }
+
+  /// Whether a row of contacts() pushes, or pulls because it adheres.
+  bool carries_force(const std::size_t row) const
+  {
+    return rows.impulse[row] > 0. || (!pull.empty() && pull[row] > 0. && rows.impulse[row] < 0.);
+  }
+
   /// How often neighbours have been searched.
   std::size_t lists_made() const { return n_lists; }
+
+  /// Strength of the attraction of two primaries over that of their law.
+  double strength_of(const std::uint32_t a, const std::uint32_t b) const
+  {
+    return primaries.strength.empty() ? 1. : 0.5 * (primaries.strength[a] + primaries.strength[b]);
+  }
 
   /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
   double attraction_of(std::size_t pair) const;
@@ -143,6 +165,14 @@ private:
                       const std::vector<Wall> &walls,
                       const std::vector<std::array<double, 2>> &acceleration);
   void prepare_gap_velocities(double dt, const std::vector<Wall> &walls);
+  void find_pulls();
+  void shift_cones(double dt, bool back);
+  double adhesion_work(double dt, const std::vector<Wall> &walls) const;
+  void note_contacts(double dt);
+  std::uint64_t key_of(const std::size_t row) const
+  {
+    return (static_cast<std::uint64_t>(rows.a[row]) << 32) | rows.b[row];
+  }
   void remember();
   void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report) const;
   void
@@ -159,6 +189,8 @@ private:
   contact::DiskBodies bodies;
   contact::DiskContacts rows;
   std::vector<double> gap;
+  Adhesion adhesion;
+  std::vector<double> pull; ///< cohesive force of every row [N/m]; empty: nothing adheres
   std::vector<std::uint32_t> pair_of_row;
   std::vector<std::array<double, 2>> force;
   std::vector<WallMemory> remembered_at_walls;

@@ -19,6 +19,8 @@ struct Primaries
   std::vector<std::uint32_t> body;             ///< index of the body (aggregate)
   std::vector<double> angular_velocity;        ///< [rad/s]; empty unless friction or rolling asks for it
 
+  std::vector<double> strength; ///< of the attraction, over that of the law: a pair has the mean; empty: 1
+
   std::size_t size() const { return position.size(); }
   bool rotate() const { return !angular_velocity.empty(); }
 

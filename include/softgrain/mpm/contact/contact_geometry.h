@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <vector>
 
@@ -15,19 +16,31 @@ struct ContactScene
 {
   const std::vector<Body<dim>> &bodies;
   const std::vector<WallMotion<dim>> &walls;
-  double friction;  ///< between bodies
-  double dt;        ///< of the step to come [s]
-  double cell_size; ///< [m]
+  const ContactPairs &pairs; ///< what they do to each other
+  double dt;                 ///< of the step to come [s]
+  double cell_size;          ///< [m]
   /// Displacement of the nodes of every body over the step, as far as it is known [m]; null: that of the
   /// velocities at its start.
   const std::vector<Eigen::VectorXd> *increment = nullptr;
   /// Where in the step places and normals are taken: 0 its start, 1 its end.
   double share = 0.5;
-  bool frictionless = false; ///< no row of the scene has friction
+  bool slippery = false;     ///< no row holds material to material: no friction, no contact with a memory
+  double adhesion_reach = 0; ///< gap up to which rows may pull [m]
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.
   double foresight = 2.;
 };
+
+/// Gives a row what the two that meet there do to each other.
+template <int dim>
+void take_pair(const ContactScene<dim> &scene, ContactRow<dim> &row)
+{
+  const bool wall = row.wall != ContactRow<dim>::none;
+  row.friction =
+      wall ? scene.pairs.friction_at_wall(row.body, row.wall) : scene.pairs.friction(row.body, row.partner);
+  row.adhesion =
+      wall ? scene.pairs.adhesion_at_wall(row.body, row.wall) : scene.pairs.adhesion(row.body, row.partner);
+}
 
 /**
  * @brief Finds the rows at which bodies and walls may touch during a step.

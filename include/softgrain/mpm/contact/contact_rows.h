@@ -31,6 +31,8 @@ struct ContactRow
   double gap_where_found = 0;    ///< where in the step it was looked for [m]
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
+  double adhesion = 0;   ///< strength of the pair [N/m^2]
+  double pull = 0;       ///< cohesive force over the step, as its impulses count forces [N/m]
   std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
 
   /// Tangent of a 2D row: the normal turned by -90 degrees.
@@ -67,8 +69,7 @@ struct WallMotion
 {
   dealii::Point<dim> point;      ///< at the start of the step [m]
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  double velocity; ///< mean over the step, along the normal; of a free wall as far as known [m/s]
-  double friction = 0;
+  double velocity;    ///< mean over the step, along the normal; of a free wall as far as known [m/s]
   bool plane = true;  ///< false: it is made of material points
   double rate = 0;    ///< velocity with which its impulses do work [m/s]
   double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]

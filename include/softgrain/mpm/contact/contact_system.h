@@ -41,6 +41,12 @@ public:
   unsigned int n_components() const { return problem.n_components; }
   /// Impulses of the last solve [N s].
   const std::vector<double> &impulses() const { return impulse; }
+  /// Whether row @p r pushes, or pulls because it adheres.
+  bool carries_force(const unsigned int r) const
+  {
+    const double P = impulse[r * problem.n_components];
+    return P > 0. || (P < 0. && rows[r].pull > 0.);
+  }
   /// Relative velocities w of the last solve, gap terms included [m/s].
   const std::vector<double> &velocities() const { return velocity; }
 

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_world_h
 #define softgrain_mpm_model_world_h
 
+#include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
@@ -12,6 +13,7 @@
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
+#include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/scene.h>
 
 #include <deal.II/base/tensor.h>
@@ -68,6 +70,8 @@ struct World
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
   std::unique_ptr<ContactGeometry<2>> geometry;
   ContactSystem<2> contact;
+  ContactPairs pairs; ///< what bodies and walls do to each other
+  Adhesion adhesion;
   Balance balance;
   double time = 0; ///< [s]
   dealii::TimerOutput *timer = nullptr;
@@ -78,8 +82,8 @@ struct World
   /// What the grid misses of light contacts.
   SubgridCompliance subgrid() const;
 
-  /// Whether no body can meet anything with friction.
-  bool frictionless() const;
+  /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
+  bool slippery() const { return pairs.frictionless() && !adhesion.remembers(); }
 
   /// How walls move in a step, slabs among them.
   std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
@@ -103,6 +107,12 @@ struct World
                       double dt,
                       const std::vector<Eigen::VectorXd> &increment,
                       double share) const;
+
+  /// Notes what has become of the contacts in an accepted step, for laws that remember.
+  /// @param increment displacement of the nodes over the step [m]
+  void note_contacts(const std::vector<Eigen::VectorXd> &increment,
+                     const std::vector<WallMotion<2>> &motion,
+                     double dt);
 
   /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
   /// body's.

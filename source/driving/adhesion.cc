@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/adhesion.h>
+#include <softgrain/model/state_file.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace softgrain
+{
+Adhesion::Adhesion(std::shared_ptr<const ContactLaw> contact_law, const double touching)
+    : law(contact_law != nullptr && contact_law->adheres() ? std::move(contact_law) : nullptr)
+    , touching(touching)
+{
+}
+
+double Adhesion::reach() const
+{
+  return acts() ? std::max(law->range(), touching) : 0.;
+}
+
+double Adhesion::memory_of(const std::uint64_t key, const double gap) const
+{
+  if (!started)
+    return gap <= 0. ? law->memory_at_start() : 0.;
+  const auto found = memory.find(key);
+  return found == memory.end() ? 0. : found->second;
+}
+
+double Adhesion::share(const std::uint64_t key, const double gap) const
+{
+  const double apart = gap_between_surfaces(gap);
+  return law->share(apart, law->remembers() ? memory_of(key, apart) : 0.);
+}
+
+void Adhesion::note(const std::uint64_t key, const double gap, ContactEvent event)
+{
+  event.gap = gap_between_surfaces(event.gap);
+  const double after = law->memory_after(memory_of(key, gap_between_surfaces(gap)), event);
+  if (after != 0.)
+    next[key] = after;
+}
+
+void Adhesion::finish_step()
+{
+  started = true;
+  memory.swap(next);
+  next.clear();
+}
+
+void Adhesion::save(StateWriter &out, const std::string &name) const
+{
+  if (!remembers())
+    return;
+  // Sorted, so that equal states give equal files.
+  std::vector<std::pair<std::uint64_t, double>> sorted(memory.begin(), memory.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint64_t> keys = {started};
+  std::vector<double> values;
+  for (const auto &[key, value] : sorted)
+  {
+    keys.push_back(key);
+    values.push_back(value);
+  }
+  out.write(name + "/keys", keys);
+  out.write(name + "/memory", values);
+}
+
+void Adhesion::load(const StateReader &in, const std::string &name)
+{
+  if (!remembers())
+    return;
+  const std::vector<std::uint64_t> keys = in.read_integers(name + "/keys");
+  const std::vector<double> values = in.read_doubles(name + "/memory");
+  started = keys.at(0) != 0;
+  memory.clear();
+  for (std::size_t k = 0; k < values.size(); ++k)
+    memory[keys.at(k + 1)] = values[k];
+}
+} // namespace softgrain
