@@ -12,6 +12,8 @@ void SystemMatrix::reinit(const unsigned int dim,
                           const std::vector<std::vector<unsigned int>> &nodes_of_cell)
 {
   const unsigned int n = n_nodes;
+  n_components = dim;
+  node_places.clear();
   std::vector<std::vector<unsigned int>> rows(n); // of the lower blocks of each block column
   for (const std::vector<unsigned int> &nodes : nodes_of_cell)
     for (const unsigned int i : nodes)
@@ -56,6 +58,31 @@ void SystemMatrix::reinit(const unsigned int dim,
       }
   }
   new_pattern = true;
+}
+
+Eigen::MatrixXd SystemMatrix::rigid_motions() const
+{
+  const unsigned int dim = n_components, n_nodes = matrix.rows() / dim;
+  const unsigned int n_rotations = node_places.empty() ? 0 : dim * (dim - 1) / 2;
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(matrix.rows(), dim + n_rotations);
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      motions(dim * i + d, d) = 1.;
+  if (n_rotations == 0)
+    return motions;
+  // About the middle and in units of the size, so that columns are of one magnitude.
+  const Eigen::Map<const Eigen::MatrixXd> x(node_places.data(), dim, n_nodes);
+  const Eigen::VectorXd middle = x.rowwise().mean();
+  const double size = std::max((x.colwise() - middle).cwiseAbs().maxCoeff(), 1e-300);
+  unsigned int column = dim;
+  for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int e = d + 1; e < dim; ++e, ++column)
+      for (unsigned int i = 0; i < n_nodes; ++i)
+      {
+        motions(dim * i + d, column) = -(x(e, i) - middle[e]) / size;
+        motions(dim * i + e, column) = (x(d, i) - middle[d]) / size;
+      }
+  return motions;
 }
 
 void SystemMatrix::set_zero()

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/linear/linear_solver_kind.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
@@ -11,6 +12,12 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace softgrain
@@ -26,48 +33,28 @@ public:
   bool factorize(SystemMatrix &source) override
   {
     const SystemMatrix::Sparse &lower = source.lower();
+    // A Cholesky solver would stop here too.
+    for (int j = 0; j < lower.outerSize(); ++j)
+      if (!(lower.valuePtr()[lower.outerIndexPtr()[j]] > 0.))
+        return false;
     if (source.pattern_is_new())
     {
-      dealii::DynamicSparsityPattern pattern(lower.rows(), lower.rows());
-      for (int j = 0; j < lower.outerSize(); ++j)
-        for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
-        {
-          pattern.add(entry.row(), j);
-          pattern.add(j, entry.row());
-        }
-      all = dealii::complete_index_set(lower.rows());
-      matrix.reinit(all, pattern, MPI_COMM_SELF, false);
-      right.reinit(all, MPI_COMM_SELF);
-      solution.reinit(all, MPI_COMM_SELF);
+      lay_out(lower);
       source.clear_pattern_flag();
     }
-    matrix = 0.;
-    for (int j = 0; j < lower.outerSize(); ++j)
-      for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
-      {
-        // A Cholesky solver would stop here too.
-        if (entry.row() == j && !(entry.value() > 0.))
-          return false;
-        matrix.add(entry.row(), j, entry.value());
-        if (entry.row() != j)
-          matrix.add(j, entry.row(), entry.value());
-      }
-    matrix.compress(dealii::VectorOperation::add);
-    prepare();
+    fill(lower);
+    prepare(source);
     return true;
   }
 
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
   {
-    for (int i = 0; i < b.size(); ++i)
-      right(i) = b[i];
-    right.compress(dealii::VectorOperation::insert);
+    std::copy(b.begin(), b.end(), right.begin());
     solution = 0.;
     if (right.l2_norm() > 0.)
       apply();
     x.resize(b.size());
-    for (int i = 0; i < b.size(); ++i)
-      x[i] = solution(i);
+    std::copy(solution.begin(), solution.end(), x.begin());
   }
 
   void condense(const Rows &rows, Eigen::MatrixXd &W) override
@@ -83,17 +70,58 @@ public:
   }
 
 protected:
-  virtual void prepare() = 0;
+  /// Makes ready for apply() what depends on the matrix.
+  virtual void prepare(const SystemMatrix &source) = 0;
+  /// solution = matrix^-1 right, starting from zero.
   virtual void apply() = 0;
 
   dealii::IndexSet all;
   Wrappers::SparseMatrix matrix;
   Wrappers::MPI::Vector right, solution;
+
+private:
+  void lay_out(const SystemMatrix::Sparse &lower)
+  {
+    dealii::DynamicSparsityPattern pattern(lower.rows(), lower.rows());
+    for (int j = 0; j < lower.outerSize(); ++j)
+      for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
+      {
+        pattern.add(entry.row(), j);
+        pattern.add(j, entry.row());
+      }
+    all = dealii::complete_index_set(lower.rows());
+    matrix.reinit(all, pattern, MPI_COMM_SELF, false);
+    right.reinit(all, MPI_COMM_SELF);
+    solution.reinit(all, MPI_COMM_SELF);
+  }
+
+  /// Writes where Epetra keeps the values: adding entries one by one takes longer than multigrid.
+  void fill(const SystemMatrix::Sparse &lower)
+  {
+    int *start, *columns;
+    double *values;
+    AssertThrow(matrix.trilinos_matrix().ExtractCrsDataPointers(start, columns, values) == 0,
+                dealii::ExcInternalError());
+    // Going through the columns of the lower triangle fills every row of the full matrix from left to right.
+    std::vector<int> next(start, start + lower.rows());
+    const auto put = [&](const int row, const int column, const double value)
+    {
+      AssertThrow(columns[next[row]] == column, dealii::ExcInternalError());
+      values[next[row]++] = value;
+    };
+    for (int j = 0; j < lower.outerSize(); ++j)
+      for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
+      {
+        put(j, entry.row(), entry.value());
+        if (entry.row() != j)
+          put(entry.row(), j, entry.value());
+      }
+  }
 };
 
 class TrilinosDirect final : public TrilinosBase
 {
-  void prepare() override
+  void prepare(const SystemMatrix &) override
   {
     solver = std::make_unique<Wrappers::SolverDirect>(control);
     solver->initialize(matrix);
@@ -113,7 +141,7 @@ public:
   }
 
 private:
-  void prepare() override
+  void prepare(const SystemMatrix &source) override
   {
     if (use_amg)
     {
@@ -122,10 +150,17 @@ private:
       data.higher_order_elements = true;
       data.smoother_sweeps = 2;
       data.aggregation_threshold = 0.02;
-      data.constant_modes.assign(dim, std::vector<bool>(matrix.m(), false));
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        data.constant_modes[i % dim][i] = true;
-      amg.initialize(matrix, data);
+      Teuchos::ParameterList parameters;
+      std::unique_ptr<Epetra_MultiVector> no_modes;
+      data.set_parameters(parameters, no_modes, matrix);
+      // Without the rotations among what the coarse grids reproduce the number of iterations grows with the
+      // size.
+      motions = source.rigid_motions();
+      parameters.set("PDE equations", static_cast<int>(dim));
+      parameters.set("null space: type", "pre-computed");
+      parameters.set("null space: dimension", static_cast<int>(motions.cols()));
+      parameters.set("null space: vectors", motions.data());
+      amg.initialize(matrix, parameters);
     }
     else
       ilu.initialize(matrix, Wrappers::PreconditionILU::AdditionalData(1, 0., 1., 0));
@@ -153,6 +188,7 @@ private:
   const LinearSolverSettings settings;
   const bool use_amg;
   const unsigned int dim;
+  Eigen::MatrixXd motions;
   Wrappers::PreconditionAMG amg;
   Wrappers::PreconditionILU ilu;
 };

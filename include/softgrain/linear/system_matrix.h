@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <utility>
 #include <vector>
 
 namespace softgrain
@@ -25,6 +26,13 @@ public:
    */
   void
   reinit(unsigned int dim, unsigned int n_nodes, const std::vector<std::vector<unsigned int>> &nodes_of_cell);
+
+  /// Tells where the nodes are: @p coordinates holds dim numbers per node [m].
+  void set_places(std::vector<double> coordinates) { node_places = std::move(coordinates); }
+
+  /// Translations and, where places are known, rotations: one column each, which the matrix of a free body
+  /// without inertia takes to zero. Multigrid needs to know them.
+  Eigen::MatrixXd rigid_motions() const;
 
   void set_zero();
 
@@ -66,7 +74,9 @@ private:
   };
 
   Sparse matrix;
-  std::vector<Places> places; ///< by cell
+  unsigned int n_components = 0;   ///< unknowns per node
+  std::vector<double> node_places; ///< none, or n_components per node
+  std::vector<Places> places;      ///< by cell
   bool new_pattern = true;
 };
 } // namespace softgrain

@@ -87,9 +87,9 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
                     std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
 }
 
-/// Mass, velocity and acceleration of the nodes; false when an independent node is left without positive
-/// mass.
-bool points_to_nodes(Body<2> &body)
+/// Mass, velocity and acceleration of the nodes; false when an independent node is left without mass, or
+/// without positive mass where @p positive ones are asked for.
+bool points_to_nodes(Body<2> &body, const bool positive)
 {
   const BodyField<2> &field = body.field;
   const bool moving = body.points.layout().has(PointSlot::velocity),
@@ -120,7 +120,7 @@ bool points_to_nodes(Body<2> &body)
     }
   }
   body.mass = field.restrict_scalar(mass);
-  if (body.mass.size() == 0 || !(body.mass.minCoeff() > 0.))
+  if (body.mass.size() == 0 || !((positive ? body.mass.minCoeff() : body.mass.cwiseAbs().minCoeff()) > 0.))
     return false;
   const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result)
   {
@@ -149,12 +149,13 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   }
   // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
   // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
-  // and masses are positive.
+  // and masses are positive. Functions that are negative in places are for schemes without inertia, where
+  // masses are no more than weights.
   for (double limit = context.settings.fill_limit;; limit *= 0.5)
   {
     body.field.build(context.lattice, context.shape,
                      {position, volume, half_extent, body.boundary.grid_position}, limit);
-    if (points_to_nodes(body))
+    if (points_to_nodes(body, context.shape.nowhere_negative()))
       break;
     if (limit < 1e-4)
       throw ComputationError("body '" + body.name +

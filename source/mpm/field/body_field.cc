@@ -56,15 +56,20 @@ unsigned int BodyField<dim>::Box::operator()(const Index &i) const
 }
 
 template <int dim>
-typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, const unsigned int k) const
+typename BodyField<dim>::Index BodyField<dim>::first_node(const Index &cell) const
 {
   Index i;
-  unsigned int rest = k;
   for (unsigned int d = 0; d < dim; ++d)
-  {
-    i[d] = cell[d] + shape->first_node() + static_cast<int>(rest % shape->n_nodes());
-    rest /= shape->n_nodes();
-  }
+    i[d] = cell[d] * static_cast<int>(shape->nodes_per_edge()) + shape->first_node();
+  return i;
+}
+
+template <int dim>
+typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, const unsigned int k) const
+{
+  Index i = first_node(cell);
+  for (unsigned int d = 0; d < dim; ++d)
+    i[d] += functions->offset(k)[d];
   return i;
 }
 
@@ -75,8 +80,10 @@ void BodyField<dim>::build(const Lattice<dim> &the_lattice,
                            const double fill_limit)
 {
   lattice = &the_lattice;
+  if (shape != &the_shape)
+    functions = std::make_shared<const CellFunctions<dim>>(the_shape);
   shape = &the_shape;
-  n_cell_nodes = power(shape->n_nodes(), dim);
+  n_cell_nodes = functions->n();
   collect_cells(places);
   number_nodes();
   evaluate_points(places);
@@ -144,12 +151,10 @@ void BodyField<dim>::collect_cells(const Places &places)
 template <int dim>
 void BodyField<dim>::number_nodes()
 {
-  Index lower = cell_box.lower, upper = cell_box.lower;
+  Index last_cell = cell_box.lower;
   for (unsigned int d = 0; d < dim; ++d)
-  {
-    lower[d] += shape->first_node();
-    upper[d] += cell_box.size[d] - 1 + shape->first_node() + static_cast<int>(shape->n_nodes()) - 1;
-  }
+    last_cell[d] += cell_box.size[d] - 1;
+  const Index lower = node_index(cell_box.lower, 0), upper = node_index(last_cell, n_cell_nodes - 1);
   node_box.resize(lower, upper, none);
   for (const Index &c : cell_index)
     for (unsigned int k = 0; k < n_cell_nodes; ++k)
@@ -157,6 +162,7 @@ void BodyField<dim>::number_nodes()
   node_lattice_index.clear();
   node_position.clear();
   lattice_number.clear();
+  const int per_edge = shape->nodes_per_edge();
   for_box<dim>(lower, upper,
                [&](const Index &i)
                {
@@ -167,8 +173,9 @@ void BodyField<dim>::number_nodes()
                  std::int64_t number = 0;
                  for (int d = dim - 1; d >= 0; --d)
                  {
-                   x[d] = lattice->lower()[d] + lattice->cell_size() * (i[d] + shape->node_shift());
-                   number = number * (lattice->n_cells()[d] + 8) + (i[d] + 4);
+                   x[d] = lattice->lower()[d] +
+                          lattice->cell_size() * (static_cast<double>(i[d]) / per_edge + shape->node_shift());
+                   number = number * (lattice->n_cells()[d] * per_edge + 8) + (i[d] + 4);
                  }
                  node_position.push_back(x);
                  node_lattice_index.push_back(i);
@@ -191,52 +198,22 @@ void BodyField<dim>::number_nodes()
 }
 
 template <int dim>
-void BodyField<dim>::evaluate(const dealii::Point<dim> &x,
-                              const Index &cell,
-                              const double half_extent,
-                              double *values,
-                              dealii::Tensor<1, dim> *slopes) const
-{
-  const dealii::Point<dim> xi = lattice->unit_position(x, cell);
-  const double h = lattice->cell_size();
-  std::array<ShapeFunction::Values, dim> n, dn;
-  for (unsigned int d = 0; d < dim; ++d)
-    shape->evaluate(xi[d], half_extent / h, n[d], dn[d]);
-  for (unsigned int k = 0; k < n_cell_nodes; ++k)
-  {
-    unsigned int rest = k;
-    double value = 1.;
-    unsigned int j[dim];
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      j[d] = rest % shape->n_nodes();
-      rest /= shape->n_nodes();
-      value *= n[d][j[d]];
-    }
-    values[k] = value;
-    if (slopes == nullptr)
-      continue;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      double slope = dn[d][j[d]] / h;
-      for (unsigned int e = 0; e < dim; ++e)
-        if (e != d)
-          slope *= n[e][j[e]];
-      slopes[k][d] = slope;
-    }
-  }
-}
-
-template <int dim>
 void BodyField<dim>::evaluate_points(const Places &places)
 {
   const std::size_t n = places.points.size();
+  const double h = lattice->cell_size();
   point_values.resize(n * n_cell_nodes);
   point_slopes.resize(n * n_cell_nodes);
+  std::vector<double> values(n_cell_nodes);
+  std::vector<dealii::Tensor<1, dim>> slopes(n_cell_nodes);
   for (unsigned int p = 0; p < n; ++p)
-    evaluate(places.points[p], cell_index[point_cell[p]],
-             places.half_extent.empty() ? 0. : places.half_extent[p], &point_values[p * n_cell_nodes],
-             &point_slopes[p * n_cell_nodes]);
+  {
+    functions->evaluate(lattice->unit_position(places.points[p], cell_index[point_cell[p]]),
+                        places.half_extent.empty() ? 0. : places.half_extent[p] / h, values, slopes);
+    std::copy(values.begin(), values.end(), &point_values[p * n_cell_nodes]);
+    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+      point_slopes[p * n_cell_nodes + k] = slopes[k] / h;
+  }
 }
 
 template <int dim>
@@ -262,32 +239,38 @@ template <int dim>
 void BodyField<dim>::prolongate(const Eigen::VectorXd &independent, Eigen::VectorXd &all) const
 {
   all.resize(dim * n_nodes());
-  for (unsigned int i = 0; i < n_nodes(); ++i)
+  for (unsigned int j = 0; j < n_independent(); ++j)
+    all.template segment<dim>(dim * independent_node[j]) = independent.template segment<dim>(dim * j);
+  for (const auto &line : dependent.get_lines())
   {
     Eigen::Matrix<double, dim, 1> value = Eigen::Matrix<double, dim, 1>::Zero();
-    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
-      value += extension_weight[e] * independent.template segment<dim>(dim * extension_node[e]);
-    all.template segment<dim>(dim * i) = value;
+    for (const auto &[node, weight] : line.entries)
+      value += weight * all.template segment<dim>(dim * node);
+    all.template segment<dim>(dim * line.index) = value;
   }
 }
 
 template <int dim>
 void BodyField<dim>::restrict(const Eigen::VectorXd &all, Eigen::VectorXd &independent) const
 {
-  independent.setZero(n_dofs());
-  for (unsigned int i = 0; i < n_nodes(); ++i)
-    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
-      independent.template segment<dim>(dim * extension_node[e]) +=
-          extension_weight[e] * all.template segment<dim>(dim * i);
+  independent.resize(n_dofs());
+  for (unsigned int j = 0; j < n_independent(); ++j)
+    independent.template segment<dim>(dim * j) = all.template segment<dim>(dim * independent_node[j]);
+  for (const auto &line : dependent.get_lines())
+    for (const auto &[node, weight] : line.entries)
+      independent.template segment<dim>(dim * independent_number[node]) +=
+          weight * all.template segment<dim>(dim * line.index);
 }
 
 template <int dim>
 Eigen::VectorXd BodyField<dim>::restrict_scalar(const std::vector<double> &all) const
 {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_independent());
-  for (unsigned int i = 0; i < n_nodes(); ++i)
-    for (unsigned int e = extension_start[i]; e < extension_start[i + 1]; ++e)
-      result[extension_node[e]] += extension_weight[e] * all[i];
+  Eigen::VectorXd result(n_independent());
+  for (unsigned int j = 0; j < n_independent(); ++j)
+    result[j] = all[independent_node[j]];
+  for (const auto &line : dependent.get_lines())
+    for (const auto &[node, weight] : line.entries)
+      result[independent_number[node]] += weight * all[line.index];
   return result;
 }
 
@@ -298,8 +281,8 @@ BodyField<dim>::combine(const unsigned int *nodes, const double *weights, const 
   std::map<unsigned int, double> sum;
   for (unsigned int k = 0; k < n; ++k)
     if (weights[k] != 0.)
-      for (unsigned int e = extension_start[nodes[k]]; e < extension_start[nodes[k] + 1]; ++e)
-        sum[extension_node[e]] += weights[k] * extension_weight[e];
+      for_entries(nodes[k],
+                  [&](const unsigned int j, const double weight) { sum[j] += weights[k] * weight; });
   NodeWeights result;
   for (const auto &[node, weight] : sum)
   {
@@ -323,7 +306,8 @@ NodeWeights BodyField<dim>::weights_at(const dealii::Point<dim> &x) const
   if (!cell_box.contains(c) || cell_box(c) == none)
     return {};
   std::vector<double> weights(n_cell_nodes);
-  evaluate(x, c, 0., weights.data(), nullptr);
+  std::vector<dealii::Tensor<1, dim>> no_slopes;
+  functions->evaluate(lattice->unit_position(x, c), 0., weights, no_slopes);
   return combine(&cell_nodes[cell_box(c) * n_cell_nodes], weights.data(), n_cell_nodes);
 }
 

@@ -14,35 +14,6 @@ namespace softgrain::mpm
 namespace
 {
 constexpr unsigned int none = static_cast<unsigned int>(-1);
-
-/// Value at @p x of the Lagrange polynomial over the nodes 0..n-1 that is one at node @p k.
-double lagrange(const unsigned int n, const unsigned int k, const int x)
-{
-  double value = 1.;
-  for (int j = 0; j < static_cast<int>(n); ++j)
-    if (j != static_cast<int>(k))
-      value *= static_cast<double>(x - j) / (static_cast<int>(k) - j);
-  return value;
-}
-
-/// Nodes of a cell that its points always reach and that carry its polynomial; GIMP's outer ring is reached
-/// by points near a face alone, and may have no mass however full the cell is.
-std::vector<unsigned int> core_nodes(const ShapeFunction &shape, const int dim)
-{
-  const unsigned int n = shape.n_nodes(), core = shape.degree() + 1, skipped = (n - core) / 2;
-  std::vector<unsigned int> list;
-  for (unsigned int k = 0; k < power(n, dim); ++k)
-  {
-    unsigned int rest = k;
-    bool inside = true;
-    for (int d = 0; d < dim; ++d, rest /= n)
-      inside = inside && rest % n >= skipped && rest % n < skipped + core;
-    if (inside)
-      list.push_back(k);
-  }
-  return list;
-}
-
 } // namespace
 
 template <int dim>
@@ -64,80 +35,74 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     upper[d] += cell_box.size[d] - 1;
   Box strong_cells;
   strong_cells.resize(cell_box.lower, upper, none);
-  std::vector<unsigned int> number(n_nodes(), none);
+  independent_number.assign(n_nodes(), none);
   for (unsigned int c = 0; c < n_cells(); ++c)
     if (fill[c] >= limit)
     {
       strong_cells(cell_index[c]) = c;
-      for (const unsigned int k : core_nodes(*shape, dim))
-        number[cell_nodes[c * n_cell_nodes + k]] = 0;
+      for (const unsigned int k : functions->core())
+        independent_number[cell_nodes[c * n_cell_nodes + k]] = 0;
     }
   independent_node.clear();
   for (unsigned int i = 0; i < n_nodes(); ++i)
-    if (number[i] != none)
+    if (independent_number[i] != none)
     {
-      number[i] = independent_node.size();
+      independent_number[i] = independent_node.size();
       independent_node.push_back(i);
     }
 
-  extension_start.assign(1, 0);
-  extension_node.clear();
-  extension_weight.clear();
-  std::vector<std::pair<unsigned int, double>> row;
+  dependent.clear();
   for (unsigned int i = 0; i < n_nodes(); ++i)
-  {
-    row.clear();
-    if (number[i] != none)
-      row.emplace_back(i, 1.);
-    else
-      extend_node(i, strong_cells, row);
-    for (const auto &[node, weight] : row)
+    if (independent_number[i] == none)
     {
-      extension_node.push_back(number[node]);
-      extension_weight.push_back(weight);
+      dependent.add_line(i);
+      dependent.add_entries(i, extend_node(i, strong_cells));
     }
-    extension_start.push_back(extension_node.size());
-  }
+  dependent.close();
 }
 
 template <int dim>
-void BodyField<dim>::extend_node(const unsigned int node,
-                                 const Box &strong_cells,
-                                 std::vector<std::pair<unsigned int, double>> &row) const
+std::vector<typename BodyField<dim>::Index> BodyField<dim>::nearest_cells(const unsigned int node,
+                                                                          const Box &of_cells) const
 {
-  // Distances are taken twice over, in integers: from the node to the centre of a cell.
-  const int twice_shift = static_cast<int>(std::lround(2. * shape->node_shift()));
+  // Distances from the node to the centre of a cell are integers in halves of the distance of two nodes.
+  const int per_edge = shape->nodes_per_edge();
+  const int shift = static_cast<int>(std::lround(2. * per_edge * shape->node_shift()));
+  Index home;
+  for (unsigned int d = 0; d < dim; ++d)
+    home[d] = static_cast<int>(std::floor(static_cast<double>(node_lattice_index[node][d]) / per_edge));
   const auto distance = [&](const Index &c)
   {
     long sum = 0;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      const long x = 2 * (node_lattice_index[node][d] - c[d]) + twice_shift - 1;
+      const long x = 2 * (node_lattice_index[node][d] - per_edge * c[d]) + shift - per_edge;
       sum += x * x;
     }
     return sum;
   };
   std::vector<Index> nearest;
   long best = std::numeric_limits<long>::max();
-  const int reach = *std::max_element(strong_cells.size.begin(), strong_cells.size.end()) + 4;
+  const int reach = *std::max_element(of_cells.size.begin(), of_cells.size.end()) + 4;
   for (int r = 0; r <= reach; ++r)
   {
     // No cell of this ring can be nearer than 2r - 1 half cells.
-    if (static_cast<long>(std::max(0, 2 * r - 1)) * std::max(0, 2 * r - 1) > best)
+    const long least = static_cast<long>(per_edge) * std::max(0, 2 * r - 1);
+    if (least * least > best)
       break;
     Index lower, upper;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      lower[d] = node_lattice_index[node][d] - r;
-      upper[d] = node_lattice_index[node][d] + r;
+      lower[d] = home[d] - r;
+      upper[d] = home[d] + r;
     }
     for_box<dim>(lower, upper,
                  [&](const Index &c)
                  {
                    int ring = 0;
                    for (unsigned int d = 0; d < dim; ++d)
-                     ring = std::max(ring, std::abs(c[d] - node_lattice_index[node][d]));
-                   if (ring != r || !strong_cells.contains(c) || strong_cells(c) == none)
+                     ring = std::max(ring, std::abs(c[d] - home[d]));
+                   if (ring != r || !of_cells.contains(c) || of_cells(c) == none)
                      return;
                    const long found = distance(c);
                    if (found < best)
@@ -147,25 +112,28 @@ void BodyField<dim>::extend_node(const unsigned int node,
                    best = std::min(best, found);
                  });
   }
+  return nearest;
+}
 
+template <int dim>
+typename BodyField<dim>::Entries BodyField<dim>::extend_node(const unsigned int node,
+                                                             const Box &strong_cells) const
+{
+  const std::vector<Index> nearest = nearest_cells(node, strong_cells);
   std::map<unsigned int, double> sum;
-  const unsigned int n = shape->n_nodes(), core = shape->degree() + 1, skipped = (n - core) / 2;
   for (const Index &c : nearest)
-    for (const unsigned int k : core_nodes(*shape, dim))
+  {
+    Index place = node_lattice_index[node];
+    for (unsigned int d = 0; d < dim; ++d)
+      place[d] -= first_node(c)[d];
+    for (const unsigned int k : functions->core())
     {
-      unsigned int rest = k;
-      double weight = 1. / nearest.size();
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        weight *=
-            lagrange(core, rest % n - skipped,
-                     node_lattice_index[node][d] - c[d] - shape->first_node() - static_cast<int>(skipped));
-        rest /= n;
-      }
+      const double weight = functions->extrapolate(k, place) / nearest.size();
       if (weight != 0.)
         sum[node_box(node_index(c, k))] += weight;
     }
-  row.assign(sum.begin(), sum.end());
+  }
+  return Entries(sum.begin(), sum.end());
 }
 
 template <int dim>
@@ -180,9 +148,8 @@ void BodyField<dim>::build_cell_dependence()
     bool direct = true;
     for (unsigned int k = 0; k < n_cell_nodes; ++k)
     {
-      const unsigned int begin = extension_start[nodes[k]], end = extension_start[nodes[k] + 1];
-      direct = direct && end - begin == 1 && independent_node[extension_node[begin]] == nodes[k];
-      list.insert(list.end(), extension_node.begin() + begin, extension_node.begin() + end);
+      direct = direct && !dependent.is_constrained(nodes[k]);
+      for_entries(nodes[k], [&](const unsigned int j, double) { list.push_back(j); });
     }
     if (!direct)
     {
@@ -190,9 +157,9 @@ void BodyField<dim>::build_cell_dependence()
       list.erase(std::unique(list.begin(), list.end()), list.end());
       cell_matrix[c].setZero(n_cell_nodes, list.size());
       for (unsigned int k = 0; k < n_cell_nodes; ++k)
-        for (unsigned int e = extension_start[nodes[k]]; e < extension_start[nodes[k] + 1]; ++e)
-          cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), extension_node[e]) - list.begin()) =
-              extension_weight[e];
+        for_entries(
+            nodes[k], [&](const unsigned int j, const double weight)
+            { cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), j) - list.begin()) = weight; });
     }
     cell_dependence[c] = std::move(list);
   }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/field/shape_function.h>
 
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/point.h>
+
+#include <deal.II/fe/fe_q.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,19 +15,40 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// Hats on the vertices, FE_Q(1).
-class LinearShape final : public ShapeFunction
+/// The functions of deal.II's FE_Q: equal to one at their own node of a cell and zero at all others.
+class LagrangeShape : public ShapeFunction
 {
 public:
-  unsigned int n_nodes() const override { return 2; }
+  explicit LagrangeShape(const unsigned int degree) : element_degree(degree) {}
+  unsigned int n_nodes() const override { return element_degree + 1; }
   int first_node() const override { return 0; }
+  unsigned int nodes_per_edge() const override { return element_degree; }
   double node_shift() const override { return 0.; }
-  unsigned int degree() const override { return 1; }
-  void evaluate(const double xi, const double, Values &values, Values &slopes) const override
+  unsigned int degree() const override { return element_degree; }
+  std::vector<Polynomial> polynomials() const override
   {
-    values = {{1. - xi, xi, 0., 0.}};
-    slopes = {{-1., 1., 0., 0.}};
+    std::vector<dealii::Point<1>> nodes = dealii::FE_Q<1>(element_degree).get_unit_support_points();
+    std::sort(nodes.begin(), nodes.end(), [](const auto &a, const auto &b) { return a[0] < b[0]; });
+    return dealii::Polynomials::generate_complete_Lagrange_basis(nodes);
   }
+
+private:
+  const unsigned int element_degree;
+};
+
+class LinearShape final : public LagrangeShape
+{
+public:
+  LinearShape() : LagrangeShape(1) {}
+};
+
+class QuadraticShape final : public LagrangeShape
+{
+public:
+  QuadraticShape() : LagrangeShape(2) {}
+  bool nowhere_negative() const override { return false; }
+  // With two, a cell has deformations that strain no point.
+  unsigned int least_points() const override { return 3; }
 };
 
 /// Hats averaged over the initial extent of the point (uniform GIMP, Bardenhagen and Kober 2004).
@@ -64,10 +90,9 @@ public:
   int first_node() const override { return -1; }
   double node_shift() const override { return 0.5; }
   unsigned int degree() const override { return 2; }
-  void evaluate(const double xi, const double, Values &values, Values &slopes) const override
+  std::vector<Polynomial> polynomials() const override
   {
-    values = {{0.5 * (1. - xi) * (1. - xi), 0.5 + xi * (1. - xi), 0.5 * xi * xi, 0.}};
-    slopes = {{xi - 1., 1. - 2. * xi, xi, 0.}};
+    return {Polynomial({0.5, -1., 0.5}), Polynomial({0.5, 1., -1.}), Polynomial({0., 0., 0.5})};
   }
 };
 
@@ -81,8 +106,17 @@ using ShapeRegistry = Registry<ShapeFunction>;
                                   "hat functions averaged over the extent of a point",
                                   [] { return std::make_unique<GimpShape>(); }),
     ShapeRegistry::instance().add(
-        "bspline", "uniform quadratic B-splines", [] { return std::make_unique<BSplineShape>(); })};
+        "bspline", "uniform quadratic B-splines", [] { return std::make_unique<BSplineShape>(); }),
+    ShapeRegistry::instance().add(
+        "quadratic",
+        "FE_Q(2) of deal.II, without inertia and with three points per direction only",
+        [] { return std::make_unique<QuadraticShape>(); })};
 } // namespace
+
+void ShapeFunction::evaluate(double, double, Values &, Values &) const
+{
+  AssertThrow(false, dealii::ExcMessage("a shape function has either polynomials or evaluate()"));
+}
 
 std::unique_ptr<ShapeFunction> create_shape_function(const std::string &name)
 {

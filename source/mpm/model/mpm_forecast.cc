@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -45,11 +46,12 @@ BodyCost cost_of(const BodyGroup &body, const Settings &settings)
   cost.memory = fitted::point_memory * cost.points;
   if (body.driven)
     return cost;
-  cost.unknowns = 2. * cells;
+  const double per_edge = create_shape_function(settings.shape)->nodes_per_edge();
+  cost.unknowns = 2. * cells * per_edge * per_edge;
   if (!settings.scheme.implicit)
     return cost;
   // Rows that span the body's shorter side, unless a sparse factorisation takes over.
-  const double n = cost.unknowns, band = 2. * body.short_edge / h;
+  const double n = cost.unknowns, band = 2. * per_edge * body.short_edge / h;
   cost.factor_seconds =
       std::min(fitted::factor_seconds * n * band * band, fitted::sparse_seconds * std::pow(n, 1.5));
   cost.memory += 8. * n * std::min(band, 8. * std::log2(n + 2.));

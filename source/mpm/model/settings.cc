@@ -212,6 +212,26 @@ void declare_contact(dealii::ParameterHandler &prm)
                           "again for study; empty: none are kept.");
       });
 }
+
+/// What a shape function asks of the rest. @throw InputError
+void check_shape_function(const Settings &settings)
+{
+  const std::unique_ptr<ShapeFunction> function = create_shape_function(settings.shape);
+  const std::string name = "'Material points/Shape function' = '" + settings.shape + "'";
+  const std::string negative = ": it is negative in places, and so may be the mass of a node; choose ";
+  if (!function->nowhere_negative() && settings.scheme.inertia)
+    throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name + "'" + negative +
+                     "'quasi_static', or another shape function");
+  if (!function->nowhere_negative() && !settings.contact_on_boundaries)
+    throw InputError(name + " is not allowed with 'Contact/Geometry' = '" + settings.contact_geometry + "'" +
+                     negative + "'surface', or another shape function");
+  if (settings.points_per_direction < function->least_points())
+    throw InputError("'Material points/Points per direction' = '" +
+                     std::to_string(settings.points_per_direction) +
+                     "' is not allowed with 'Shape function' = '" + settings.shape +
+                     "': a cell has deformations that strain none of so few points; choose " +
+                     std::to_string(function->least_points()) + " or more");
+}
 } // namespace
 
 void Settings::declare_parameters(dealii::ParameterHandler &prm)
@@ -335,5 +355,6 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
               "'Contact/Solver' = 'lumped' is not allowed with 'Time/Scheme' = 'quasi_static', which has no "
               "masses: choose 'condensed'");
       });
+  check_shape_function(*this);
 }
 } // namespace softgrain::mpm

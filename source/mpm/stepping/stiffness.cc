@@ -280,6 +280,12 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix)
     for (const unsigned int cell : color)
       nodes[cell] = field.cell_independent(cell);
   matrix.reinit(dim, field.n_independent(), nodes);
+  std::vector<double> places;
+  places.reserve(field.n_dofs());
+  for (unsigned int j = 0; j < field.n_independent(); ++j)
+    for (unsigned int d = 0; d < dim; ++d)
+      places.push_back(field.position(field.node_of_independent(j))[d]);
+  matrix.set_places(std::move(places));
 }
 
 template <int dim>

@@ -11,10 +11,9 @@ public:
   int first_node() const override { return 0; }
   double node_shift() const override { return 0.; }
   unsigned int degree() const override { return 1; }
-  void evaluate(const double xi, const double, Values &values, Values &slopes) const override
+  std::vector<Polynomial> polynomials() const override
   {
-    values = {{1. - xi, xi, 0., 0.}};
-    slopes = {{-1., 1., 0., 0.}};
+    return {Polynomial({1., -1.}), Polynomial({0., 1.})};
   }
 };
 

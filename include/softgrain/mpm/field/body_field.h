@@ -2,15 +2,19 @@
 #ifndef softgrain_mpm_field_body_field_h
 #define softgrain_mpm_field_body_field_h
 
+#include <softgrain/mpm/field/cell_functions.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <deal.II/lac/affine_constraints.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace softgrain::mpm
@@ -31,7 +35,7 @@ struct NodeWeights
  * B-splines, Höllig, Reif and Wipper 2001; aggregated elements, Badia, Verdugo and Martín 2018). Where
  * several well-filled cells are equally near their mean is taken, so that symmetric bodies keep symmetric
  * fields. T reproduces polynomials up to the degree of the shape functions, hence every rigid and affine
- * motion.
+ * motion. It is an AffineConstraints of deal.II over the nodes, the same for every component.
  *
  * A *node* below is a local node of this body; a *dof* is (independent node, direction), numbered node * dim
  * + direction.
@@ -99,7 +103,9 @@ public:
   /// T^T m for one scalar per node.
   Eigen::VectorXd restrict_scalar(const std::vector<double> &all) const;
 
-  /// Row i of T.
+  /// T: a constraint for every node that is not independent, on nodes that are.
+  const dealii::AffineConstraints<double> &constraints() const { return dependent; }
+  /// Row i of T, in terms of independent nodes.
   NodeWeights extension(unsigned int node) const;
   /// The field at marker @p m in terms of independent nodes.
   const NodeWeights &marker_weights(const unsigned int m) const { return marker_rows[m]; }
@@ -132,21 +138,29 @@ private:
   void number_nodes();
   void evaluate_points(const Places &places);
   void build_extension(const std::vector<double> &volumes, double fill_limit);
-  void extend_node(unsigned int node,
-                   const Box &strong_cells,
-                   std::vector<std::pair<unsigned int, double>> &row) const;
+  std::vector<Index> nearest_cells(unsigned int node, const Box &of_cells) const;
+  using Entries = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+  Entries extend_node(unsigned int node, const Box &strong_cells) const;
   void build_cell_dependence();
   void color_cells();
-  void evaluate(const dealii::Point<dim> &x,
-                const Index &cell,
-                double half_extent,
-                double *values,
-                dealii::Tensor<1, dim> *slopes) const;
+  Index first_node(const Index &cell) const;
   Index node_index(const Index &cell, unsigned int k) const;
+  /// Calls f(independent node, weight) for the entries of row @p node of T.
+  template <class F>
+  void for_entries(const unsigned int node, const F &f) const
+  {
+    const auto *entries = dependent.get_constraint_entries(node);
+    if (entries == nullptr)
+      f(independent_number[node], 1.);
+    else
+      for (const auto &[other, weight] : *entries)
+        f(independent_number[other], weight);
+  }
   NodeWeights combine(const unsigned int *nodes, const double *weights, unsigned int n) const;
 
   const Lattice<dim> *lattice = nullptr;
   const ShapeFunction *shape = nullptr;
+  std::shared_ptr<const CellFunctions<dim>> functions;
   unsigned int n_cell_nodes = 0;
 
   Box cell_box, node_box;
@@ -158,8 +172,8 @@ private:
   std::vector<dealii::Tensor<1, dim>> point_slopes;
 
   std::vector<unsigned int> independent_node;
-  std::vector<unsigned int> extension_start, extension_node; ///< T in compressed rows
-  std::vector<double> extension_weight;
+  std::vector<unsigned int> independent_number; ///< of every node; of those that depend on others: none
+  dealii::AffineConstraints<double> dependent;  ///< T without the rows of independent nodes
   std::vector<NodeWeights> marker_rows;
 
   std::vector<std::vector<unsigned int>> cell_dependence;
