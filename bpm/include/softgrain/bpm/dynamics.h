@@ -35,6 +35,7 @@ struct DynamicsSettings
   double wall_force_floor = 0;        ///< what the force on a wall counts as at least [N/m]
   contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
 
+  bool any_rolling() const { return rolling_resistance > 0. || inner_rolling_resistance > 0.; }
   /// Whether rotations of the primaries matter.
   bool rotations(const std::vector<Wall> &walls) const;
 };
@@ -117,7 +118,7 @@ public:
   struct WallMemory
   {
     std::uint32_t wall = 0, primary = 0;
-    contact::NeighbourList::Memory impulse{};
+    contact::PairMemory::Impulses impulse{};
   };
   std::vector<WallMemory> &wall_memory() { return remembered_at_walls; }
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
@@ -138,7 +139,7 @@ private:
                double opening,
                double friction,
                double rolling,
-               const contact::NeighbourList::Memory &memory);
+               const contact::PairMemory::Impulses &memory);
   void prepare_bodies(double dt,
                       const std::vector<Wall> &walls,
                       const std::vector<std::array<double, 2>> &acceleration);
