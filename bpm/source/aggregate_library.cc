@@ -3,6 +3,7 @@
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/geometry/shape.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -27,28 +28,25 @@ AggregateLibrary::AggregateLibrary(const std::string &file_name) : file(file_nam
     throw InputError("'Primaries/Library': line " + std::to_string(number) + " of '" + file +
                      "' is not one of an aggregate library, which has the columns " + heading);
   };
-  if (line != heading)
+  if (line != heading && line != heading + '\r')
     complain(1);
   for (std::size_t number = 2; std::getline(in, line); ++number)
   {
+    if (!line.empty() && line.back() == '\r') // lines of Windows end with it
+      line.pop_back();
     std::istringstream fields(line);
-    std::string key, x, y, r;
+    std::string key;
     std::getline(fields, key, ',');
-    std::getline(fields, x, ',');
-    std::getline(fields, y, ',');
-    std::getline(fields, r);
-    try
-    {
-      Aggregate &aggregate = aggregates[key];
-      aggregate.position.push_back({std::stod(x), std::stod(y)});
-      aggregate.radius.push_back(std::stod(r));
-    }
-    catch (const std::exception &)
-    {
+    std::array<double, 2> place{};
+    double radius = 0.;
+    char first = 0, second = 0;
+    fields >> place[0] >> first >> place[1] >> second >> radius;
+    if (key.empty() || !fields || !(fields >> std::ws).eof() || first != ',' || second != ',' ||
+        !std::isfinite(place[0] + place[1] + radius) || !(radius > 0.))
       complain(number);
-    }
-    if (!(aggregates[key].radius.back() > 0.))
-      complain(number);
+    Aggregate &aggregate = aggregates[key];
+    aggregate.position.push_back(place);
+    aggregate.radius.push_back(radius);
   }
 }
 

@@ -44,13 +44,15 @@ void BpmModel::save(StateWriter &out) const
   out.write("bpm/angular_velocity", disks.angular_velocity);
   out.write("bpm/start_position", flat(start_position));
   out.write("bpm/area_at_start", area_at_start);
-  // The area was measured when the list was made: it is the same after a restart only if it is kept.
-  out.write("bpm/solid_area", std::vector<double>{solid_area()});
+  // The area was measured after the list was made: it is the same after a restart only if it is kept. One
+  // that nobody has asked for since is not measured for a checkpoint.
+  const bool measured = area_of_list == dynamics->lists_made();
+  out.write("bpm/solid_area", std::vector<double>{measured ? area_now : -1.});
   save_walls(out, "bpm/walls", moving_walls);
 
   const contact::NeighbourList &list = dynamics->neighbours();
   out.write("bpm/neighbours/build_position", flat(list.build_positions()));
-  out.write("bpm/neighbours/memory", flat(list.memory()));
+  out.write("bpm/neighbours/memory", list.memory().values());
   std::vector<std::uint64_t> indices;
   std::vector<std::array<double, 3>> impulses;
   for (const Dynamics::WallMemory &memory : dynamics->wall_memory())
@@ -85,7 +87,10 @@ void BpmModel::load(StateReader &in)
   // The same places give the same list in the same order, so that every sum is formed as if never stopped.
   contact::NeighbourList &list = dynamics->neighbours();
   list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")));
-  list.memory() = unflat<3>(in.read_doubles("bpm/neighbours/memory"));
+  const std::vector<double> memory = in.read_doubles("bpm/neighbours/memory");
+  if (memory.size() != list.memory().values().size())
+    throw InputError("the checkpoint was made with other primaries or frictions");
+  list.memory().values() = memory;
   const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
   const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));
   dynamics->wall_memory().clear();

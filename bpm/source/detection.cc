@@ -189,7 +189,7 @@ void Dynamics::resize_rows(const std::size_t n)
   rows.arm_a.resize(n);
   rows.arm_b.resize(n);
   rows.tangential_impulse.resize(n);
-  if (settings.rolling_resistance > 0. || settings.inner_rolling_resistance > 0.)
+  if (settings.any_rolling())
   {
     rows.rolling.resize(n);
     rows.rolling_impulse.resize(n);
@@ -203,7 +203,7 @@ void Dynamics::set_row(const std::size_t row,
                        const double opening,
                        const double friction,
                        const double rolling,
-                       const contact::NeighbourList::Memory &memory)
+                       const contact::PairMemory::Impulses &memory)
 {
   rows.a[row] = a;
   rows.b[row] = b;
@@ -250,7 +250,7 @@ void Dynamics::collect_walls(const std::vector<Wall> &walls)
       set_row(rows.size() - 1, i, primaries.size() + w, normal, opening,
               settings.pairs.friction_at_wall(primaries.body[i], w),
               primaries.radius[i] * settings.rolling_resistance,
-              known ? remembered->impulse : contact::NeighbourList::Memory{});
+              known ? remembered->impulse : contact::PairMemory::Impulses{});
     }
   }
 }
@@ -295,21 +295,19 @@ void Dynamics::collect(const std::vector<Wall> &walls)
 
 void Dynamics::remember()
 {
-  const auto impulses = [&](const std::size_t row) -> contact::NeighbourList::Memory
+  const auto impulses = [&](const std::size_t row) -> contact::PairMemory::Impulses
   {
     return {rows.impulse[row], rotations ? rows.tangential_impulse[row] : 0.,
             rows.rolling_impulse.empty() ? 0. : rows.rolling_impulse[row]};
   };
-  std::vector<contact::NeighbourList::Memory> &memory = list.memory();
+  contact::PairMemory &memory = list.memory();
   parallel_for(memory.size(), pairs_to_a_piece,
-               [&](const std::size_t begin, const std::size_t end) {
-                 std::fill(memory.begin() + begin, memory.begin() + end, contact::NeighbourList::Memory{});
-               });
+               [&](const std::size_t begin, const std::size_t end) { memory.forget(begin, end); });
   parallel_for(pair_of_row.size(), rows_to_a_piece,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t row = begin; row < end; ++row)
-                   memory[pair_of_row[row]] = impulses(row);
+                   memory.set(pair_of_row[row], impulses(row));
                });
   remembered_at_walls.clear();
   for (std::size_t row = pair_of_row.size(); row < rows.size(); ++row)

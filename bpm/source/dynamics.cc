@@ -55,7 +55,7 @@ contact::NeighbourList::Range range_of(const double contact_reach,
 
 bool DynamicsSettings::rotations() const
 {
-  return !pairs.frictionless() || rolling_resistance > 0. || inner_rolling_resistance > 0.;
+  return !pairs.frictionless() || any_rolling();
 }
 
 Dynamics::Dynamics(Primaries disks,
@@ -75,7 +75,10 @@ Dynamics::Dynamics(Primaries disks,
     inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
   const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
   list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
-                                range_of(contact_reach(), settings.skin, laws, diameter));
+                                range_of(contact_reach(), settings.skin, laws, diameter),
+                                !rotations               ? 1
+                                : settings.any_rolling() ? 3
+                                                         : 2);
 }
 
 double Dynamics::contact_reach() const

@@ -5,8 +5,34 @@ import re
 
 import common
 
-# Of all columns of an expectation at once; a number below it could be anything.
-LARGEST_ABSOLUTE_TOLERANCE = 1e-6
+# A number may be off by more than this share of itself only where the word before says that it is a bound.
+LARGEST_SHARE = 0.01
+BOUNDS = ("below", "above", "to", "within")
+# Numbers that much smaller than the absolute tolerance are what rounding has left of zero.
+ROUNDING = 1e-5
+LARGEST_RELATIVE_TOLERANCE = 0.05
+
+
+def loose_numbers(text):
+    """Numbers of an expectation that a wrong one would pass for, with the tolerance that lets it."""
+    everywhere, columns = (1e-9, 1e-7), {}
+    for column, absolute, relative in re.findall(r"^# tolerance(?: of column (\d+))?: (\S+) (\S+)$", text, re.MULTILINE):
+        if column:
+            columns[int(column)] = float(absolute), float(relative)
+        else:
+            everywhere = float(absolute), float(relative)
+    for line in re.sub(r"^# tolerance.*\n", "", text, flags=re.MULTILINE).splitlines():
+        words = [word for word in re.split(r"[ \t=,:;<>\[\](){}^']+", line) if word]
+        for column, (before, word) in enumerate(zip(["", *words], words), 1):
+            absolute, relative = columns.get(column, everywhere)
+            try:
+                size = abs(float(word))
+            except ValueError:
+                continue
+            if relative > LARGEST_RELATIVE_TOLERANCE:
+                yield word, relative
+            elif before not in BOUNDS and ROUNDING * absolute < size < absolute / LARGEST_SHARE:
+                yield word, absolute
 
 
 def check(root):
@@ -34,10 +60,8 @@ def check(root):
             if path.suffix == ".output" and (root / path).stat().st_size == 0:
                 yield f"{path}: expects nothing, so the test cannot fail"
             if path.suffix == ".output":
-                tolerance = re.match(r"# tolerance: (\S+)", (root / path).read_text(encoding="utf-8"))
-                if tolerance and not float(tolerance[1]) <= LARGEST_ABSOLUTE_TOLERANCE:
-                    yield f"{path}: the absolute tolerance {tolerance[1]} is above {LARGEST_ABSOLUTE_TOLERANCE:g} and " \
-                          "would let small numbers be anything; give the column its own"
+                for number, tolerance in loose_numbers((root / path).read_text(encoding="utf-8")):
+                    yield f"{path}: the tolerance {tolerance:g} lets {number} be anything; give the file or the column its own"
             if path.suffix == ".cc" and not any(
                     other.suffix == ".output" and other.name.split(".")[0] == name for other in here):
                 yield f"{path}: no {name}.output beside it"

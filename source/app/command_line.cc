@@ -38,6 +38,9 @@ const char *const exit_codes =
 int report_error(std::string message, const int exit_code)
 {
   std::replace(message.begin(), message.end(), '\n', ' ');
+  // What a file holds may be quoted; a terminal would obey some of it.
+  std::replace_if(
+      message.begin(), message.end(), [](const unsigned char c) { return c < ' ' || c == 127; }, '?');
   std::cout << std::flush;
   std::cerr << "softgrain: error: " << message << std::endl;
   return exit_code;

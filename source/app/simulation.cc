@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/analysis/box_measures.h>
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/output_folder.h>
-#include <softgrain/app/restart_check.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/geometry/box.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/summary.h>
@@ -28,8 +25,6 @@ namespace softgrain
 {
 namespace
 {
-const char *const seen_name = "driver/stop_seen";
-
 double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -71,7 +66,7 @@ void Simulation::restart(StateReader &checkpoint,
   field_schedule.skip_to(model.time(), planner.slack());
   snapshots.resume(model.time());
   snapshot_schedule.skip_to(model.time(), planner.slack());
-  seen = load_stop_memory(checkpoint, seen_name);
+  seen = load_stop_memory(checkpoint, stop_seen_name);
   if (!measures.measures().empty())
   {
     measure_table.resume(model.step(), measure_columns(measures.measures()));
@@ -191,18 +186,12 @@ std::string Simulation::loop()
   {
     try
     {
-      report = model.advance(planner.limit(model.time(), next_target()));
+      report = take_step();
     }
     catch (const Interrupted &)
     {
-      break; // the model is as it was before the step
+      break; // all is as it was before the step
     }
-    planner.taken(report.dt);
-    // What ends the run or a stage is measured in a state that may be written, and so is the end.
-    settle_if_written(report);
-    stop.note(run_state(), seen);
-    path.note(planner.slack());
-    settle_if_written(report);
     statistics.add_step(report);
     write_due_output(report);
     if (!path.is_last() && path.stage_is_done(planner.slack()))
@@ -224,6 +213,30 @@ std::string Simulation::loop()
   if (last_picture_step != model.step() && report.dt > 0)
     write_pictures(field_schedule.active(), snapshot_schedule.active());
   return "completed";
+}
+
+StepReport Simulation::take_step()
+{
+  const StepPlanner planner_before = planner;
+  const StopMemory seen_before = seen, seen_in_stage = path.memory();
+  try
+  {
+    StepReport report = model.advance(planner.limit(model.time(), next_target()));
+    planner.taken(report.dt);
+    // What ends the run or a stage is measured in a state that may be written, and so is the end.
+    settle_if_written(report);
+    stop.note(run_state(), seen);
+    path.note(planner.slack());
+    settle_if_written(report);
+    return report;
+  }
+  catch (...)
+  {
+    planner = planner_before;
+    seen = seen_before;
+    path.take_back(seen_in_stage);
+    throw;
+  }
 }
 
 double Simulation::next_target() const
@@ -256,68 +269,6 @@ void Simulation::settle_if_written(StepReport &report)
     model.settle(report);
 }
 
-void Simulation::write_due_output(const StepReport &report)
-{
-  if (model.step() % parameters.history_every == 0)
-    write_history(report);
-  const bool fields_due = field_schedule.reached(model.time(), planner.slack());
-  const bool snapshots_due = snapshot_schedule.reached(model.time(), planner.slack());
-  write_pictures(fields_due, snapshots_due);
-}
-
-void Simulation::write_history(const StepReport &report)
-{
-  lock.check_folder();
-  const auto begin = std::chrono::steady_clock::now();
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<WallState<2>> walls = model.walls();
-  const Energies energies = model.energies();
-  statistics.add_energies(energies);
-  HistoryRow row = {
-      {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", report.dt}};
-  for (const WallState<2> &wall : walls)
-  {
-    row.emplace_back(wall.name + "_position_m", wall.position);
-    row.emplace_back(wall.name + "_force_N_per_m", wall.normal_force);
-  }
-  if (!path.empty())
-    row.emplace_back("stage", path.number() + 1.);
-  row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
-  // Where there is no box to be filled, nobody need know what fills it.
-  row.emplace_back("packing_fraction",
-                   box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
-  row.emplace_back("coordination", model.coordination());
-  row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
-  row.emplace_back("elastic_energy_J_per_m", energies.elastic);
-  row.emplace_back("dissipated_energy_J_per_m", energies.dissipated);
-  row.emplace_back("contact_residual", report.contact_residual);
-  row.emplace_back("max_penetration_m", report.max_penetration);
-  row.emplace_back("newton_iterations", report.newton_iterations);
-  row.emplace_back("contact_sweeps", report.contact_sweeps);
-  const HistoryRow extra = model.extra_history();
-  row.insert(row.end(), extra.begin(), extra.end());
-  history.write(row);
-  last_history_step = model.step();
-  statistics.add_output_seconds(seconds_since(begin));
-}
-
-void Simulation::write_pictures(const bool write_fields, const bool write_snapshots)
-{
-  if (!write_fields && !write_snapshots)
-    return;
-  lock.check_folder();
-  const auto begin = std::chrono::steady_clock::now();
-  const Snapshot<2> snapshot = model.snapshot();
-  if (write_fields)
-    fields.write(snapshot);
-  if (write_snapshots)
-    snapshots.append(snapshot);
-  if (write_snapshots && !measures.measures().empty())
-    measure_table.write(measure_row(measures, snapshot));
-  last_picture_step = model.step();
-  statistics.add_output_seconds(seconds_since(begin));
-}
-
 void Simulation::enter_next_stage(const StepReport &report)
 {
   if (last_history_step != model.step())
@@ -330,34 +281,6 @@ void Simulation::enter_next_stage(const StepReport &report)
              << " begins\n";
   write_checkpoint();
   write_state(stage_path(parameters.output_directory, ended));
-}
-
-void Simulation::write_state(const std::string &file)
-{
-  CheckpointWriter writer(file);
-  model.save(writer);
-  statistics.save(writer);
-  path.save(writer);
-  save(writer, seen_name, seen);
-  writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
-  save_description(writer, effective_parameters, scene);
-  writer.commit();
-}
-
-void Simulation::write_checkpoint()
-{
-  lock.check_folder();
-  const auto begin = std::chrono::steady_clock::now();
-  write_state(checkpoint_path(parameters.output_directory, model.step()));
-  // Those of a way that was given up for an older checkpoint would be taken for newer ones.
-  remove_checkpoints_after(parameters.output_directory, model.step());
-  remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
-  statistics.add_output_seconds(seconds_since(begin));
-}
-
-void Simulation::write_summary(const std::string &status)
-{
-  softgrain::write_summary(parameters.output_directory, statistics.summary(status, model));
 }
 
 void Simulation::print_head()

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <vector>
 
 namespace softgrain
 {
@@ -23,12 +22,18 @@ std::int64_t create_hdf5_image(const std::string &path)
   return file;
 }
 
-void write_hdf5_image(const std::int64_t file, const std::string &path)
+std::vector<char> hdf5_image(const std::int64_t file, const std::string &path)
 {
   const ssize_t size = H5Fflush(file, H5F_SCOPE_GLOBAL) < 0 ? -1 : H5Fget_file_image(file, nullptr, 0);
   std::vector<char> bytes(size > 0 ? size : 0);
   if (size <= 0 || H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
     throw ComputationError("cannot write " + path + ": HDF5 does not give its content");
+  return bytes;
+}
+
+void write_hdf5_image(const std::int64_t file, const std::string &path)
+{
+  const std::vector<char> bytes = hdf5_image(file, path);
   write_bytes(path, bytes.data(), bytes.size());
 }
 

@@ -64,8 +64,9 @@ struct CellGrid
 
 NeighbourList::NeighbourList(std::vector<double> radii,
                              std::vector<std::uint32_t> groups,
-                             const Range &list_range)
-    : radius(std::move(radii)), group(std::move(groups)), range(list_range)
+                             const Range &list_range,
+                             const unsigned int n_impulses)
+    : radius(std::move(radii)), group(std::move(groups)), range(list_range), memories(n_impulses)
 {
   if (!group.empty() && group.size() != radius.size())
     throw InputError("neighbour list: " + std::to_string(group.size()) + " groups for " +
@@ -103,7 +104,7 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
     throw InputError("neighbour list: " + std::to_string(positions.size()) + " places for " +
                      std::to_string(radius.size()) + " disks");
   const std::vector<std::uint32_t> old_first = std::move(first), old_second = std::move(second);
-  const std::vector<Memory> old_memories = std::move(memories);
+  const PairMemory old_memories = std::move(memories);
   first.clear();
   second.clear();
   tiles.assign(1, 0);
@@ -111,7 +112,7 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
   built_at = positions;
   if (positions.empty())
   {
-    memories.clear();
+    memories.assign(0);
     return;
   }
 
@@ -185,21 +186,20 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
 
 void NeighbourList::take_over_memories(const std::vector<std::uint32_t> &old_first,
                                        const std::vector<std::uint32_t> &old_second,
-                                       const std::vector<Memory> &old_memories)
+                                       const PairMemory &old_memories)
 {
-  memories.assign(first.size(), Memory{});
+  memories.assign(first.size());
   // What is remembered, sorted by the disk with the lower number: a handful of entries per disk.
   std::vector<std::uint32_t> start(radius.size() + 1, 0), entries;
-  const auto remembers = [&](const std::size_t pair) { return old_memories[pair] != Memory{}; };
   for (std::size_t pair = 0; pair < old_first.size(); ++pair)
-    if (remembers(pair))
+    if (old_memories.remembers(pair))
       ++start[std::min(old_first[pair], old_second[pair]) + 1];
   for (std::size_t i = 1; i < start.size(); ++i)
     start[i] += start[i - 1];
   entries.resize(start.back());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (std::size_t pair = 0; pair < old_first.size(); ++pair)
-    if (remembers(pair))
+    if (old_memories.remembers(pair))
       entries[next[std::min(old_first[pair], old_second[pair])]++] = pair;
   for (std::size_t pair = 0; pair < first.size(); ++pair)
   {
@@ -208,7 +208,7 @@ void NeighbourList::take_over_memories(const std::vector<std::uint32_t> &old_fir
       if (std::max(old_first[entries[k]], old_second[entries[k]]) == high)
       {
         // Impulses are scalars along n, t and the axis: the same whichever disk comes first.
-        memories[pair] = old_memories[entries[k]];
+        memories.set(pair, old_memories[entries[k]]);
         break;
       }
   }

@@ -102,10 +102,19 @@ void write_number(const hid_t file, const char *name, const T value)
   require(H5Awrite(attribute, memory_type<T>(), &value));
 }
 
+/// HDF5 writes as many values as the attribute has, whatever there is room for.
+void require_one(const hid_t attribute)
+{
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    throw ComputationError("HDF5 refuses");
+}
+
 template <typename T>
 T read_number(const hid_t file, const char *name)
 {
   const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+  require_one(attribute);
   T value;
   require(H5Aread(attribute, memory_type<T>(), &value));
   return value;
@@ -124,6 +133,7 @@ void write_text(const hid_t file, const char *name, const std::string &text)
 std::string read_text(const hid_t file, const char *name)
 {
   const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+  require_one(attribute);
   const Handle type(H5Aget_type(attribute), H5Tclose);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
     throw ComputationError("HDF5 refuses");

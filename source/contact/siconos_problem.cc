@@ -3,6 +3,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/contact/problem_io.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <numeric>
@@ -24,10 +25,20 @@ T next(std::istream &in, const char *what)
 template <typename T>
 std::vector<T> next_values(std::istream &in, const std::size_t n, const char *what)
 {
-  std::vector<T> values(n);
-  for (T &value : values)
-    value = next<T>(in, what);
+  std::vector<T> values;
+  while (values.size() < n) // not made at once: n may be damaged, and the file ends sooner
+    values.push_back(next<T>(in, what));
   return values;
+}
+
+/// A matrix of so many rows is kept whole; more of them do not fit into memory.
+constexpr unsigned int max_rows = 20000;
+
+void check_rows(const unsigned int n)
+{
+  if (n > max_rows)
+    throw InputError("the matrix has " + std::to_string(n) + " rows, at most " + std::to_string(max_rows) +
+                     " are read");
 }
 
 /// Reads a dense matrix; @p n_after values follow it. Siconos writes the sizes a second time before the
@@ -40,6 +51,8 @@ Eigen::MatrixXd read_dense(std::istream &in, const unsigned int n, const std::si
     ++n_left;
   in.clear();
   in.seekg(begin);
+  if (n_left < std::size_t(n) * n)
+    throw InputError("cannot read the dense matrix");
   if (n_left >= std::size_t(n) * n + n_after + 2 &&
       (next<double>(in, "the repeated rows") != n || next<double>(in, "the repeated columns") != n))
     throw InputError("there are more numbers than the matrix, q and mu need");
@@ -129,7 +142,8 @@ Eigen::MatrixXd read_sparse_blocks(std::istream &in, const unsigned int n)
   const auto filled = next<std::size_t>(in, "filled2");
   const auto row_start = next_values<std::size_t>(in, filled_rows, "the block row offsets");
   const auto column = next_values<std::size_t>(in, filled, "the block columns");
-  if (filled_rows != n_rows + 1 || filled != n_blocks || row_start.back() != filled)
+  if (filled_rows != std::size_t(n_rows) + 1 || filled != n_blocks || row_start.back() != filled ||
+      !std::is_sorted(row_start.begin(), row_start.end()))
     throw InputError("the offsets of the blocks do not fit together");
 
   Eigen::MatrixXd W = Eigen::MatrixXd::Zero(n, n);
@@ -165,8 +179,9 @@ SavedProblem load_siconos_problem(const std::string &path)
     const auto n = next<unsigned int>(in, "the rows of the matrix");
     const auto columns = next<unsigned int>(in, "the columns of the matrix");
     if (saved.problem.n_components < 2 || saved.problem.n_components > 3 || columns != n ||
-        n != n_contacts * saved.problem.n_components)
+        n != std::size_t(n_contacts) * saved.problem.n_components)
       throw InputError("the sizes do not fit together");
+    check_rows(n);
     if (storage < 0 || storage > 2)
       throw InputError("the matrix storage " + std::to_string(storage) +
                        " is neither dense (0) nor sparse blocks (1) nor sparse (2)");

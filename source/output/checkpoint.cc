@@ -3,13 +3,11 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/hdf5_file.h>
-
-#include <zlib.h>
+#include <softgrain/output/seal.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
-#include <stdexcept>
+#include <fstream>
 #include <system_error>
 
 namespace softgrain
@@ -17,39 +15,43 @@ namespace softgrain
 namespace
 {
 const std::string format_start = "softgrain checkpoint ";
-const std::string format_name = format_start + "3";
+const std::string format_name = format_start + "4";
 
-/// Of name, type and content, so that no array can pass for another.
-std::uint64_t checksum(const std::string &name, const char type, const void *data, const std::size_t n_bytes)
+/// The format that a file says it has, looked for in its bytes; empty when it says none.
+std::string format_in(const std::string &path)
 {
-  const std::string plain = name.substr(std::min(name.find_first_not_of('/'), name.size()));
-  const std::string head = plain + '\n' + type;
-  uLong sum = ::crc32_z(0, reinterpret_cast<const Bytef *>(head.data()), head.size());
-  if (n_bytes > 0) // zlib takes a null pointer for a request to start anew
-    sum = ::crc32_z(sum, static_cast<const Bytef *>(data), n_bytes);
-  return sum;
+  constexpr std::size_t n_digits = 20; // at most
+  std::ifstream in(path, std::ios::binary);
+  std::string seen;
+  std::vector<char> part(std::size_t(1) << 20);
+  std::size_t begin = std::string::npos;
+  while (in.read(part.data(), part.size()), in.gcount() > 0)
+  {
+    seen.append(part.data(), in.gcount());
+    begin = seen.find(format_start);
+    if (begin != std::string::npos && seen.size() > begin + format_start.size() + n_digits)
+      break;
+    if (begin == std::string::npos && seen.size() > format_start.size()) // it may reach into the next part
+      seen.erase(0, seen.size() - format_start.size());
+  }
+  if (begin == std::string::npos)
+    return "";
+  const std::string digits = seen.substr(begin + format_start.size(), n_digits);
+  const std::size_t n = std::min(digits.find_first_not_of("0123456789"), digits.size());
+  return n > 0 ? format_start + digits.substr(0, n) : "";
 }
 
-std::uint64_t checksum(const Hdf5File &file, const std::string &name)
+bool starts_as_hdf5(const std::string &path)
 {
-  switch (const char type = file.array_type(name))
-  {
-  case 'd':
-  {
-    const std::vector<double> values = file.read_doubles(name);
-    return checksum(name, type, values.data(), values.size() * sizeof(double));
-  }
-  case 'u':
-  {
-    const std::vector<std::uint64_t> values = file.read_integers(name);
-    return checksum(name, type, values.data(), values.size() * sizeof(std::uint64_t));
-  }
-  default:
-  {
-    const std::string text = file.read_text(name);
-    return checksum(name, type, text.data(), text.size());
-  }
-  }
+  std::string first(4, '\0');
+  return std::ifstream(path, std::ios::binary).read(first.data(), 4) && first == "\x89HDF";
+}
+
+void require_this_format(const std::string &path, const std::string &format)
+{
+  if (format != format_name)
+    throw InputError(path + " is a '" + format + "', but softgrain " + SOFTGRAIN_VERSION + " reads '" +
+                     format_name + "': go on with the version that has written it");
 }
 } // namespace
 
@@ -63,30 +65,22 @@ CheckpointWriter::~CheckpointWriter() = default;
 void CheckpointWriter::write(const std::string &name, const std::vector<double> &values)
 {
   file->write(name, values);
-  sum_of_checksums += checksum(name, 'd', values.data(), values.size() * sizeof(double));
-  ++n_arrays;
 }
 
 void CheckpointWriter::write(const std::string &name, const std::vector<std::uint64_t> &values)
 {
   file->write(name, values);
-  sum_of_checksums += checksum(name, 'u', values.data(), values.size() * sizeof(std::uint64_t));
-  ++n_arrays;
 }
 
 void CheckpointWriter::write(const std::string &name, const std::string &text)
 {
   file->write(name, text);
-  sum_of_checksums += checksum(name, 't', text.data(), text.size());
-  ++n_arrays;
 }
 
 void CheckpointWriter::commit()
 {
   file->write_attribute("/", "format", format_name);
-  file->write_attribute("/", "n_arrays", n_arrays);
-  file->write_attribute("/", "checksum", sum_of_checksums);
-  file->close();
+  file->close(true);
   target.commit();
 }
 
@@ -94,32 +88,19 @@ CheckpointReader::CheckpointReader(const std::string &path) : path(path)
 {
   if (!std::filesystem::exists(path))
     throw InputError("there is no checkpoint " + path);
+  if (!is_sealed(path))
+  {
+    const std::string format = format_in(path);
+    if (!format.empty())
+      require_this_format(path, format);
+    if (!format.empty() || starts_as_hdf5(path))
+      throw InputError("the checkpoint " + path +
+                       " is damaged: its checksum does not fit; restart from an older one");
+    throw InputError(path + " is not a checkpoint of softgrain");
+  }
   file = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read);
-  if (!file->has_attribute("/", "format") || !file->has_attribute("/", "checksum"))
-    throw InputError(path + " is not a whole checkpoint of softgrain");
-  const std::string format = file->read_text_attribute("/", "format");
-  if (format != format_name)
-    throw InputError(path + " is a '" + format + "', but softgrain " + SOFTGRAIN_VERSION + " reads '" +
-                     format_name + "': go on with the version that has written it");
-  const std::vector<std::string> names = file->array_names();
-  std::uint64_t sum = 0;
-  try
-  {
-    for (const std::string &name : names)
-      sum += checksum(*file, name);
-  }
-  catch (const std::bad_alloc &)
-  {
-    sum = ~file->read_integer_attribute("/", "checksum"); // a length that is damaged
-  }
-  catch (const std::length_error &)
-  {
-    sum = ~file->read_integer_attribute("/", "checksum");
-  }
-  if (names.size() != file->read_integer_attribute("/", "n_arrays") ||
-      sum != file->read_integer_attribute("/", "checksum"))
-    throw InputError("the checkpoint " + path +
-                     " is damaged: its checksum does not fit; restart from an older one");
+  require_this_format(path, file->has_attribute("/", "format") ? file->read_text_attribute("/", "format")
+                                                               : "sealed file of another kind");
 }
 
 CheckpointReader::~CheckpointReader() = default;
@@ -170,16 +151,7 @@ bool is_checkpoint_name(const std::string &name)
 
 bool is_checkpoint(const std::string &path)
 {
-  try
-  {
-    const Hdf5File file(path, Hdf5File::Mode::read);
-    return file.has_attribute("/", "format") &&
-           file.read_text_attribute("/", "format").compare(0, format_start.size(), format_start) == 0;
-  }
-  catch (const InputError &)
-  {
-    return false;
-  }
+  return !format_in(path).empty();
 }
 
 std::vector<std::string> checkpoint_paths(const std::string &directory)

@@ -3,6 +3,7 @@
 #include <softgrain/base/hdf5_image.h>
 #include <softgrain/output/hdf5_chunks.h>
 #include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/seal.h>
 
 #include <hdf5.h>
 
@@ -186,8 +187,8 @@ std::string get_attribute(const std::string &path,
                          H5Aclose);
   if (attribute < 0)
     fail_to_read(path, full, "there is no such attribute" + reason());
-  const Handle type(H5Aget_type(attribute), H5Tclose);
-  if (kind(type) != expected)
+  const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  if (kind(type) != expected || H5Sget_simple_extent_npoints(space) != 1)
     fail_to_read(path, full, "it has another type");
   std::string bytes(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, bytes.data()) < 0)
@@ -229,10 +230,18 @@ Hdf5File::~Hdf5File()
     H5Fclose(file);
 }
 
-void Hdf5File::close()
+void Hdf5File::close(const bool sealed)
 {
   if (in_memory)
-    write_hdf5_image(file, path);
+  {
+    std::vector<char> bytes = hdf5_image(file, path);
+    if (sealed)
+    {
+      const std::string seal = seal_of(bytes.data(), bytes.size());
+      bytes.insert(bytes.end(), seal.begin(), seal.end());
+    }
+    write_bytes(path, bytes.data(), bytes.size());
+  }
   const hid_t closing = file;
   file = -1;
   if (H5Fclose(closing) < 0)

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 
 namespace softgrain
 {
@@ -29,7 +30,10 @@ std::uint64_t step_of(const std::string &line, const std::string &path)
   const auto begin = line.find(',') + 1;
   try
   {
-    return static_cast<std::uint64_t>(std::stod(line.substr(begin)));
+    const double step = std::stod(line.substr(begin));
+    if (!(step >= 0. && step < 1e18))
+      throw std::out_of_range("no number of a step");
+    return static_cast<std::uint64_t>(step);
   }
   catch (const std::exception &)
   {

@@ -188,16 +188,16 @@ class OneFolder(Runs):
 class Signals(Runs):
     """A signal stops a run within its step; the state before the step is saved and the run goes on from it."""
 
-    def check(self, model, number, more=()):
-        with self.running(model, settings=LONG_STEPS[model]) as process:
+    def check(self, model, number, more=(), seconds=0.7):
+        with self.running(model, settings=LONG_STEPS[model], seconds=seconds) as process:
             begin = time.monotonic()
             process.send_signal(number)
             for repeated in more:  # as `timeout` and schedulers do: to the process and to its group
                 process.send_signal(repeated)
             said, error = process.communicate(timeout=60)
-            seconds = time.monotonic() - begin
+            waited = time.monotonic() - begin
         self.assertEqual((process.returncode, error), (3, ""), said)
-        self.assertLess(seconds, 5)  # one, on a machine that does nothing else
+        self.assertLess(waited, 5)  # one, on a machine that does nothing else
         self.assertEqual(status(self.folder), "interrupted")
         self.assertIn(f"the state is saved in {states(self.folder)[-1]}; the same command with --restart goes on", said)
 
@@ -212,6 +212,21 @@ class Signals(Runs):
 
     def test_terminate_bpm(self):
         self.check("bpm", signal.SIGTERM)
+
+    def test_held(self):
+        """Without inertia a step goes on with its walls at rest until the bodies are in balance: here never."""
+        self.check("held", signal.SIGTERM, seconds=2)
+
+    def test_as_if_never_stopped_held(self):
+        for _ in range(3):
+            words = ["--restart"] if states(self.folder) else ["--overwrite"]
+            with self.running("held", *words, seconds=0.4) as process:
+                process.send_signal(signal.SIGTERM)
+                self.assertEqual(process.wait(60), 3)
+        self.run_scene("held", "--restart")
+        resumed = (self.folder / "history.csv").read_text()
+        self.run_scene("held")
+        self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 
     def test_as_if_never_stopped_bpm(self):
         many = ["Time/Step fraction=0.01", "Output/Fields every=0"]

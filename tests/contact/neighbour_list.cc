@@ -88,7 +88,7 @@ void random_disks(const std::string &what,
   // Pairs remember their own numbers; after a small move nothing is searched, after a larger one they still
   // do.
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
-    list.memory()[p] = {1. + std::min(list.a(p), list.b(p)), 1. + std::max(list.a(p), list.b(p)), 0.};
+    list.memory().set(p, {1. + std::min(list.a(p), list.b(p)), 1. + std::max(list.a(p), list.b(p)), 0.});
   x[n / 2][0] += 0.149;
   const bool small = list.update(x);
   x[n / 2][0] += 0.002;
@@ -97,10 +97,10 @@ void random_disks(const std::string &what,
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
   {
     const double low = 1. + std::min(list.a(p), list.b(p)), high = 1. + std::max(list.a(p), list.b(p));
-    const auto &memory = list.memory()[p];
+    const PairMemory::Impulses memory = list.memory()[p];
     if (memory[0] == low && memory[1] == high)
       ++right;
-    else if (memory == NeighbourList::Memory{})
+    else if (memory == PairMemory::Impulses{})
       forgotten += all.count({static_cast<unsigned int>(low) - 1, static_cast<unsigned int>(high) - 1});
     else
       ++wrong;

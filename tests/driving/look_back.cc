@@ -5,7 +5,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/geometry/shapes_2d.h>
-#include <softgrain/model/state_file.h>
+#include <softgrain/model/memory_state.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -48,26 +48,6 @@ public:
   std::map<std::string, double> phases() const override { return {}; }
   void save(StateWriter &) const override {}
   void load(StateReader &) override {}
-};
-
-/// A checkpoint in memory.
-class File : public StateWriter, public StateReader
-{
-public:
-  void write(const std::string &name, const std::vector<double> &values) override { doubles[name] = values; }
-  void write(const std::string &, const std::vector<std::uint64_t> &) override {}
-  void write(const std::string &name, const std::string &text) override { texts[name] = text; }
-  std::vector<double> read_doubles(const std::string &name) const override { return doubles.at(name); }
-  std::vector<std::uint64_t> read_integers(const std::string &) const override { return {}; }
-  std::string read_text(const std::string &name) const override { return texts.at(name); }
-  bool contains(const std::string &name) const override
-  {
-    return doubles.count(name) > 0 || texts.count(name) > 0;
-  }
-
-private:
-  std::map<std::string, std::vector<double>> doubles;
-  std::map<std::string, std::string> texts;
 };
 
 std::vector<WallState<2>> box(const double width, const double height, const double s1, const double s2)
@@ -113,7 +93,7 @@ double end_of_shear(const StopConditions &stop, const bool broken)
     stop.note(state, memory);
     if (broken && i == 500)
     {
-      File file;
+      MemoryState file;
       save(file, "seen", memory);
       memory = load_stop_memory(file, "seen");
     }

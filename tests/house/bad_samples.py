@@ -73,7 +73,11 @@ SAMPLES = {
          ({**LISTS, "tests/base/a.output": "1\n"}, "there is no a.cc"),
          ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": ""}, "expects nothing"),
          ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "# tolerance: 1.1 1e-3\n2\n"},
-          "small numbers be anything"),
+          "the tolerance 1.1 lets 2 be anything"),
+         ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "# tolerance of column 2: 1e-9 1\nratio 2\n"},
+          "the tolerance 1 lets 2 be anything"),
+         ({**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "depth 3e-9, momentum below 1e-12, zero 1e-17\n"},
+          "the tolerance 1e-09 lets 3e-9 be anything"),
          ({**LISTS, "tests/lost/a.cc": ""}, "tests/lost: nobody runs it")]),
     "scripts": (
         {"a.py": "print(1)\n", "a.sh": "#!/bin/sh\necho 1\n"},

@@ -88,7 +88,17 @@ def run(case, program, work):
     except subprocess.TimeoutExpired:
         done = None
     verdict, seen = judge(case, done, folder / "out")
+    if case.warning:
+        verdict = not_warned(case, program, folder) or verdict
     return verdict, seen, done.stderr.strip() if done else ""
+
+
+def not_warned(case, program, folder):
+    """What `check` should have said before the run, and did not."""
+    words = [program, "check", "scene.prm", *(word for setting in case.settings for word in ("--set", setting))]
+    said = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, timeout=LIMIT).stdout
+    warned = any(line.startswith("warning: ") and case.warning in line for line in said.splitlines())
+    return "" if warned else f"check does not warn: {case.warning}"
 
 
 def table_line(case, verdict, seen, message):

@@ -7,6 +7,15 @@ foreach(program ${programs})
   set_tests_properties(nightly/${name} PROPERTIES LABELS nightly TIMEOUT 7200)
 endforeach()
 
+# Damaged files of every kind, as many as count as proof.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  add_test(NAME nightly/mutations
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:test_app_mutations> -DARGUMENTS=100000
+      -DEXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/app/mutations.output -DTHREADS=1 -DNUMDIFF=${NUMDIFF}
+      -DWORK=${CMAKE_BINARY_DIR}/tests/nightly/mutations.run -P ${SOFTGRAIN_TEST_DRIVER})
+  set_tests_properties(nightly/mutations PROPERTIES LABELS nightly TIMEOUT 7200)
+endif()
+
 # Kills at random moments, damaged checkpoints.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   add_test(NAME nightly/faults

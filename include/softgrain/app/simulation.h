@@ -50,6 +50,9 @@ public:
   std::string run();
 
 private:
+  /// What the stop conditions of the whole run have seen, in checkpoints.
+  static constexpr const char *stop_seen_name = "driver/stop_seen";
+
   SizeReport expected;
   void print_head();
   void start_files();
@@ -60,6 +63,8 @@ private:
   /// The end of a run that failed: summary.json says so, if the disk lets it.
   void note_failure();
   std::string loop();
+  /// One step, fit to be written where it will be. After an exception all is as before it.
+  StepReport take_step();
   bool finished() const;
   /// Part of the work that is done, of the whole run: 0 at its start, 1 where a stop condition holds.
   double fraction_done() const;

@@ -32,6 +32,10 @@ public:
 
   /// After every step: the stop conditions of the present stage see it.
   void note(double slack);
+  /// What they have seen.
+  const StopMemory &memory() const { return seen; }
+  /// Forgets a step that is taken back. @param before memory() before it
+  void take_back(const StopMemory &before) { seen = before; }
 
   /// Part of the present stage that is done. @param slack what counts as having arrived [s]
   double fraction_of_stage(double slack) const;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace softgrain
 {
@@ -17,6 +18,9 @@ namespace softgrain
  * @return HDF5's handle, negative when there is no memory
  */
 std::int64_t create_hdf5_image(const std::string &path);
+
+/// All bytes of the file in memory; @p path is for the message. @throw ComputationError
+std::vector<char> hdf5_image(std::int64_t file, const std::string &path);
 
 /// Writes everything the file in memory holds to @p path. @throw ComputationError with the reason of the
 /// system.

@@ -2,6 +2,8 @@
 #ifndef softgrain_contact_neighbour_list_h
 #define softgrain_contact_neighbour_list_h
 
+#include <softgrain/contact/pair_memory.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -28,18 +30,19 @@ public:
     double skin = 0;    ///< added to both, room to move before the list is made anew [m]
   };
 
-  /// Impulses of a contact: normal, tangential, rolling.
-  using Memory = std::array<double, 3>;
-
   NeighbourList() = default;
 
   /**
    * @param radii of the disks [m]
    * @param groups of the disks, or empty: no stretch then
    * @param range what belongs to the list
+   * @param n_impulses that a pair remembers
    * @throw InputError when sizes do not fit or a range is not positive.
    */
-  NeighbourList(std::vector<double> radii, std::vector<std::uint32_t> groups, const Range &range);
+  NeighbourList(std::vector<double> radii,
+                std::vector<std::uint32_t> groups,
+                const Range &range,
+                unsigned int n_impulses = 3);
 
   /**
    * @brief Makes the list anew if a disk has moved too far since it was made; memories of pairs survive.
@@ -63,13 +66,13 @@ public:
   const std::vector<std::uint32_t> &colour_start() const { return colours; }
   unsigned int n_tiles() const { return tiles.empty() ? 0 : tiles.size() - 1; }
 
-  std::vector<Memory> &memory() { return memories; }
-  const std::vector<Memory> &memory() const { return memories; }
+  PairMemory &memory() { return memories; }
+  const PairMemory &memory() const { return memories; }
 
 private:
   void take_over_memories(const std::vector<std::uint32_t> &old_first,
                           const std::vector<std::uint32_t> &old_second,
-                          const std::vector<Memory> &old_memories);
+                          const PairMemory &old_memories);
 
   std::vector<double> radius;
   std::vector<std::uint32_t> group;
@@ -77,7 +80,7 @@ private:
   double largest_distance = 0; ///< of the centres of a listed pair
   std::vector<std::array<double, 2>> built_at;
   std::vector<std::uint32_t> first, second;
-  std::vector<Memory> memories;
+  PairMemory memories;
   std::vector<std::uint32_t> tiles, colours;
 };
 } // namespace softgrain::contact

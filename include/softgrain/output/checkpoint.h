@@ -33,7 +33,7 @@ public:
   void write(const std::string &name, const std::string &text) override;
 
   /**
-   * @brief Writes the checksum, closes the file, brings it to the disk and renames it.
+   * @brief Seals the file with a checksum, brings it to the disk and renames it.
    * @throw ComputationError when the disk refuses.
    */
   void commit();
@@ -41,8 +41,6 @@ public:
 private:
   AtomicFile target;
   std::unique_ptr<Hdf5File> file;
-  std::uint64_t sum_of_checksums = 0; ///< independent of the order of the arrays
-  std::uint64_t n_arrays = 0;
 };
 
 /**
@@ -52,7 +50,8 @@ private:
 class CheckpointReader : public StateReader
 {
 public:
-  /// @throw InputError that names the file: absent, not a checkpoint, incomplete or damaged.
+  /// @throw InputError that names the file: absent, not a checkpoint, incomplete, damaged, or of another
+  /// version, which is named.
   explicit CheckpointReader(const std::string &path);
   ~CheckpointReader() override;
 

@@ -66,8 +66,9 @@ public:
   /// Number type of an array: 'd' double, 'u' unsigned integer, 't' text, '?' another.
   char array_type(const std::string &name) const;
 
-  /// Brings a created file to the disk and closes it. @throw ComputationError with the reason of the system
-  void close();
+  /// Brings a created file to the disk and closes it. @param sealed with a checksum behind it, see seal.h
+  /// @throw ComputationError with the reason of the system
+  void close(bool sealed = false);
 
 private:
   std::string path;

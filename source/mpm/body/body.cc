@@ -23,7 +23,7 @@ template <int dim>
 dealii::Tensor<1, dim> Body<dim>::momentum() const
 {
   dealii::Tensor<1, dim> sum;
-  for (unsigned int i = 0; i < mass.size(); ++i)
+  for (unsigned int i = 0; velocity.size() > 0 && i < mass.size(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
       sum[d] += mass[i] * velocity[dim * i + d];
   return sum;

@@ -128,7 +128,8 @@ bool points_to_nodes(Body<2> &body, const bool positive)
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       result.segment<2>(2 * i) /= body.mass[i];
   };
-  divide(momentum, body.velocity);
+  if (moving)
+    divide(momentum, body.velocity);
   if (accelerated)
     divide(force, body.acceleration);
   return true;
@@ -193,8 +194,11 @@ void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, cons
   const unsigned int n = field.nodes_per_cell();
   Eigen::VectorXd u, v, before, a;
   field.prolongate(body.displacement, u);
-  field.prolongate(body.velocity, v);
-  field.prolongate(body.velocity_of_points, before);
+  if (moving)
+  {
+    field.prolongate(body.velocity, v);
+    field.prolongate(body.velocity_of_points, before);
+  }
   if (accelerated)
     field.prolongate(body.acceleration, a);
   for (unsigned int p = 0; p < body.points.size(); ++p)
@@ -207,13 +211,15 @@ void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, cons
     dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
     for (unsigned int k = 0; k < n; ++k)
     {
-      const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]}),
-          vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]});
-      const dealii::Tensor<1, 2> bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
+      const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]});
+      gradient += outer_product(uk, slope[k]);
+      if (!moving)
+        continue;
+      const dealii::Tensor<1, 2> vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]}),
+          bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
       const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - point.position();
       interpolated += value[k] * vk;
       increment += value[k] * (vk - bk);
-      gradient += outer_product(uk, slope[k]);
       rate += outer_product(vk, slope[k]);
       moment += value[k] * outer_product(vk, arm);
       spread += value[k] * outer_product(arm, arm);
@@ -328,7 +334,7 @@ void start_body(Body<2> &body, const BodyDescription<2> &description, const Buil
       throw InputError("'Bodies/" + description.name +
                        "/Angular velocity' is not allowed for a driven body: it moves without turning");
   }
-  for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+  for (unsigned int i = 0; body.velocity.size() > 0 && i < body.field.n_independent(); ++i)
   {
     const auto v =
         body.driven ? body.drive : velocity_at(body.field.position(body.field.node_of_independent(i)));

@@ -28,6 +28,13 @@ Vector at_marker(const NodeWeights &weights, const Eigen::VectorXd &nodal)
       value[d] += weights.weight[k] * nodal[2 * weights.node[k] + d];
   return value;
 }
+
+/// Of a marker that goes on as its body does, for a time @p dt [m].
+Vector way_of_marker(const Body<2> &body, const unsigned int marker, const double dt)
+{
+  return body.velocity.size() > 0 ? dt * at_marker(body.field.marker_weights(marker), body.velocity)
+                                  : Vector();
+}
 } // namespace
 
 double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
@@ -97,7 +104,7 @@ void MovedBoundary::move_markers(const ContactScene<2> &scene)
   {
     const Vector moved = body->driven ? scene.dt * body->drive
                          : scene.increment == nullptr
-                             ? scene.dt * at_marker(body->field.marker_weights(m), body->velocity)
+                             ? way_of_marker(*body, m, scene.dt)
                              : at_marker(body->field.marker_weights(m), (*scene.increment)[body->index]);
     displacement.push_back(moved);
     const Vector arm = position[m] - start_center, after = arm + moved - travel;
@@ -128,8 +135,10 @@ void MovedBoundary::find_center(const ContactScene<2> &scene)
     for (unsigned int d = 0; d < 2; ++d)
     {
       moment[d] += body->mass[i] * (at[d] + body->displacement[2 * i + d]);
-      way[d] += body->mass[i] * (scene.increment == nullptr ? scene.dt * body->velocity[2 * i + d]
-                                                            : (*scene.increment)[body->index][2 * i + d]);
+      if (scene.increment != nullptr)
+        way[d] += body->mass[i] * (*scene.increment)[body->index][2 * i + d];
+      else if (body->velocity.size() > 0)
+        way[d] += body->mass[i] * (scene.dt * body->velocity[2 * i + d]);
     }
   }
   const double mass = body->mass.sum();

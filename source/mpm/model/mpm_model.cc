@@ -172,6 +172,22 @@ double MpmModel::wanted_step() const
 
 StepReport MpmModel::advance(const double dt_limit)
 {
+  if (!keeps_state_before_step())
+    return try_steps(dt_limit);
+  save(before_step);
+  try
+  {
+    return try_steps(dt_limit);
+  }
+  catch (...)
+  {
+    load(before_step);
+    throw;
+  }
+}
+
+StepReport MpmModel::try_steps(const double dt_limit)
+{
   StepReport report;
   const Settings &settings = world.settings;
   const double wanted = wanted_step();
@@ -213,7 +229,16 @@ void MpmModel::settle(StepReport &report)
   if (world.settings.scheme.inertia || settled_step == steps)
     return;
   settled_step = steps;
-  const StepOutcome outcome = integrator->settle(world, last_dt);
+  StepOutcome outcome;
+  try
+  {
+    outcome = integrator->settle(world, last_dt);
+  }
+  catch (...)
+  {
+    load(before_step);
+    throw;
+  }
   last_unbalanced = outcome.unbalanced;
   if (outcome.held_steps == 0)
     return;
@@ -257,7 +282,7 @@ void MpmModel::update_momentum_scale()
   for (const Body<2> &body : world.bodies)
   {
     double sum = 0.;
-    for (unsigned int i = 0; i < body.mass.size() && !body.driven; ++i)
+    for (unsigned int i = 0; i < body.mass.size() && body.velocity.size() > 0 && !body.driven; ++i)
       sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
     scale = std::max(scale, sum);
   }
@@ -310,7 +335,7 @@ void MpmModel::renew_grids()
     lay_grid(body, context);
     if (body.driven)
     {
-      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+      for (unsigned int i = 0; body.velocity.size() > 0 && i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
           body.velocity[2 * i + d] = body.drive[d];
       continue;

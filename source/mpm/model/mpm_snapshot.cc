@@ -46,7 +46,8 @@ void add_points(const Body<2> &body, PointStates<2> &points)
   points.deformation_gradient.resize(first + n);
   Eigen::VectorXd u, v;
   body.field.prolongate(body.displacement, u);
-  body.field.prolongate(body.velocity, v);
+  if (body.velocity.size() > 0)
+    body.field.prolongate(body.velocity, v);
   const std::vector<double> out_of_plane =
       measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
   for (unsigned int p = 0; p < n; ++p)
@@ -59,7 +60,7 @@ void add_points(const Body<2> &body, PointStates<2> &points)
     const auto F = gradient * point.gradient();
     const double J = body.small_strain() ? 1. : determinant(F);
     points.position[at] = point.position() + moved;
-    points.velocity[at] = field_at(body.field, p, v).first;
+    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v).first : body.drive;
     points.size[at] = point.rest_volume() * determinant(F);
     points.stress[at] = point.stress() / J;
     points.out_of_plane_stress[at] = out_of_plane[p] / J;
@@ -99,7 +100,7 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
     moment += body.mass[i] * (place(i) - dealii::Point<2>());
   state.center = dealii::Point<2>(moment / state.mass);
   state.velocity = body.momentum() / state.mass;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.mass.size() && body.velocity.size() > 0; ++i)
   {
     const dealii::Tensor<1, 2> arm = place(i) - state.center;
     state.angular_momentum +=

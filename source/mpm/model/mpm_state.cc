@@ -156,6 +156,7 @@ void MpmModel::load(StateReader &in)
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
   const bool frictionless = impulses.size() == keys.size();
+  world.contact.memory().clear();
   for (std::size_t k = 0; k < keys.size(); ++k)
     world.contact.memory()[keys[k]] =
         frictionless ? std::array<double, 2>{{impulses[k], 0.}}

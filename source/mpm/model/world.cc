@@ -307,7 +307,8 @@ void accept_step(World &world,
           // (3.15), which is (3.16) as long as no position has been repaired.
           body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
         body.displacement += increment[body.index];
-        std::swap(body.velocity, v);
+        if (body.velocity.size() > 0)
+          std::swap(body.velocity, v);
         move_boundary(body);
         keep_stress(body);
         if (body.law->n_history() > 0)

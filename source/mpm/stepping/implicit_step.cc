@@ -53,9 +53,7 @@ public:
       return reject(equations.why_not());
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
-      // Held steps go on: the step they belong to has been taken.
-      if (!plan.held)
-        stop_if_interrupted();
+      stop_if_interrupted();
       const bool settled = rows.settled(equations.increment);
       if (outcome.newton_iterations > 0 && converged() &&
           (settled || rows.searches() >= world.settings.max_searches))
@@ -104,7 +102,7 @@ private:
     for (const bool rest : {!world.settings.scheme.inertia && plan.guess == nullptr, true})
     {
       for (unsigned int b = 0; b < n_bodies; ++b)
-        trial[b] = rest                    ? Eigen::VectorXd::Zero(world.bodies[b].velocity.size())
+        trial[b] = rest                    ? Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs())
                    : plan.guess == nullptr ? world.bodies[b].velocity
                                            : Eigen::VectorXd((*plan.guess)[b] / dt);
       if (!equations.evaluate(trial))
@@ -349,8 +347,6 @@ private:
         world.bodies[b].internal_force = equations.internal[b];
         if (world.settings.scheme.inertia)
           spread_imbalance(world.bodies[b], equations.unbalanced(b), trial[b]);
-        else
-          trial[b].setZero();
       }
     world.balance.regularisation_work += equations.regularisation_work();
     accept_step(world, plan, trial, equations.increment, rate, motion, equations.external);
@@ -382,18 +378,6 @@ private:
 
 StepOutcome implicit_step(World &world, const StepPlan &plan)
 {
-  if (!plan.held)
-    return ImplicitStep(world, plan).run();
-  // What is driven stands still too.
-  std::vector<dealii::Tensor<1, 2>> drives;
-  for (Body<2> &body : world.bodies)
-  {
-    drives.push_back(body.drive);
-    body.drive = 0.;
-  }
-  const StepOutcome outcome = ImplicitStep(world, plan).run();
-  for (Body<2> &body : world.bodies)
-    body.drive = drives[body.index];
-  return outcome;
+  return ImplicitStep(world, plan).run();
 }
 } // namespace softgrain::mpm

@@ -48,6 +48,36 @@ double cosine(const std::vector<Eigen::VectorXd> &a, const std::vector<Eigen::Ve
   return square_a * square_b > 0. ? product / std::sqrt(square_a * square_b) : 1.;
 }
 
+/// In a held step what is driven stands still, too; it goes on afterwards, however the step ends.
+class DrivesAtRest
+{
+public:
+  explicit DrivesAtRest(World &world) : world(world)
+  {
+    for (Body<2> &body : world.bodies)
+    {
+      drives.push_back(body.drive);
+      body.drive = 0.;
+    }
+  }
+  ~DrivesAtRest()
+  {
+    for (Body<2> &body : world.bodies)
+      body.drive = drives[body.index];
+  }
+  DrivesAtRest(const DrivesAtRest &) = delete;
+
+private:
+  World &world;
+  std::vector<dealii::Tensor<1, 2>> drives;
+};
+
+StepOutcome held_step(World &world, const StepPlan &plan)
+{
+  const DrivesAtRest rest(world);
+  return implicit_step(world, plan);
+}
+
 std::string largest_move_in_cells(const World &world, const StepOutcome &held)
 {
   std::ostringstream text;
@@ -129,7 +159,7 @@ StepOutcome find_balance(World &world, const double dt)
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
   for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
-    step = implicit_step(world, held);
+    step = held_step(world, held);
     add(step, sum);
     if (!step.accepted)
     {

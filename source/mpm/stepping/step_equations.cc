@@ -99,7 +99,10 @@ bool StepEquations::evaluate(const Vectors &v)
       [&](Body<2> &body)
       {
         const unsigned int b = body.index;
-        increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
+        if (scheme.inertia)
+          increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
+        else
+          increment[b] = dt * v[b];
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
                                     {half_dt, true, world.settings.max_strain});
         if (!stress[b].good())

@@ -118,7 +118,7 @@ void deform_cell(const Body<dim> &body,
   const CellGradients<dim> gradients(body.field, cell, s.nodal,
                                      s.increment.empty() ? nullptr : &s.nodal_increment);
   std::optional<CellGradients<dim>> rates;
-  if (small && half_dt > 0.)
+  if (small && half_dt > 0. && body.velocity.size() > 0)
     rates.emplace(body.field, cell, nodal_velocity, nullptr);
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
@@ -134,10 +134,10 @@ void deform_cell(const Body<dim> &body,
     if (small)
     {
       s.increment[p] = increment;
-      if (rates)
+      if (half_dt > 0.)
       {
         // (3.17): trapezoidal rule for the conservation of mass.
-        const double old_part = 1. + half_dt * trace((*rates)(p).first);
+        const double old_part = rates ? 1. + half_dt * trace((*rates)(p).first) : 1.;
         s.volume[p] *= old_part / (old_part - trace(increment));
       }
     }
@@ -196,7 +196,7 @@ StressOutcome evaluate(const Body<dim> &body,
   Eigen::VectorXd nodal_velocity;
   if (!s.increment.empty())
     body.field.prolongate(increment, s.nodal_increment);
-  if (half_dt > 0. && body.small_strain())
+  if (half_dt > 0. && body.small_strain() && body.velocity.size() > 0)
     body.field.prolongate(body.velocity, nodal_velocity);
 
   const unsigned int n_history = body.law->n_history();

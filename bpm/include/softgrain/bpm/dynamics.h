@@ -40,6 +40,7 @@ struct DynamicsSettings
   /// Law of these contacts; null: Coulomb's.
   std::shared_ptr<const ContactLaw> contact_law;
 
+  bool any_rolling() const { return rolling_resistance > 0. || inner_rolling_resistance > 0.; }
   /// Whether rotations of the primaries matter.
   bool rotations() const;
 };
@@ -139,7 +140,7 @@ public:
   struct WallMemory
   {
     std::uint32_t wall = 0, primary = 0;
-    contact::NeighbourList::Memory impulse{};
+    contact::PairMemory::Impulses impulse{};
   };
   std::vector<WallMemory> &wall_memory() { return remembered_at_walls; }
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
@@ -160,7 +161,7 @@ private:
                double opening,
                double friction,
                double rolling,
-               const contact::NeighbourList::Memory &memory);
+               const contact::PairMemory::Impulses &memory);
   void prepare_bodies(double dt,
                       const std::vector<Wall> &walls,
                       const std::vector<std::array<double, 2>> &acceleration);

@@ -3,6 +3,7 @@
 #define softgrain_mpm_model_mpm_model_h
 
 #include <softgrain/driving/step_control.h>
+#include <softgrain/model/memory_state.h>
 #include <softgrain/model/model.h>
 #include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
@@ -59,6 +60,9 @@ public:
 private:
   double rotational_energy() const;
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
+  StepReport try_steps(double dt_limit);
+  /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
+  bool keeps_state_before_step() const { return !world.settings.scheme.inertia; }
   void renew_grids();
   void check_energy() const;
   void update_momentum_scale();
@@ -73,6 +77,7 @@ private:
   std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
   std::size_t settled_step = 0; ///< the last step after which settle() had its way
+  MemoryState before_step;      ///< if keeps_state_before_step()
   double last_unbalanced = 0.;
   double last_dt = 0.;
   double initial_energy = 0.; ///< [J/m]

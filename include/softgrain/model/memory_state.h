@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_model_memory_state_h
+#define softgrain_model_memory_state_h
+
+#include <softgrain/model/state_file.h>
+
+#include <map>
+
+namespace softgrain
+{
+/// A state that is kept in memory, to go back to it.
+class MemoryState final : public StateWriter, public StateReader
+{
+public:
+  void write(const std::string &name, const std::vector<double> &values) override;
+  void write(const std::string &name, const std::vector<std::uint64_t> &values) override;
+  void write(const std::string &name, const std::string &text) override;
+
+  /// @throw InputError when nothing of that name and type has been written
+  std::vector<double> read_doubles(const std::string &name) const override;
+  std::vector<std::uint64_t> read_integers(const std::string &name) const override;
+  std::string read_text(const std::string &name) const override;
+  bool contains(const std::string &name) const override;
+
+private:
+  std::map<std::string, std::vector<double>> doubles;
+  std::map<std::string, std::vector<std::uint64_t>> integers;
+  std::map<std::string, std::string> texts;
+};
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_output_seal_h
+#define softgrain_output_seal_h
+
+#include <cstddef>
+#include <string>
+
+namespace softgrain
+{
+/// @name A line at the end of a file with the CRC-32 of all bytes before it. HDF5 ignores what follows its
+/// last byte, and may crash on damaged files: who looks at the seal first never shows it one.
+///@{
+
+/// The line that belongs behind these bytes.
+std::string seal_of(const void *bytes, std::size_t n_bytes);
+
+/// Whether a file ends with the seal of what comes before.
+bool is_sealed(const std::string &path);
+///@}
+} // namespace softgrain
+
+#endif
