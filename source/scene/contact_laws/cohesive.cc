@@ -7,7 +7,7 @@ namespace softgrain
 {
 namespace
 {
-/// Dugdale's adhesion @cite maugis1992: a constant pull up to a gap h, so that the work of adhesion is
+/// Dugdale's adhesion @cite maugis1992, a constant pull up to a gap h, so that the work of adhesion is
 /// strength times h. It knows no past: what comes near is pulled as what goes away.
 class Cohesive final : public ContactLaw
 {
