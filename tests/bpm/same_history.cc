@@ -95,4 +95,8 @@ int main()
   compare("cohesion and tables", {"Contact/Law=cohesive", "Contact/Adhesion=0.1", of_walls, rough});
   compare("graded strength", {"Primaries/Strength=2 - r", "Primaries/Strength spread=0.3"});
   compare("bonds", {"Contact/Law=bond", "Contact/Adhesion=0.1", "Contact/Healing time=5", of_walls, rough});
+  Changes cell = {"Contact/Friction=0.5", "Walls/top/Tangential velocity=-0.3"};
+  for (const std::string wall : {"bottom", "top", "left", "right"})
+    cell.push_back("Walls/" + wall + "/Type=periodic");
+  compare("cell that repeats", cell);
 }
