@@ -115,10 +115,11 @@ private:
   static void check_walls(const Scene<2> &scene)
   {
     for (const WallDescription<2> &wall : scene.walls)
-      if (wall.type != WallDescription<2>::Type::plane)
+      if (wall.type == WallDescription<2>::Type::material_points)
         throw InputError("'Walls/" + wall.name +
                          "/Type' = 'material points' is not allowed with 'Model' = 'bpm': choose 'plane'");
     check_free_walls(scene);
+    check_sliding_walls(scene);
   }
 
   /// Names of the parameters of a law.

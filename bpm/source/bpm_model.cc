@@ -31,6 +31,7 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
+    wall.slide_speed = wall.demanded_slide(now, dt);
     if (wall.prescribed())
       wall.speed = wall.demand(now, dt).velocity;
     else
@@ -131,6 +132,7 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
 void BpmModel::keep_books(const DynamicsReport &report, const double dt)
 {
   balance.wall_impulse += report.wall_impulse;
+  balance.body_force_impulse += report.cell_impulse;
   const Primaries &disks = dynamics->disks();
   if (!acceleration.empty())
     for (std::size_t i = 0; i < disks.size(); ++i)

@@ -200,6 +200,8 @@ void BpmModel::check_places() const
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
   {
     const WallDescription<2> &wall = scene.walls[w];
+    if (wall.type == WallDescription<2>::Type::periodic)
+      continue;
     double deepest = 0.;
     std::uint32_t body = 0;
     for (std::size_t i = 0; i < disks.size(); ++i)

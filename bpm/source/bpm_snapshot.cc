@@ -118,7 +118,7 @@ ContactState<2> BpmModel::contact_state(const std::size_t row) const
   return state;
 }
 
-void BpmModel::add_inner_forces(Snapshot<2> &snapshot) const
+void BpmModel::add_inner_forces(Snapshot<2> &snapshot, const FoldedBodies *const cell) const
 {
   // Pairs of one body carry contact and attraction together; what the eye wants is the sum.
   const Primaries &disks = dynamics->disks();
@@ -142,6 +142,8 @@ void BpmModel::add_inner_forces(Snapshot<2> &snapshot) const
     state.place = xa - (disks.radius[a] + 0.5 * state.gap) * state.normal;
     state.length = distance;
     state.force = force * state.normal;
+    if (cell != nullptr)
+      cell->fold(state, {}, {});
     snapshot.contacts.push_back(state);
   }
 }
@@ -202,14 +204,19 @@ Snapshot<2> BpmModel::snapshot() const
     add_stresses(snapshot);
 
   const contact::DiskContacts &rows = dynamics->contacts();
+  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
   for (std::size_t row = 0; row < rows.size() && last_dt > 0.; ++row)
   {
     const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];
-    if (!inner && rows.impulse[row] > 0.)
-      snapshot.contacts.push_back(contact_state(row));
+    if (inner || !(rows.impulse[row] > 0.))
+      continue;
+    snapshot.contacts.push_back(contact_state(row));
+    if (cell)
+      cell->fold(snapshot.contacts.back(), {},
+                 rows.b[row] < disks.size() ? dynamics->image_of_row(row) : PeriodicCell::Image());
   }
   if (settings.inner_contacts_in_output && last_dt > 0.)
-    add_inner_forces(snapshot);
+    add_inner_forces(snapshot, cell ? &*cell : nullptr);
   return snapshot;
 }
 

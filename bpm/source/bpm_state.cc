@@ -49,6 +49,11 @@ void BpmModel::save(StateWriter &out) const
   const contact::NeighbourList &list = dynamics->neighbours();
   out.write("bpm/neighbours/build_position", flat(list.build_positions()));
   out.write("bpm/neighbours/memory", flat(list.memory()));
+  const contact::ImageLattice &built = list.build_lattice();
+  if (built.repeats())
+    out.write("bpm/neighbours/build_cell",
+              std::vector<double>{built.lower[0], built.lower[1], built.length[0], built.length[1],
+                                  built.offset, 1. * built.periodic[0], 1. * built.periodic[1]});
   std::vector<std::uint64_t> indices;
   std::vector<std::array<double, 3>> impulses;
   for (const Dynamics::WallMemory &memory : dynamics->wall_memory())
@@ -81,7 +86,13 @@ void BpmModel::load(StateReader &in)
   area_at_start = in.read_doubles("bpm/area_at_start");
   // The same places give the same list in the same order, so that every sum is formed as if never stopped.
   contact::NeighbourList &list = dynamics->neighbours();
-  list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")));
+  contact::ImageLattice built;
+  if (in.contains("bpm/neighbours/build_cell"))
+  {
+    const std::vector<double> v = in.read_doubles("bpm/neighbours/build_cell");
+    built = {{{v.at(5) > 0., v.at(6) > 0.}}, {{v[0], v[1]}}, {{v[2], v[3]}}, v[4]};
+  }
+  list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")), built);
   list.memory() = unflat<3>(in.read_doubles("bpm/neighbours/memory"));
   const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
   const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));

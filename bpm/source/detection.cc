@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of Dynamics that looks at places: attraction, gaps, rows.
+#include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/dynamics.h>
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace softgrain::bpm
 {
@@ -82,11 +84,24 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
   for (std::uint32_t pair = list.tile_start()[tile]; pair < list.tile_start()[tile + 1]; ++pair)
   {
     const std::uint32_t a = list.a(pair), b = list.b(pair);
-    const double dx = primaries.position[a][0] - primaries.position[b][0];
-    const double dy = primaries.position[a][1] - primaries.position[b][1];
+    double dx = primaries.position[a][0] - primaries.position[b][0];
+    double dy = primaries.position[a][1] - primaries.position[b][1];
+    if (cell)
+    {
+      const dealii::Tensor<1, 2> away = cell->cell.shift(list.image(pair));
+      dx -= away[0];
+      dy -= away[1];
+    }
     const double sum = primaries.radius[a] + primaries.radius[b];
     const double square = dx * dx + dy * dy;
     const bool same = primaries.body[a] == primaries.body[b];
+    if (same && cell && list.image(pair) != PeriodicCell::Image())
+    {
+      if (square < sum * sum)
+        throw ComputationError("the cell that repeats has become too small: body " +
+                               std::to_string(primaries.body[a]) + " meets itself");
+      continue;
+    }
     const Attraction *own = same && !laws.empty() ? laws[primaries.body[a]].get() : nullptr;
     const double attraction_reach = own != nullptr ? own->range() * sum : 0.;
     const double contact_reach = sum + reach;
@@ -99,8 +114,14 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     const std::array<double, 2> direction =
         distance > 0. ? std::array<double, 2>{dx / distance, dy / distance} : std::array<double, 2>{1., 0.};
     const std::array<double, 2> &va = primaries.velocity[a], &vb = primaries.velocity[b];
-    if (near && inverse_mass[a] + inverse_mass[b] > 0. &&
-        closes({va[0] - vb[0], va[1] - vb[1]}, direction, distance - sum))
+    std::array<double, 2> relative = {va[0] - vb[0], va[1] - vb[1]};
+    if (near && cell)
+    {
+      const dealii::Tensor<1, 2> parted = cell->gradient * branch(a, b, list.image(pair));
+      relative[0] += parted[0];
+      relative[1] += parted[1];
+    }
+    if (near && inverse_mass[a] + inverse_mass[b] > 0. && closes(relative, direction, distance - sum))
       contacts.push_back({pair, distance - sum, direction});
     if (attracts)
     {
@@ -138,7 +159,8 @@ void Dynamics::detect(const std::vector<Wall> &walls)
   std::optional<dealii::TimerOutput::Scope> section;
   if (timer != nullptr)
     section.emplace(*timer, "neighbour list");
-  n_lists += list.update(primaries.position);
+  see_cell(walls);
+  n_lists += list.update(primaries.position, lattice());
   if (timer != nullptr)
   {
     section.reset();
@@ -174,6 +196,8 @@ void Dynamics::resize_rows(const std::size_t n)
   rows.a.resize(n);
   rows.b.resize(n);
   rows.normal.resize(n);
+  if (cell)
+    rows.branch.resize(n);
   rows.gap_velocity.resize(n);
   rows.impulse.resize(n);
   gap.resize(n);
@@ -223,6 +247,8 @@ void Dynamics::collect_walls(const std::vector<Wall> &walls)
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     const Wall &wall = walls[w];
+    if (wall.repeats())
+      continue;
     const dealii::Point<2> &start = wall.description.point;
     const std::array<double, 2> normal = {wall.normal()[0], wall.normal()[1]};
     const double offset = start[0] * normal[0] + start[1] * normal[1] + wall.travel, speed = wall.speed,
@@ -245,6 +271,13 @@ void Dynamics::collect_walls(const std::vector<Wall> &walls)
       set_row(rows.size() - 1, i, primaries.size() + w, normal, opening, friction,
               primaries.radius[i] * settings.rolling_resistance,
               known ? remembered->impulse : contact::NeighbourList::Memory{});
+      if (cell)
+      {
+        const dealii::Point<2> &center = center_of_body[primaries.body[i]];
+        for (unsigned int d = 0; d < 2; ++d)
+          rows.branch.back()[d] =
+              center[d] - (primaries.position[i][d] - (primaries.radius[i] + opening) * normal[d]);
+      }
     }
   }
 }
@@ -274,6 +307,11 @@ void Dynamics::collect(const std::vector<Wall> &walls)
                              2. * ra * rb / (ra + rb) *
                                  (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
                              list.memory()[contact.pair]);
+                     if (cell)
+                     {
+                       const dealii::Tensor<1, 2> r = branch(a, b, list.image(contact.pair));
+                       rows.branch[row] = {{r[0], r[1]}};
+                     }
                      pair_of_row[row++] = contact.pair;
                    }
                  }

@@ -108,7 +108,12 @@ void Dynamics::prepare_bodies(const double dt,
     bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / step.mass;
     for (unsigned int d = 0; d < 2; ++d)
       bodies.velocity[n + w][d] = step.free_speed * wall.normal()[d];
+    if (wall.slide_speed != 0.)
+      for (unsigned int d = 0; d < 2; ++d)
+        bodies.velocity[n + w][d] += wall.slide_speed * wall.tangent()[d];
   }
+  if (cell)
+    prepare_cell(dt, walls);
   if (rotations)
   {
     bodies.angular_velocity = primaries.angular_velocity;
@@ -141,6 +146,9 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &
       const std::size_t b = rows.b[row];
       const double of_b = b < n ? primaries.velocity[b][d] : walls[b - n].speed * walls[b - n].normal()[d];
       before += rows.normal[row][d] * (primaries.velocity[rows.a[row]][d] - of_b);
+      if (cell)
+        before += rows.normal[row][d] *
+                  (cell->gradient[d][0] * rows.branch[row][0] + cell->gradient[d][1] * rows.branch[row][1]);
     }
     if (before < 0. && gap[row] + dt * before <= 0.)
       rows.gap_velocity[row] = settings.restitution * before;
@@ -170,14 +178,27 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     if (rotations)
       tangential_impulse[rows.b[row] - n] += rows.tangential_impulse[row];
   }
+  if (cell)
+    load_cell(dt, walls);
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     Wall &wall = walls[w];
-    wall.force = 0.;
-    const dealii::Tensor<1, 2> given =
-        normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
-    wall.give(given, dt);
-    report.wall_impulse += given;
+    if (wall.repeats())
+      normal_impulse[w] = -dt * (wall.force * wall.normal());
+    else
+    {
+      wall.force = 0.;
+      const dealii::Tensor<1, 2> given =
+          normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
+      wall.give(given, dt);
+      report.wall_impulse += given;
+    }
+    if (wall.slide_speed != 0.)
+    {
+      const double work = -dt * wall.slide_speed * (wall.force * wall.tangent());
+      report.wall_work += work;
+      report.contact_loss += work;
+    }
     if (wall.prescribed())
     {
       report.wall_work += normal_impulse[w] * wall.speed;
@@ -186,8 +207,9 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     else
     {
       const double before = wall.speed, mass = wall.mass;
-      const double after =
-          bodies.velocity[n + w][0] * wall.normal()[0] + bodies.velocity[n + w][1] * wall.normal()[1];
+      const double after = wall.repeats() ? free_wall_step(wall, dt, 1., -normal_impulse[w]).free_speed
+                                          : bodies.velocity[n + w][0] * wall.normal()[0] +
+                                                bodies.velocity[n + w][1] * wall.normal()[1];
       // The damping took what neither the load nor the primaries gave.
       const double damping = mass * (before - after) + dt * wall.load - normal_impulse[w];
       report.wall_work += dt * wall.load * 0.5 * (before + after);
@@ -282,6 +304,8 @@ DynamicsReport Dynamics::step(const double dt,
                  });
     if (rotations)
       std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
+    if (cell)
+      take_along(dt, walls, report);
     remember();
   }
   detect(walls);

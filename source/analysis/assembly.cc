@@ -21,6 +21,8 @@ ContactState<2> ordered(ContactState<2> row)
     std::swap(row.body_a, row.body_b);
     row.normal *= -1.;
     row.force *= -1.;
+    row.place -= row.image;
+    row.image *= -1.;
   }
   return row;
 }
@@ -79,17 +81,19 @@ BodyContact merged(const std::vector<ContactState<2>> &rows)
 Assembly::Assembly(const Snapshot<2> &snapshot, const MeasureContext &context)
     : snapshot(snapshot), context(context)
 {
-  std::map<std::tuple<unsigned int, unsigned int, unsigned int>, std::vector<ContactState<2>>> groups;
+  // In a small cell that repeats a body may touch two images of another.
+  std::map<std::tuple<unsigned int, unsigned int, unsigned int, double, double>, std::vector<ContactState<2>>>
+      groups;
   for (const ContactState<2> &row : snapshot.contacts)
     if (row.wall != none)
     {
-      groups[{row.body_a, none, row.wall}].push_back(row);
-      groups[{row.body_a, none, row.wall}].back().body_b = none;
+      groups[{row.body_a, none, row.wall, 0., 0.}].push_back(row);
+      groups[{row.body_a, none, row.wall, 0., 0.}].back().body_b = none;
     }
     else if (row.body_a != row.body_b)
     {
       const ContactState<2> seen = ordered(row);
-      groups[{seen.body_a, seen.body_b, none}].push_back(seen);
+      groups[{seen.body_a, seen.body_b, none, seen.image[0], seen.image[1]}].push_back(seen);
     }
   for (const auto &group : groups)
     contacts.push_back(merged(group.second));
@@ -99,7 +103,9 @@ Assembly::Assembly(const Snapshot<2> &snapshot, const MeasureContext &context)
   { return find_wall(snapshot.walls, name)->velocity; };
   if (size && size->height > 0. && size->width > 0.)
     // Wall velocities count along the normal, inwards.
-    box = {*size, -velocity("left") - velocity("right"), -velocity("bottom") - velocity("top")};
+    box = {*size, -velocity("left") - velocity("right"), -velocity("bottom") - velocity("top"),
+           -find_wall(snapshot.walls, "bottom")->slide_velocity -
+               find_wall(snapshot.walls, "top")->slide_velocity};
 }
 
 double Assembly::rest_diameter(const unsigned int b) const

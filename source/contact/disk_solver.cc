@@ -82,6 +82,7 @@ void check(const DiskBodies &bodies, const DiskContacts &contacts)
     check_finite(contacts.arm_b, "arm");
     check_finite(contacts.tangential_impulse, "tangential impulse");
   }
+  check_size(contacts.branch.size(), contacts.branch.empty() ? 0 : n, "the branch");
   check_size(contacts.rolling.size(), bodies.rotate() && !contacts.rolling.empty() ? n : 0,
              "the rolling resistance");
   check_size(contacts.rolling_impulse.size(), contacts.rolling.size(), "the rolling impulse");
@@ -142,7 +143,7 @@ private:
 };
 
 /// One call of solve_disks().
-template <unsigned int n>
+template <unsigned int n, bool in_cell>
 class DiskIteration
 {
 public:
@@ -262,7 +263,7 @@ private:
   DiskContacts &contacts;
   const DiskSolverSettings &settings;
   ThreadTeam team;
-  DiskSweeps<n> sweeps;
+  DiskSweeps<n, in_cell> sweeps;
   const double rounding;
   Momentum momentum;
   WallBalance walls;
@@ -273,16 +274,23 @@ private:
   unsigned int sweeps_since_refresh = 0;
   double saved = std::numeric_limits<double>::max();
 };
+
+template <bool in_cell>
+DiskSolverReport iterate(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings)
+{
+  if (!bodies.rotate())
+    return DiskIteration<1, in_cell>(bodies, contacts, settings).run();
+  if (contacts.rolling.empty())
+    return DiskIteration<2, in_cell>(bodies, contacts, settings).run();
+  return DiskIteration<3, in_cell>(bodies, contacts, settings).run();
+}
 } // namespace
 
 DiskSolverReport solve_disks(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings)
 {
   check(settings);
   check(bodies, contacts);
-  if (!bodies.rotate())
-    return DiskIteration<1>(bodies, contacts, settings).run();
-  if (contacts.rolling.empty())
-    return DiskIteration<2>(bodies, contacts, settings).run();
-  return DiskIteration<3>(bodies, contacts, settings).run();
+  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings)
+                                 : iterate<true>(bodies, contacts, settings);
 }
 } // namespace softgrain::contact

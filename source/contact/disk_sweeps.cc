@@ -2,6 +2,7 @@
 #include <softgrain/contact/disk_sweeps.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace softgrain::contact
@@ -20,8 +21,8 @@ constexpr std::uint32_t bodies_per_piece = 2048;
 constexpr std::uint32_t n_lanes = 4;
 } // namespace
 
-template <unsigned int n>
-DiskSweeps<n>::DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team)
+template <unsigned int n, bool in_cell>
+DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team)
     : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
   number_bodies();
@@ -29,8 +30,8 @@ DiskSweeps<n>::DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::number_bodies()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::number_bodies()
 {
   packed_of.assign(bodies.size(), none);
   original_of.reserve(bodies.size());
@@ -51,8 +52,8 @@ void DiskSweeps<n>::number_bodies()
   last_velocity.reset(new std::array<double, n_velocities>[n_bodies()]);
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::make_ranges()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::make_ranges()
 {
   const auto &tiles = contacts.tile_start;
   for (std::size_t colour = 0; colour + 1 < contacts.colour_start.size(); ++colour)
@@ -85,9 +86,9 @@ void DiskSweeps<n>::make_ranges()
   n_walls = walls.size();
 }
 
-template <unsigned int n>
+template <unsigned int n, bool in_cell>
 template <class Work>
-void DiskSweeps<n>::interleave(const Range range, const Work &work)
+void DiskSweeps<n, in_cell>::interleave(const Range range, const Work &work)
 {
   const std::uint32_t length = (range.last - range.first + n_lanes - 1) / n_lanes;
   std::uint32_t row = range.first;
@@ -96,10 +97,16 @@ void DiskSweeps<n>::interleave(const Range range, const Work &work)
       work(row++, contact);
 }
 
-template <unsigned int n>
+template <unsigned int n, bool in_cell>
 template <class Work>
-void DiskSweeps<n>::for_ranges(const Work &work)
+void DiskSweeps<n, in_cell>::for_ranges(const Work &work)
 {
+  if (in_cell && cell.is_free())
+  {
+    for (std::uint32_t i = 0; i < ranges.size(); ++i)
+      work(ranges[i], i + 1 == ranges.size(), i);
+    return;
+  }
   std::uint32_t first = 0;
   for (const std::uint32_t end : colour_end)
   {
@@ -109,15 +116,15 @@ void DiskSweeps<n>::for_ranges(const Work &work)
   work(ranges.back(), true, ranges.size() - 1);
 }
 
-template <unsigned int n>
+template <unsigned int n, bool in_cell>
 template <class Work>
-void DiskSweeps<n>::for_ranges_at_once(const Work &work)
+void DiskSweeps<n, in_cell>::for_ranges_at_once(const Work &work)
 {
   team.run(ranges.size(), [&](const std::uint32_t i) { work(ranges[i], i + 1 == ranges.size(), i); });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::pack(const Range range, const bool wall)
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
 {
   interleave(range,
              [&](const std::uint32_t packed, const std::uint32_t i)
@@ -141,6 +148,8 @@ void DiskSweeps<n>::pack(const Range range, const bool wall)
                  row.rolling = contacts.rolling[i];
                  row.impulse[2] = contacts.rolling_impulse[i];
                }
+               if constexpr (in_cell)
+                 std::copy_n(contacts.branch[i].begin(), 2, row.branch);
                // A start that is no impulse at all, or one between prescribed bodies, would stay.
                using Contact = DiskContact<n, false>;
                if (bodies.inverse_mass[contacts.a[i]] + bodies.inverse_mass[contacts.b[i]] == 0.)
@@ -150,9 +159,9 @@ void DiskSweeps<n>::pack(const Range range, const bool wall)
              });
 }
 
-template <unsigned int n>
+template <unsigned int n, bool in_cell>
 template <class Work>
-void DiskSweeps<n>::for_bodies(const Work &work)
+void DiskSweeps<n, in_cell>::for_bodies(const Work &work)
 {
   const std::uint32_t n_pieces = (n_bodies() + bodies_per_piece - 1) / bodies_per_piece;
   team.run(n_pieces,
@@ -164,9 +173,11 @@ void DiskSweeps<n>::for_bodies(const Work &work)
            });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::set_free_velocities()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::set_free_velocities()
 {
+  cell = bodies.cell;
+  last_cell = DiskCell();
   for_bodies(
       [&](const std::size_t i)
       {
@@ -184,8 +195,8 @@ void DiskSweeps<n>::set_free_velocities()
       });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::apply_impulses()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::apply_impulses()
 {
   for_ranges(
       [&](const Range range, const bool wall, std::uint32_t)
@@ -193,7 +204,10 @@ void DiskSweeps<n>::apply_impulses()
         const auto add = [&](auto contact)
         {
           for (std::uint32_t i = range.first; i < range.last; ++i)
+          {
             contact.apply(rows[i], states[rows[i].a], states[rows[i].b], rows[i].impulse);
+            move_cell(rows[i], rows[i].impulse);
+          }
         };
         if (wall)
           add(DiskContact<n, true>());
@@ -202,15 +216,15 @@ void DiskSweeps<n>::apply_impulses()
       });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::clear_impulses()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::clear_impulses()
 {
   for (std::size_t i = 0; i < contacts.size(); ++i)
     std::fill(rows[i].impulse, rows[i].impulse + n, 0.);
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::sweep(const double relaxation)
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::sweep(const double relaxation)
 {
   for_ranges(
       [&](const Range range, const bool wall, std::uint32_t)
@@ -223,9 +237,11 @@ void DiskSweeps<n>::sweep(const double relaxation)
             State &a = states[row.a], &b = states[row.b];
             double w[n], y[n], P[n], change[n];
             contact.velocity(row, a, b, w);
+            DiskCompliance<n> W = contact.compliance(row, a, b);
+            add_cell(row, w, W);
             for (unsigned int c = 0; c < n; ++c)
               y[c] = row.impulse[c];
-            contact.solve(row, contact.compliance(row, a, b), w, y, P);
+            contact.solve(row, W, w, y, P);
             if (relaxation != 1.)
             {
               for (unsigned int c = 0; c < n; ++c)
@@ -238,6 +254,7 @@ void DiskSweeps<n>::sweep(const double relaxation)
               row.impulse[c] = P[c];
             }
             contact.apply(row, a, b, change);
+            move_cell(row, change);
           }
         };
         if (wall)
@@ -247,9 +264,36 @@ void DiskSweeps<n>::sweep(const double relaxation)
       });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::extrapolate(const double momentum)
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::add_cell(const Row &row, double (&w)[n], DiskCompliance<n> &W) const
 {
+  if constexpr (in_cell)
+  {
+    DiskCellContact<n>::add_velocity(row, cell, w);
+    DiskCellContact<n>::add_compliance(row, cell, W);
+  }
+}
+
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::move_cell(const Row &row, const double (&change)[n])
+{
+  if constexpr (in_cell)
+    if (cell.is_free())
+      DiskCellContact<n>::apply(row, cell, change);
+}
+
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::extrapolate(const double momentum)
+{
+  if (in_cell && cell.is_free())
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int l = 0; l < 2; ++l)
+        if (cell.inverse_mass[k][l] > 0.)
+        {
+          const double before = cell.gradient[k][l];
+          cell.gradient[k][l] += momentum * (before - last_cell.gradient[k][l]);
+          last_cell.gradient[k][l] = before;
+        }
   for_bodies(
       [&](const std::size_t i)
       {
@@ -266,8 +310,8 @@ void DiskSweeps<n>::extrapolate(const double momentum)
       });
 }
 
-template <unsigned int n>
-double DiskSweeps<n>::sweep_with_momentum(const double momentum)
+template <unsigned int n, bool in_cell>
+double DiskSweeps<n, in_cell>::sweep_with_momentum(const double momentum)
 {
   // Velocities are linear in the impulses, so those that belong to the extrapolated impulses are known. An
   // extrapolated impulse may pull; the contact's own solution puts that right.
@@ -284,9 +328,10 @@ double DiskSweeps<n>::sweep_with_momentum(const double momentum)
             State &a = states[row.a], &b = states[row.b];
             double w[n], y[n], P[n], change[n];
             contact.velocity(row, a, b, w);
+            DiskCompliance<n> W = contact.compliance(row, a, b);
+            add_cell(row, w, W);
             for (unsigned int c = 0; c < n; ++c)
               y[c] = row.impulse[c] + momentum * (row.impulse[c] - row.previous[c]);
-            const DiskCompliance<n> W = contact.compliance(row, a, b);
             contact.solve(row, W, w, y, P);
             for (unsigned int c = 0; c < n; ++c)
             {
@@ -295,6 +340,7 @@ double DiskSweeps<n>::sweep_with_momentum(const double momentum)
               row.impulse[c] = P[c];
             }
             contact.apply(row, a, b, change);
+            move_cell(row, change);
             sum -= W.normal * change[0] * (P[0] - row.previous[0]);
             if constexpr (n > 1)
               sum -= W.tangential * change[1] * (P[1] - row.previous[1]);
@@ -314,8 +360,8 @@ double DiskSweeps<n>::sweep_with_momentum(const double momentum)
   return sum;
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::save_impulses()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::save_impulses()
 {
   saved.resize(contacts.size());
   for_ranges_at_once(
@@ -326,15 +372,15 @@ void DiskSweeps<n>::save_impulses()
       });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::restore_impulses()
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::restore_impulses()
 {
   for (std::size_t i = 0; i < saved.size(); ++i)
     std::copy(saved[i].begin(), saved[i].end(), rows[i].impulse);
 }
 
-template <unsigned int n>
-typename DiskSweeps<n>::Measure DiskSweeps<n>::measure()
+template <unsigned int n, bool in_cell>
+typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
 {
   std::vector<double> approach(ranges.size());
   for_ranges_at_once(
@@ -349,7 +395,8 @@ typename DiskSweeps<n>::Measure DiskSweeps<n>::measure()
             const State &a = states[row.a], &b = states[row.b];
             double w[n];
             contact.velocity(row, a, b, w);
-            const DiskCompliance<n> W = contact.compliance(row, a, b);
+            DiskCompliance<n> W = contact.compliance(row, a, b);
+            add_cell(row, w, W);
             const double here = contact.natural_map(row, W, w);
             worst = here <= worst ? worst : here; // takes what is not a number
             fastest = std::max(fastest, W.normal > 0. ? -w[0] : 0.);
@@ -374,17 +421,30 @@ typename DiskSweeps<n>::Measure DiskSweeps<n>::measure()
   return result;
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::wall_impulses(std::vector<double> &wall_sums) const
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::wall_impulses(std::vector<double> &wall_sums) const
 {
   wall_sums.assign(n_walls, 0.);
   const Range range = ranges.back();
   for (std::uint32_t i = range.first; i < range.last; ++i)
     wall_sums[wall_of[i - range.first]] += rows[i].impulse[0];
+  if constexpr (in_cell)
+    if (cell.is_free() && contacts.size() > 0)
+    {
+      double sum[2] = {0., 0.}, branches = 0.;
+      for (std::size_t i = 0; i < contacts.size(); ++i)
+      {
+        branches += std::sqrt(rows[i].branch[0] * rows[i].branch[0] + rows[i].branch[1] * rows[i].branch[1]);
+        for (unsigned int d = 0; d < 2; ++d)
+          sum[d] += rows[i].impulse[0] * rows[i].normal[d] * rows[i].branch[d];
+      }
+      for (const double one : sum)
+        wall_sums.push_back(branches > 0. ? one / branches * contacts.size() : 0.);
+    }
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::store_impulses(DiskContacts &target)
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
 {
   for_ranges_at_once(
       [&](const Range range, bool, std::uint32_t)
@@ -401,9 +461,10 @@ void DiskSweeps<n>::store_impulses(DiskContacts &target)
       });
 }
 
-template <unsigned int n>
-void DiskSweeps<n>::store_velocities(DiskBodies &target) const
+template <unsigned int n, bool in_cell>
+void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target) const
 {
+  target.cell = cell;
   for (std::size_t i = 0; i < n_bodies(); ++i)
   {
     const std::uint32_t body = original_of[i];
@@ -416,4 +477,7 @@ void DiskSweeps<n>::store_velocities(DiskBodies &target) const
 template class DiskSweeps<1>;
 template class DiskSweeps<2>;
 template class DiskSweeps<3>;
+template class DiskSweeps<1, true>;
+template class DiskSweeps<2, true>;
+template class DiskSweeps<3, true>;
 } // namespace softgrain::contact

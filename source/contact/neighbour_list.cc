@@ -60,6 +60,86 @@ struct CellGrid
   std::vector<std::uint32_t> start; ///< of cells, column by column
   std::vector<std::uint32_t> disks;
 };
+
+/// Image of the disk with the higher number, as that with the lower one sees it.
+ImageLattice::Image seen_from_low(const ImageLattice::Image &image, const bool low_is_first)
+{
+  return low_is_first ? image : ImageLattice::Image{{-image[0], -image[1]}};
+}
+
+/// Disks brought into the cell, and after them the images that are near to it: of two opposite ones that on
+/// the right, or above.
+struct ImagesNear
+{
+  ImagesNear() = default;
+
+  ImagesNear(const std::vector<std::array<double, 2>> &places,
+             const ImageLattice &lattice,
+             const double reach)
+      : n(places.size())
+  {
+    for (const std::array<double, 2> &x : places)
+    {
+      ImageLattice::Image fold{};
+      if (lattice.periodic[1])
+        fold[1] = static_cast<int>(std::floor((x[1] - lattice.lower[1]) / lattice.length[1]));
+      if (lattice.periodic[0])
+        fold[0] = static_cast<int>(
+            std::floor((x[0] - fold[1] * lattice.offset - lattice.lower[0]) / lattice.length[0]));
+      folds.push_back(fold);
+      position.push_back(moved(x, lattice.shift({{-fold[0], -fold[1]}})));
+    }
+    std::array<double, 2> lower = position[0], upper = position[0];
+    for (const std::array<double, 2> &x : position)
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        lower[d] = std::min(lower[d], x[d] - reach);
+        upper[d] = std::max(upper[d], x[d] + reach);
+      }
+    // The offset is at most half a length in one of the lattices that are the same.
+    const int turns = lattice.periodic[0] && lattice.periodic[1]
+                          ? static_cast<int>(std::lround(lattice.offset / lattice.length[0]))
+                          : 0;
+    const int above = lattice.periodic[1] ? 1 : 0, beside = lattice.periodic[0] ? 1 + above : 0;
+    for (int up = 0; up <= above; ++up)
+      for (int right = up == 0 ? 1 : -beside; right <= beside; ++right)
+      {
+        const ImageLattice::Image image = {{right - turns * up, up}};
+        const std::array<double, 2> way = lattice.shift(image);
+        for (std::uint32_t i = 0; i < n; ++i)
+        {
+          const std::array<double, 2> x = moved(position[i], way);
+          if (x[0] > upper[0] || x[0] < lower[0] || x[1] > upper[1] || x[1] < lower[1])
+            continue;
+          position.push_back(x);
+          source.push_back(i);
+          images.push_back(image);
+        }
+      }
+  }
+
+  /// Image of disk @p j, or of the disk of which it is an image, that disk @p i meets where nothing is
+  /// folded.
+  ImageLattice::Image image(const std::size_t i, const std::size_t j) const
+  {
+    const ImageLattice::Image &to = folds[j < n ? j : source[j - n]];
+    ImageLattice::Image result = j < n ? ImageLattice::Image() : images[j - n];
+    for (unsigned int d = 0; d < 2; ++d)
+      result[d] += folds[i][d] - to[d];
+    return result;
+  }
+
+  static std::array<double, 2> moved(const std::array<double, 2> &x, const std::array<double, 2> &way)
+  {
+    return {{x[0] + way[0], x[1] + way[1]}};
+  }
+
+  std::size_t n = 0;
+  std::vector<std::array<double, 2>> position;
+  std::vector<std::uint32_t> source;       ///< of the images
+  std::vector<ImageLattice::Image> folds;  ///< of the disks: the copy of the cell each was in
+  std::vector<ImageLattice::Image> images; ///< which images they are
+};
 } // namespace
 
 NeighbourList::NeighbourList(std::vector<double> radii,
@@ -79,9 +159,39 @@ NeighbourList::NeighbourList(std::vector<double> radii,
       std::max(2. * largest + range.gap, group.empty() ? 0. : range.stretch * 2. * largest) + range.skin;
 }
 
-bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions)
+bool NeighbourList::has_moved(const std::vector<std::array<double, 2>> &positions,
+                              const ImageLattice &lattice) const
 {
-  if (built_at.size() == positions.size())
+  if (built_in.periodic != lattice.periodic)
+    return true;
+  // What moves as the lattice deforms comes nearer by its strain; what counts is how disks move beside that.
+  double stretch[2] = {1., 1.};
+  for (unsigned int d = 0; d < 2; ++d)
+    if (lattice.periodic[d])
+      stretch[d] = lattice.length[d] / built_in.length[d];
+  const double shear = (lattice.offset - stretch[0] * built_in.offset) / built_in.length[1];
+  const double strain = std::sqrt((stretch[0] - 1.) * (stretch[0] - 1.) +
+                                  (stretch[1] - 1.) * (stretch[1] - 1.) + shear * shear);
+  const double room = 0.5 * (range.skin - strain * largest_distance);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    const double x = built_at[i][0] - built_in.lower[0], y = built_at[i][1] - built_in.lower[1];
+    const double dx = positions[i][0] - lattice.lower[0] - stretch[0] * x - shear * y,
+                 dy = positions[i][1] - lattice.lower[1] - stretch[1] * y;
+    if (!(room > 0. && dx * dx + dy * dy < room * room))
+      return true;
+  }
+  return false;
+}
+
+bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice)
+{
+  if (lattice.repeats() && built_at.size() == positions.size())
+  {
+    if (!has_moved(positions, lattice))
+      return false;
+  }
+  else if (built_at.size() == positions.size())
   {
     const double limit = 0.25 * range.skin * range.skin;
     bool moved = false;
@@ -93,28 +203,37 @@ bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions)
     if (!moved)
       return false;
   }
-  build(positions);
+  build(positions, lattice);
   return true;
 }
 
-void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
+void NeighbourList::build(const std::vector<std::array<double, 2>> &places, const ImageLattice &lattice)
 {
-  if (positions.size() != radius.size())
-    throw InputError("neighbour list: " + std::to_string(positions.size()) + " places for " +
+  if (places.size() != radius.size())
+    throw InputError("neighbour list: " + std::to_string(places.size()) + " places for " +
                      std::to_string(radius.size()) + " disks");
   const std::vector<std::uint32_t> old_first = std::move(first), old_second = std::move(second);
+  const std::vector<ImageLattice::Image> old_images = std::move(images);
   const std::vector<Memory> old_memories = std::move(memories);
   first.clear();
   second.clear();
+  images.clear();
   tiles.assign(1, 0);
   colours.assign(1, 0);
-  built_at = positions;
-  if (positions.empty())
+  built_at = places;
+  built_in = lattice;
+  if (places.empty())
   {
     memories.clear();
     return;
   }
 
+  const std::size_t n_disks = places.size();
+  ImagesNear copies;
+  if (lattice.repeats())
+    copies = ImagesNear(places, lattice, largest_distance);
+  const std::vector<std::array<double, 2>> &positions = lattice.repeats() ? copies.position : places;
+  const auto disk = [&](const std::size_t i) { return i < n_disks ? i : copies.source[i - n_disks]; };
   const CellGrid grid(positions, largest_distance);
   const double per_column = static_cast<double>(positions.size()) / grid.n_columns;
   const std::size_t width = std::max<std::size_t>(1, std::lround(disks_per_tile / per_column));
@@ -123,13 +242,15 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
   std::vector<std::vector<std::array<std::uint32_t, 2>>> found(n_strips);
   const auto search = [&](const std::size_t i, const std::size_t cell, std::size_t from, auto &pairs)
   {
-    const double x = positions[i][0], y = positions[i][1], r = radius[i];
+    const double x = positions[i][0], y = positions[i][1], r = radius[disk(i)];
     for (std::size_t k = std::max<std::size_t>(from, grid.start[cell]); k < grid.start[cell + 1]; ++k)
     {
       const std::uint32_t j = grid.disks[k];
-      const double dx = x - positions[j][0], dy = y - positions[j][1], sum = r + radius[j];
+      if (i >= n_disks && j >= n_disks)
+        continue;
+      const double dx = x - positions[j][0], dy = y - positions[j][1], sum = r + radius[disk(j)];
       double reach = sum + range.gap;
-      if (!group.empty() && group[i] == group[j])
+      if (!group.empty() && group[disk(i)] == group[disk(j)])
         reach = std::max(reach, range.stretch * sum);
       reach += range.skin;
       if (dx * dx + dy * dy < reach * reach)
@@ -167,24 +288,44 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &positions)
     throw ComputationError("neighbour list: more pairs than can be numbered");
   first.reserve(n);
   second.reserve(n);
+  std::vector<std::array<std::uint32_t, 2>> across; // the disk itself first, then the image
   for (unsigned int colour = 0; colour < 2; ++colour)
   {
     for (std::size_t strip = colour; strip < n_strips; strip += 2)
     {
       for (const auto &pair : found[strip])
       {
+        if (pair[0] >= n_disks || pair[1] >= n_disks)
+        {
+          across.push_back({std::min(pair[0], pair[1]), std::max(pair[0], pair[1])});
+          continue;
+        }
         first.push_back(pair[0]);
         second.push_back(pair[1]);
+        if (lattice.repeats())
+          images.push_back(copies.image(pair[0], pair[1]));
       }
       tiles.push_back(first.size());
     }
     colours.push_back(tiles.size() - 1);
   }
-  take_over_memories(old_first, old_second, old_memories);
+  if (lattice.repeats())
+  {
+    for (const auto &pair : across)
+    {
+      first.push_back(pair[0]);
+      second.push_back(copies.source[pair[1] - n_disks]);
+      images.push_back(copies.image(pair[0], pair[1]));
+    }
+    tiles.push_back(first.size());
+    colours.push_back(tiles.size() - 1);
+  }
+  take_over_memories(old_first, old_second, old_images, old_memories);
 }
 
 void NeighbourList::take_over_memories(const std::vector<std::uint32_t> &old_first,
                                        const std::vector<std::uint32_t> &old_second,
+                                       const std::vector<ImageLattice::Image> &old_images,
                                        const std::vector<Memory> &old_memories)
 {
   memories.assign(first.size(), Memory{});
@@ -205,7 +346,10 @@ void NeighbourList::take_over_memories(const std::vector<std::uint32_t> &old_fir
   {
     const std::uint32_t low = std::min(first[pair], second[pair]), high = std::max(first[pair], second[pair]);
     for (std::uint32_t k = start[low]; k < start[low + 1]; ++k)
-      if (std::max(old_first[entries[k]], old_second[entries[k]]) == high)
+      if (std::max(old_first[entries[k]], old_second[entries[k]]) == high &&
+          (images.empty() || old_images.empty() ||
+           seen_from_low(old_images[entries[k]], old_first[entries[k]] == low) ==
+               seen_from_low(images[pair], first[pair] == low)))
       {
         // Impulses are scalars along n, t and the axis: the same whichever disk comes first.
         memories[pair] = old_memories[entries[k]];

@@ -3,9 +3,11 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/box.h>
+#include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace softgrain
@@ -13,7 +15,12 @@ namespace softgrain
 namespace
 {
 constexpr std::size_t n_numbers = 11; // that the state of a wall is made of
+
+bool keeps_slide(const Wall &wall)
+{
+  return wall.slide_speed != 0. || wall.offset != 0.;
 }
+} // namespace
 
 WallState<2> Wall::state() const
 {
@@ -23,6 +30,9 @@ WallState<2> Wall::state() const
   state.normal = normal();
   state.position = wall_position(state.point, state.normal);
   state.velocity = speed;
+  state.slide_velocity = slide_speed;
+  state.repeats = repeats();
+  state.offset = offset;
   state.normal_force = 0. - force * normal();
   state.tangential_force = force * tangent();
   return state;
@@ -123,6 +133,33 @@ void check_free_walls(const Scene<2> &scene)
       }
 }
 
+void check_sliding_walls(const Scene<2> &scene)
+{
+  const auto repeats = [](const WallDescription<2> &wall)
+  { return wall.type == WallDescription<2>::Type::periodic; };
+  bool both[2] = {false, false};
+  for (const WallDescription<2> &wall : scene.walls)
+    if (repeats(wall))
+      both[axis_of(wall.normal)] = true;
+  for (const WallDescription<2> &wall : scene.walls)
+  {
+    const std::string at = "'Walls/" + wall.name + "/";
+    if (wall.drive->slides() && repeats(wall) && !(axis_of(wall.normal) == 1 && both[0]))
+      throw InputError(
+          at + "Tangential velocity' is not allowed with 'Type' = 'periodic' but at top and bottom of a "
+               "cell that repeats along x and y");
+    if (wall.drive->slides() && !repeats(wall) && wall.friction == 0.)
+      throw InputError(at + "Tangential velocity' has no effect without friction: set '" + at.substr(1) +
+                       "Friction', or leave it out");
+    for (const WallDescription<2> &other : scene.walls)
+      if (&wall != &other && repeats(wall) && repeats(other) && !wall.drive->prescribed() &&
+          !other.drive->prescribed() && axis_of(wall.normal) == axis_of(other.normal))
+        throw InputError(at + "Drive' = '" + wall.drive_name + "' is not allowed where 'Walls/" + other.name +
+                         "/Drive' = '" + other.drive_name +
+                         "' moves the side that faces it: of two periodic walls one may be free to move");
+  }
+}
+
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)
 {
   std::vector<WallState<2>> states;
@@ -144,6 +181,12 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
                    {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
                     wall.carried[0], wall.carried[1], wall.pressure, wall.drive_begin, wall.travel_before});
   out.write(name, numbers);
+  if (std::none_of(walls.begin(), walls.end(), keeps_slide))
+    return;
+  std::vector<double> sliding;
+  for (const Wall &wall : walls)
+    sliding.insert(sliding.end(), {wall.slide_speed, wall.offset});
+  out.write(name + "_sliding", sliding);
 }
 
 void load_walls(const StateReader &in, const std::string &name, std::vector<Wall> &walls)
@@ -162,6 +205,14 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].pressure = v[8];
     walls[w].drive_begin = v[9];
     walls[w].travel_before = v[10];
+  }
+  if (!in.contains(name + "_sliding"))
+    return;
+  const std::vector<double> sliding = in.read_doubles(name + "_sliding");
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    walls[w].slide_speed = sliding.at(2 * w);
+    walls[w].offset = sliding.at(2 * w + 1);
   }
 }
 } // namespace softgrain

@@ -184,6 +184,46 @@ void for_each_wall_array(const Action &action)
       "walls/tangential_force_N_per_m", [](auto &wall) -> auto & { return wall.tangential_force; });
 }
 
+/// What only a cell that repeats needs to be told of walls and contacts.
+template <typename Action>
+void for_each_cell_array(const Action &action)
+{
+  action(
+      "walls/offset_m", [](auto &wall) -> auto & { return wall.offset; });
+  action(
+      "walls/slide_velocity_m_per_s", [](auto &wall) -> auto & { return wall.slide_velocity; });
+}
+
+bool slides(const std::vector<WallState<2>> &walls)
+{
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const WallState<2> &wall) { return wall.repeats || wall.slide_velocity != 0.; });
+}
+
+void write_cell(Hdf5File &file, const Snapshot<2> &snapshot)
+{
+  if (!slides(snapshot.walls))
+    return;
+  write_indices(file, "walls/repeats", snapshot.walls, [](const auto &wall) { return wall.repeats; });
+  for_each_cell_array([&](const std::string &name, const auto &member)
+                      { write_rows(file, name, snapshot.walls, member); });
+  write_rows(file, "contacts/image_m", snapshot.contacts, [](const auto &contact) { return contact.image; });
+}
+
+void read_cell(const Hdf5File &file, const std::string &group, Snapshot<2> &snapshot)
+{
+  if (!file.contains(group + "walls/repeats"))
+    return;
+  const std::vector<std::uint64_t> repeats = file.read_integers(group + "walls/repeats");
+  for (std::size_t w = 0; w < repeats.size() && w < snapshot.walls.size(); ++w)
+    snapshot.walls[w].repeats = repeats[w] != 0;
+  for_each_cell_array([&](const std::string &name, const auto &member)
+                      { read_rows(file, group + name, snapshot.walls, member); });
+  read_rows(
+      file, group + "contacts/image_m", snapshot.contacts,
+      [](auto &contact) -> auto & { return contact.image; });
+}
+
 /// Points, by their member vectors.
 template <typename Points, typename Action>
 void for_each_point_array(Points &points, const Action &action)
@@ -289,6 +329,7 @@ void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool poin
   file.write("walls/name", names_of(snapshot.walls));
   for_each_wall_array([&](const std::string &name, const auto &member)
                       { write_rows(file, name, snapshot.walls, member); });
+  write_cell(file, snapshot);
   const Energies &energies = snapshot.energies;
   file.write("energies/kinetic_J_per_m", std::vector<double>{energies.kinetic});
   file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
@@ -313,6 +354,7 @@ Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)
   for_each_contact_index([&](const std::string &name, const auto &member)
                          { read_indices(file, group + name, snapshot.contacts, member); });
   for_each_wall_array(read_into(snapshot.walls));
+  read_cell(file, group, snapshot);
   const auto read_names = [&](const std::string &name, auto &items)
   {
     const std::vector<std::string> names = file.read_texts(group + name);

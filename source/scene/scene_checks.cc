@@ -97,6 +97,68 @@ void check_bodies_apart(const std::vector<BodyDescription<2>> &bodies)
         throw InputError("the bodies '" + bodies[b].name + "' and '" + bodies[a].name +
                          "' overlap at the start");
 }
+
+bool repeats(const WallDescription<2> &wall)
+{
+  return wall.type == WallDescription<2>::Type::periodic;
+}
+
+/// Sides of a cell come in pairs, along the axes, and nothing but planes at right angles stands beside them.
+void check_sides(const std::vector<WallDescription<2>> &walls)
+{
+  for (const WallDescription<2> &side : walls)
+  {
+    if (!repeats(side))
+      continue;
+    const std::string is = "'Walls/" + side.name + "/Type' = 'periodic' ";
+    if (std::abs(side.normal[0] * side.normal[1]) > 1e-12)
+      throw InputError(is + "needs a 'Normal' along x or y");
+    unsigned int facing = 0;
+    for (const WallDescription<2> &other : walls)
+    {
+      const double cosine = side.normal * other.normal;
+      facing += repeats(other) && cosine < -1. + 1e-12;
+      if (&other != &side && repeats(other) && cosine > 1. - 1e-12)
+        throw InputError(is + "is not allowed beside the periodic wall '" + other.name +
+                         "', which has the same normal");
+      if (!repeats(other) && std::abs(cosine) > 1e-12)
+        throw InputError(
+            is + "is not allowed with the wall '" + other.name +
+            "', which bodies do not go through: in a direction that repeats there are no others");
+      if (other.type == WallDescription<2>::Type::material_points)
+        throw InputError(is + "is not allowed with 'Walls/" + other.name +
+                         "/Type' = 'material points': choose 'plane'");
+    }
+    if (facing != 1)
+      throw InputError(is + "needs one wall of this type that faces it");
+    if (side.friction > 0.)
+      throw InputError("'Walls/" + side.name +
+                       "/Friction' has no effect with 'Type' = 'periodic': leave it at 0");
+  }
+}
+
+/// A cell is wide enough for its bodies not to meet themselves.
+void check_cell(const Scene<2> &scene)
+{
+  for (const WallDescription<2> &side : scene.walls)
+    for (const WallDescription<2> &other : scene.walls)
+    {
+      if (!repeats(side) || !repeats(other) || side.normal * other.normal > -1. + 1e-12)
+        continue;
+      const double length = (other.point - side.point) * side.normal;
+      for (const BodyDescription<2> &body : scene.bodies)
+      {
+        const auto extent = body.shape->distances_from_plane(side.point, side.normal);
+        if (extent.second - extent.first > 0.9 * length)
+          throw InputError("the cell between the walls '" + other.name + "' and '" + side.name + "' is " +
+                           number(length) + " m wide, too narrow for body '" + body.name +
+                           "', which would meet itself");
+        if (body.driven)
+          throw InputError("'Bodies/" + body.name +
+                           "/Driven' = 'true' is not allowed in a cell that repeats");
+      }
+    }
+}
 } // namespace
 
 void check_scene(const Scene<2> &scene)
@@ -109,9 +171,12 @@ void check_scene(const Scene<2> &scene)
     check_formulas(body);
   }
   check_walls(scene.walls);
+  check_sides(scene.walls);
   for (const WallDescription<2> &wall : scene.walls)
     for (const BodyDescription<2> &body : scene.bodies)
-      check_inside(body, wall);
+      if (wall.type != WallDescription<2>::Type::periodic)
+        check_inside(body, wall);
+  check_cell(scene);
   check_bodies_apart(scene.bodies);
 }
 } // namespace softgrain

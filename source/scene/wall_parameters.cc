@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/expression.h>
 #include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/scene/wall_drive.h>
@@ -14,6 +15,7 @@ namespace softgrain
 namespace
 {
 const std::string before = "as before";
+const char *const sliding = "Tangential velocity";
 
 /// Inward normal of a wall of the usual box.
 std::string usual_normal(const std::string &name)
@@ -50,6 +52,11 @@ void WallParameters::declare_drive(dealii::ParameterHandler &prm, const bool as_
     prm.declare_entry("Drive", "velocity", Selection(drives.choice()), drives.choice_in_words());
   for (const std::string &drive : drives.names())
     drives.create(drive)->declare_parameters(prm);
+  prm.declare_entry(
+      sliding, "0", dealii::Patterns::Anything(),
+      "Velocity along the tangent, which is the normal turned by -90 degrees: towards +x at the "
+      "bottom, -x at the top. Bodies feel it by friction, or, with 'Type = periodic', because "
+      "their images move; a formula of t (doc/formulas.md). Units: m/s.");
 }
 
 std::shared_ptr<const WallDrive> WallParameters::parse_drive(const dealii::ParameterHandler &prm,
@@ -64,7 +71,12 @@ std::shared_ptr<const WallDrive> WallParameters::parse_drive(const dealii::Param
     drive = drives.create(chosen);
     drive->parse_parameters(prm, wall);
     own = parameters_of(chosen);
+    if (prm.get(sliding) != "0")
+      drive->slide(formula_of_time(prm.get(sliding), wall + "/" + sliding));
   }
+  else if (prm.get(sliding) != "0")
+    throw InputError("'" + wall + "/" + sliding + "' = '" + prm.get(sliding) +
+                     "' has no effect with 'Drive' = '" + before + "': choose a drive");
   for (const std::string &other : drives.names())
     for (const ParameterEntry &entry : parameters_of(other))
       if (prm.get(entry.name) != entry.default_value &&
@@ -86,9 +98,12 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
   for (const std::string &name : names)
   {
     prm.enter_subsection(name);
-    prm.declare_entry(
-        "Type", "plane", Selection("plane|material points"),
-        "plane: an exact plane; material points: a rigid slab of material points, as in the thesis.");
+    prm.declare_entry("Type", "plane", Selection("plane|material points|periodic"),
+                      "plane: an exact plane; material points: a rigid slab of material points, as in the "
+                      "thesis; periodic: "
+                      "with the wall that faces it a pair of sides of a cell that repeats. Bodies go through "
+                      "it; it is driven "
+                      "as other walls are, and the cell deforms with all that is in it.");
     prm.declare_entry("Point", "0, 0", List(Double(), 2, 2, ","),
                       "A point of the plane at the start. Units: m.");
     prm.declare_entry("Normal", usual_normal(name), List(Double(), 0, 2, ","),
@@ -111,8 +126,10 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
     prm.enter_subsection(name);
     WallDescription<2> wall;
     wall.name = name;
-    wall.type = prm.get("Type") == "plane" ? WallDescription<2>::Type::plane
-                                           : WallDescription<2>::Type::material_points;
+    const std::string type = prm.get("Type");
+    wall.type = type == "plane"      ? WallDescription<2>::Type::plane
+                : type == "periodic" ? WallDescription<2>::Type::periodic
+                                     : WallDescription<2>::Type::material_points;
     wall.point = dealii::Point<2>(pair_of_numbers(prm.get("Point")));
     const std::string written = prm.get("Normal");
     const std::string normal = written.empty() ? usual_normal(name) : written;

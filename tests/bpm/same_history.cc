@@ -90,4 +90,8 @@ int main()
 {
   compare("frictionless", {});
   compare("friction and rolling resistance", {"Contact/Friction=0.5", "Contact/Rolling resistance=0.1"});
+  Changes cell = {"Contact/Friction=0.5", "Walls/top/Tangential velocity=-0.3"};
+  for (const std::string wall : {"bottom", "top", "left", "right"})
+    cell.push_back("Walls/" + wall + "/Type=periodic");
+  compare("cell that repeats", cell);
 }

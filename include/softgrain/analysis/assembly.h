@@ -31,6 +31,7 @@ struct MovingBox : Box
 {
   double width_rate = 0;  ///< [m/s]
   double height_rate = 0; ///< [m/s]
+  double slide_rate = 0;  ///< of the top along x, against the bottom [m/s]
 };
 
 /// What a measure may know beside the snapshot.

@@ -65,6 +65,7 @@ struct ContactState
   dealii::Tensor<1, dim> force;     ///< on body_a [N/m in 2D]
   double length = 0;                ///< length of contact line this row stands for [m]
   double gap = 0;                   ///< [m], negative when the bodies overlap
+  dealii::Tensor<1, dim> image;     ///< from body_b to the image of it that body_a touches [m]
 };
 
 /// A wall and what it feels.
@@ -76,8 +77,11 @@ struct WallState
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
   double position = 0;           ///< that `NAME_position_m` reports, see wall_position() [m]
   double velocity = 0;           ///< along the normal [m/s]
+  double slide_velocity = 0;     ///< along the tangent (normal turned by -90 degrees) [m/s]
   double normal_force = 0;       ///< compression positive [N/m in 2D]
   double tangential_force = 0;   ///< force on the wall along its tangent (normal turned by -90 degrees) [N/m]
+  bool repeats = false;          ///< it is a side of a cell that repeats: forces are those through it
+  double offset = 0;             ///< of the cell above, of such a side [m]
 };
 
 /// Energies of the whole scene [J/m in 2D].

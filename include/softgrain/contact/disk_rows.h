@@ -2,6 +2,8 @@
 #ifndef softgrain_contact_disk_rows_h
 #define softgrain_contact_disk_rows_h
 
+#include <softgrain/contact/disk_system.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -60,6 +62,13 @@ struct DiskRow : DiskRowExtra<n>
   double previous[n]; ///< impulse before the last sweep, for the momentum
 };
 
+/// The same in a cell that deforms.
+template <unsigned int n>
+struct DiskRowInCell : DiskRow<n>
+{
+  double branch[2]; ///< [m]
+};
+
 /// Compliance of a contact; normal and other directions are not coupled, because centres and contact are in
 /// line.
 template <unsigned int n>
@@ -107,7 +116,9 @@ struct DiskContact
     if constexpr (n > 1)
     {
       if constexpr (wall)
-        w[1] = row.normal[0] * a.velocity[1] - row.normal[1] * a.velocity[0] - row.arm_a * a.angular_velocity;
+        w[1] =
+            (row.normal[0] * a.velocity[1] - row.normal[1] * a.velocity[0] - row.arm_a * a.angular_velocity) -
+            (row.normal[0] * b.velocity[1] - row.normal[1] * b.velocity[0]);
       else
         w[1] = row.normal[0] * u[1] - row.normal[1] * u[0] - row.arm_a * a.angular_velocity -
                row.arm_b * b.angular_velocity;
@@ -235,6 +246,48 @@ private:
     }
     if (first) // no compliance
       t = r = 0.;
+  }
+};
+
+/// What a cell that deforms adds to the kinematics of a contact.
+template <unsigned int n>
+struct DiskCellContact
+{
+  using Row = DiskRowInCell<n>;
+
+  static void add_velocity(const Row &row, const DiskCell &cell, double (&w)[n])
+  {
+    const double u[2] = {cell.gradient[0][0] * row.branch[0] + cell.gradient[0][1] * row.branch[1],
+                         cell.gradient[1][0] * row.branch[0] + cell.gradient[1][1] * row.branch[1]};
+    w[0] += row.normal[0] * u[0] + row.normal[1] * u[1];
+    if constexpr (n > 1)
+      w[1] += row.normal[0] * u[1] - row.normal[1] * u[0];
+  }
+
+  static void add_compliance(const Row &row, const DiskCell &cell, DiskCompliance<n> &W)
+  {
+    const double tangent[2] = {-row.normal[1], row.normal[0]};
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int l = 0; l < 2; ++l)
+      {
+        const double part = cell.inverse_mass[k][l] * row.branch[l] * row.branch[l];
+        W.normal += part * row.normal[k] * row.normal[k];
+        if constexpr (n > 1)
+          W.tangential += part * tangent[k] * tangent[k];
+      }
+  }
+
+  static void apply(const Row &row, DiskCell &cell, const double (&change)[n])
+  {
+    double force[2] = {row.normal[0] * change[0], row.normal[1] * change[0]};
+    if constexpr (n > 1)
+    {
+      force[0] -= row.normal[1] * change[1];
+      force[1] += row.normal[0] * change[1];
+    }
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int l = 0; l < 2; ++l)
+        cell.gradient[k][l] += cell.inverse_mass[k][l] * force[k] * row.branch[l];
   }
 };
 } // namespace softgrain::contact

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace softgrain::contact
@@ -20,8 +21,10 @@ namespace softgrain::contact
  * a tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
  * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
  * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
+ * @tparam in_cell contacts know their branch, and a cell that deforms parts or closes them. Where that is
+ * free to deform, it has a part in all contacts, which are then swept one after the other
  */
-template <unsigned int n>
+template <unsigned int n, bool in_cell = false>
 class DiskSweeps
 {
 public:
@@ -61,7 +64,8 @@ public:
 
   Measure measure();
 
-  /// Sum of the normal impulses on every wall, by first appearance in the contacts [N s/m].
+  /// Sum of the normal impulses on every wall, by first appearance in the contacts [N s/m]; after them what a
+  /// free cell feels, over its mean branch.
   void wall_impulses(std::vector<double> &sums) const;
 
   /// Impulses to @p contacts, in the order that they came in.
@@ -70,7 +74,7 @@ public:
   void store_velocities(DiskBodies &bodies) const;
 
 private:
-  using Row = DiskRow<n>;
+  using Row = std::conditional_t<in_cell, DiskRowInCell<n>, DiskRow<n>>;
   using State = DiskState<(n > 1)>;
   static constexpr unsigned int n_velocities = n > 1 ? 3 : 2;
 
@@ -84,6 +88,10 @@ private:
   void make_ranges();
   void pack(Range range, bool wall);
   void extrapolate(double momentum);
+  /// What the cell adds to velocity and compliance of a contact; nothing but in a cell.
+  void add_cell(const Row &row, double (&w)[n], DiskCompliance<n> &W) const;
+  /// Tells the cell of an impulse.
+  void move_cell(const Row &row, const double (&change)[n]);
 
   /// Calls work(range, is_wall, index of the range): ranges of one colour at the same time, walls last.
   template <class Work>
@@ -104,6 +112,7 @@ private:
   // Not vectors: those would fill them on one thread before all threads do.
   std::unique_ptr<Row[]> rows;
   std::unique_ptr<State[]> states;
+  DiskCell cell, last_cell;
   std::unique_ptr<std::array<double, n_velocities>[]> last_velocity;
   std::vector<std::uint32_t> packed_of;   ///< of a body of the caller
   std::vector<std::uint32_t> original_of; ///< of a packed body

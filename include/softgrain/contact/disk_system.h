@@ -9,10 +9,29 @@
 namespace softgrain::contact
 {
 /**
+ * @brief A cell that deforms and takes bodies along, as the contacts between disks see it.
+ *
+ * Two bodies at a branch r from each other are parted by it at L r. An entry of L may be an unknown: a force
+ * f at a contact then changes L_kl by f_k r_l times its inverse mass.
+ */
+struct DiskCell
+{
+  double gradient[2][2] = {{0, 0}, {0, 0}};     ///< L [1/s]
+  double inverse_mass[2][2] = {{0, 0}, {0, 0}}; ///< [1/(kg m)]; 0: prescribed
+
+  bool is_free() const
+  {
+    return inverse_mass[0][0] > 0. || inverse_mass[0][1] > 0. || inverse_mass[1][0] > 0. ||
+           inverse_mass[1][1] > 0.;
+  }
+};
+
+/**
  * @brief Rigid bodies as the contacts between disks see them: a velocity and a mass, and a rotation only
  * where friction or rolling resistance asks for one.
  *
- * Walls are bodies too: their velocity is along their normal, their inverse mass 0 when it is prescribed.
+ * Walls are bodies too: their velocity is along their normal unless both components are prescribed, their
+ * inverse mass 0 when it is prescribed.
  */
 struct DiskBodies
 {
@@ -20,6 +39,7 @@ struct DiskBodies
   std::vector<double> inverse_mass;            ///< [m/kg]; 0: prescribed velocity
   std::vector<double> angular_velocity;        ///< [rad/s]; empty: rotations do not matter
   std::vector<double> inverse_inertia;         ///< [1/(kg m)]; empty or one per body
+  DiskCell cell;                               ///< of contacts that know their branch
 
   std::size_t size() const { return velocity.size(); }
   bool rotate() const { return !angular_velocity.empty(); }
@@ -34,7 +54,7 @@ struct DiskBodies
  *
  * Contacts are ordered by tiles: two tiles of one colour share no body, so that they may be swept at the same
  * time with the same answer for any number of threads. Contacts with walls come last and are swept one after
- * the other; there the wall is b, and only its normal velocity takes part.
+ * the other; there the wall is b, which feels the normal impulse alone.
  */
 struct DiskContacts
 {
@@ -44,6 +64,7 @@ struct DiskContacts
   std::vector<double> friction;     ///< empty without rotations
   std::vector<double> rolling;      ///< [m]; empty: no rolling resistance
   std::vector<double> arm_a, arm_b; ///< distance from centre to contact [m]; empty without rotations
+  std::vector<std::array<double, 2>> branch; ///< in a cell that deforms, else empty [m]
 
   std::vector<double> impulse;            ///< normal, warm start in, solution out [N s/m]
   std::vector<double> tangential_impulse; ///< [N s/m]; empty without rotations

@@ -2,6 +2,8 @@
 #ifndef softgrain_contact_neighbour_list_h
 #define softgrain_contact_neighbour_list_h
 
+#include <softgrain/contact/image_lattice.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,6 +18,9 @@ namespace softgrain::contact
  * farther than the next strip and tiles of one colour (every other one) share no disk. Loops over pairs may
  * therefore run over the tiles of a colour at the same time and add to their disks without locks, with the
  * same answer for any number of threads. Each pair carries what its contact remembers from step to step.
+ *
+ * Where disks repeat, their places are anywhere in the lattice and pairs are with images; those across a side
+ * of the cell are one tile, which has a colour of its own.
  */
 class NeighbourList
 {
@@ -45,13 +50,22 @@ public:
    * @brief Makes the list anew if a disk has moved too far since it was made; memories of pairs survive.
    * @return whether it was made anew.
    */
-  bool update(const std::vector<std::array<double, 2>> &positions);
+  bool update(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice = {});
 
   /// Makes the list anew. @throw ComputationError when a position is not finite.
-  void build(const std::vector<std::array<double, 2>> &positions);
+  void build(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice = {});
 
   /// Places for which the list was made [m]: together with memory() all that a restart needs.
   const std::vector<std::array<double, 2>> &build_positions() const { return built_at; }
+
+  /// The lattice for which it was made.
+  const ImageLattice &build_lattice() const { return built_in; }
+
+  /// Image of b(pair) that a(pair) is near to.
+  ImageLattice::Image image(const std::size_t pair) const
+  {
+    return images.empty() ? ImageLattice::Image() : images[pair];
+  }
 
   std::size_t n_pairs() const { return first.size(); }
   std::uint32_t a(const std::size_t pair) const { return first[pair]; }
@@ -67,8 +81,10 @@ public:
   const std::vector<Memory> &memory() const { return memories; }
 
 private:
+  bool has_moved(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice) const;
   void take_over_memories(const std::vector<std::uint32_t> &old_first,
                           const std::vector<std::uint32_t> &old_second,
+                          const std::vector<ImageLattice::Image> &old_images,
                           const std::vector<Memory> &old_memories);
 
   std::vector<double> radius;
@@ -76,7 +92,9 @@ private:
   Range range;
   double largest_distance = 0; ///< of the centres of a listed pair
   std::vector<std::array<double, 2>> built_at;
+  ImageLattice built_in;
   std::vector<std::uint32_t> first, second;
+  std::vector<ImageLattice::Image> images; ///< of the second; empty when nothing repeats
   std::vector<Memory> memories;
   std::vector<std::uint32_t> tiles, colours;
 };

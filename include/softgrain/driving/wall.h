@@ -34,6 +34,8 @@ struct Wall
   double usual_mass = 0;        ///< the same if none is given [kg/m]
   double drive_begin = 0;       ///< since when it is driven as it is [s]
   double travel_before = 0;     ///< until then [m]
+  double slide_speed = 0;       ///< along the tangent, mean over the last step [m/s]
+  double offset = 0;            ///< of the cell above, of a side of a cell that repeats [m]
   double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
@@ -49,7 +51,15 @@ struct Wall
   {
     return dealii::Tensor<1, 2>({description.normal[1], -description.normal[0]});
   }
-  dealii::Tensor<1, 2> velocity() const { return speed * description.normal; } ///< [m/s]
+  /// [m/s]
+  dealii::Tensor<1, 2> velocity() const
+  {
+    return slide_speed == 0. ? speed * description.normal
+                             : speed * description.normal + slide_speed * tangent();
+  }
+
+  /// Whether it is a side of a cell that repeats.
+  bool repeats() const { return description.type == WallDescription<2>::Type::periodic; }
 
   bool prescribed() const { return description.drive->prescribed(); }
 
@@ -67,6 +77,14 @@ struct Wall
   WallDemand demand(const double time, const double dt, const double stress_beside = 0.) const
   {
     return description.drive->demand({time - drive_begin, dt, travel - travel_before, stress_beside});
+  }
+
+  /// Velocity along the tangent that its drive asks of it in a step of @p dt from @p time on [m/s].
+  double demanded_slide(const double time, const double dt) const
+  {
+    return description.drive->slides()
+               ? description.drive->slide_velocity({time - drive_begin, dt, travel - travel_before})
+               : 0.;
   }
 
   /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
@@ -105,6 +123,10 @@ double take_drives(std::vector<Wall> &walls,
 /// Whether the pressure of a free wall has a length to act on.
 /// @throw InputError
 void check_free_walls(const Scene<2> &scene);
+
+/// Whether walls that move along their tangent take something with them, and sides of a cell go together.
+/// @throw InputError
+void check_sliding_walls(const Scene<2> &scene);
 
 /// What the models report of all walls.
 std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);

@@ -47,8 +47,9 @@ struct WallDescription
 {
   enum class Type
   {
-    plane,          ///< exact plane
-    material_points ///< a slab of material points that moves rigidly, as in the thesis
+    plane,           ///< exact plane
+    material_points, ///< a slab of material points that moves rigidly, as in the thesis
+    periodic         ///< side of a cell that repeats: bodies go through it, it moves as other walls do
   };
 
   std::string name;

@@ -2,6 +2,7 @@
 #ifndef softgrain_scene_wall_drive_h
 #define softgrain_scene_wall_drive_h
 
+#include <softgrain/base/expression.h>
 #include <softgrain/base/registry.h>
 
 #include <memory>
@@ -27,7 +28,7 @@ struct WallStep
   double middle() const { return begin + 0.5 * dt; } ///< [s]
 };
 
-/// What a drive asks of its wall in a step. A drive that moves the wall along its tangent would add to it.
+/// What a drive asks of its wall in a step.
 struct WallDemand
 {
   double velocity = 0; ///< mean over the step, along the normal; of a prescribed wall [m/s]
@@ -69,6 +70,15 @@ public:
 
   /// Of a wall that is not prescribed.
   virtual WallInertia inertia() const { return {}; }
+
+  /// Moves the wall along its tangent too, whatever moves it along its normal. @param formula of t [m/s]
+  void slide(const Expression &formula) { sliding = formula; }
+  bool slides() const { return sliding.has_value(); }
+  /// Velocity along the tangent, mean over the step [m/s].
+  double slide_velocity(const WallStep &step) const { return sliding ? (*sliding)({step.middle()}) : 0.; }
+
+private:
+  std::optional<Expression> sliding;
 };
 
 template <>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/box_measures.h>
 #include <softgrain/analysis/measure.h>
+#include <softgrain/analysis/snapshot_cell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ public:
     if (!strain || assembly.snapshot.bodies.empty())
       return result;
     // The shear strain of a box that keeps its area, the change of area of one that keeps its form.
-    const double way = std::abs(strain->along_height) + std::abs(strain->along_width);
+    const double way = std::abs(strain->along_height) + std::abs(strain->along_width) +
+                       sheared(before->walls, assembly.snapshot.walls);
     const Pairs old_pairs = pairs_of(Assembly(*before).contacts), pairs = pairs_of(assembly.contacts);
     result[2] = nonaffine_displacement(assembly, *before, *strain);
     if (!(way > 0.))
@@ -64,6 +66,14 @@ public:
   }
 
 private:
+  /// Shear strain of a cell whose top slides over its bottom.
+  static double sheared(const std::vector<WallState<2>> &before, const std::vector<WallState<2>> &now)
+  {
+    const PeriodicCell old_cell = cell_of(before), cell = cell_of(now);
+    return cell.repeats() ? std::abs(cell.offset / cell.length[1] - old_cell.offset / old_cell.length[1])
+                          : 0.;
+  }
+
   /// Root of the mean square, over the mean diameter.
   static double
   nonaffine_displacement(const Assembly &assembly, const Snapshot<2> &before, const BoxStrain &strain)
@@ -76,14 +86,24 @@ private:
     };
     const dealii::Point<2> old_corner = corner(before.walls), new_corner = corner(assembly.snapshot.walls);
     const double stretch[2] = {std::exp(-strain.along_width), std::exp(-strain.along_height)};
+    const PeriodicCell old_cell = cell_of(before.walls), cell = cell_of(assembly.snapshot.walls);
+    const double shear = (cell.offset - stretch[0] * old_cell.offset) / old_cell.length[1];
     double sum = 0., diameter = 0.;
     for (unsigned int b = 0; b < before.bodies.size(); ++b)
     {
+      dealii::Tensor<1, 2> way;
       for (unsigned int d = 0; d < 2; ++d)
       {
         const double affine = new_corner[d] + stretch[d] * (before.bodies[b].center[d] - old_corner[d]);
-        sum += std::pow(assembly.snapshot.bodies[b].center[d] - affine, 2);
+        way[d] = assembly.snapshot.bodies[b].center[d] - affine;
       }
+      if (cell.repeats())
+      {
+        way[0] -= shear * (before.bodies[b].center[1] - old_corner[1]);
+        way = cell.shortest(way);
+      }
+      for (unsigned int d = 0; d < 2; ++d)
+        sum += std::pow(way[d], 2);
       diameter += assembly.rest_diameter(b);
     }
     const double n = before.bodies.size();

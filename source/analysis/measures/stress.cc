@@ -35,7 +35,8 @@ public:
         continue;
       moment += outer_product(contact.force, contact.place - snapshot.bodies[contact.body_a].center);
       if (contact.wall == ContactState<2>::not_a_body)
-        moment -= outer_product(contact.force, contact.place - snapshot.bodies[contact.body_b].center);
+        moment -= outer_product(contact.force,
+                                contact.place - snapshot.bodies[contact.body_b].center - contact.image);
     }
     const dealii::SymmetricTensor<2, 2> stress = symmetrize(moment) / assembly.box->area();
     const double p = -0.5 * trace(stress), q = 0.5 * eigenvalue_difference(stress);
@@ -58,7 +59,8 @@ public:
 
 private:
   /// Strain rate times the time a body needs to fill a gap under the pressure @p p
-  /// @cite nguyen2016, eq. (2.19); the rate is that of the walls that move faster.
+  /// @cite nguyen2016, eq. (2.19); the rate is that of the walls that move faster, along their normal or
+  /// their tangent.
   static double inertial_number(const Assembly &assembly, const double p)
   {
     double mass = 0., area = 0., diameter = 0.;
@@ -70,7 +72,8 @@ private:
     }
     const MovingBox &box = *assembly.box;
     const double rate =
-        std::max(std::abs(box.height_rate) / box.height, std::abs(box.width_rate) / box.width);
+        std::max({std::abs(box.height_rate) / box.height, std::abs(box.width_rate) / box.width,
+                  std::abs(box.slide_rate) / box.height});
     return rate * diameter * std::sqrt(mass / area / p);
   }
 };

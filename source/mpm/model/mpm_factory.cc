@@ -82,12 +82,26 @@ private:
     }
   }
 
+  /// @throw InputError for walls that this model has not
+  static void check_walls(const Scene<2> &scene)
+  {
+    for (const WallDescription<2> &wall : scene.walls)
+    {
+      if (wall.type == WallDescription<2>::Type::periodic)
+        throw InputError("'Walls/" + wall.name +
+                         "/Type' = 'periodic' is not allowed with 'Model' = 'mpm': choose another");
+      if (wall.drive->slides())
+        throw InputError("'Walls/" + wall.name + "/Tangential velocity' is not allowed with 'Model' = 'mpm'");
+    }
+  }
+
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
 
   static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm);
+    check_walls(scene);
     check_free_walls(scene);
     check_wall_inertia(scene, settings);
     Laws laws;

@@ -6,6 +6,7 @@
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/driving/balance.h>
+#include <softgrain/driving/folded_bodies.h>
 #include <softgrain/driving/step_control.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/model/model.h>
@@ -79,7 +80,7 @@ private:
   std::vector<std::vector<std::vector<dealii::Point<2>>>> outlines() const;
   void refresh_solid_area() const;
   ContactState<2> contact_state(std::size_t row) const;
-  void add_inner_forces(Snapshot<2> &snapshot) const;
+  void add_inner_forces(Snapshot<2> &snapshot, const FoldedBodies *cell) const;
   void add_stresses(Snapshot<2> &snapshot) const;
 
   Scene<2> scene;

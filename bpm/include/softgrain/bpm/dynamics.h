@@ -7,9 +7,11 @@
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
+#include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/wall.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dealii
@@ -49,13 +51,15 @@ struct DynamicsReport
   double damping_loss = 0;    ///< in the damping of walls [J/m]
   double force_work = 0;      ///< done by body forces [J/m]
   double max_penetration = 0; ///< after the step [m]
+  dealii::Tensor<1, 2> cell_impulse; ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 
 /**
  * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction (3.1), contacts (Signorini, Coulomb), walls.
  *
  * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
- * the velocities after contact; forces and contacts for the new places.
+ * the velocities after contact; forces and contacts for the new places. In a cell that repeats, places are
+ * anywhere in its lattice, and velocities those beside the motion of the cell (see CellMotion).
  */
 class Dynamics
 {
@@ -110,6 +114,9 @@ public:
   /// How often neighbours have been searched.
   std::size_t lists_made() const { return n_lists; }
 
+  /// Image of its second body that row @p row is a contact with; not one with a wall.
+  PeriodicCell::Image image_of_row(const std::size_t row) const { return list.image(pair_of_row[row]); }
+
   /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
   double attraction_of(std::size_t pair) const;
 
@@ -130,6 +137,14 @@ private:
   void collect(const std::vector<Wall> &walls);
   void collect_walls(const std::vector<Wall> &walls);
   bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
+  void see_cell(const std::vector<Wall> &walls);
+  contact::ImageLattice lattice() const;
+  void find_centers();
+  /// In a cell: from the centre of the body of @p b, or its image, to that of @p a; zero in a body [m].
+  dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell::Image &image) const;
+  void prepare_cell(double dt, const std::vector<Wall> &walls);
+  void load_cell(double dt, std::vector<Wall> &walls) const;
+  void take_along(double dt, std::vector<Wall> &walls, DynamicsReport &report);
   void resize_rows(std::size_t n);
   void set_row(std::size_t row,
                std::uint32_t a,
@@ -162,6 +177,9 @@ private:
   std::vector<std::uint32_t> pair_of_row;
   std::vector<std::array<double, 2>> force;
   std::vector<WallMemory> remembered_at_walls;
+  std::optional<CellMotion> cell;               ///< as the walls move now; nothing where nothing repeats
+  std::vector<dealii::Point<2>> center_of_body; ///< in a cell [m]
+  std::vector<double> mass_of_body;             ///< in a cell [kg/m]
   double stored_energy = 0, deepest = 0;
   std::size_t n_lists = 0;
 

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of Dynamics that knows of a cell that repeats.
+#include <softgrain/bpm/dynamics.h>
+
+namespace softgrain::bpm
+{
+namespace
+{
+CellMotion motion_of(const std::vector<Wall> &walls)
+{
+  CellMotion motion;
+  motion.cell = cell_of(walls);
+  for (const Wall &wall : walls)
+    if (wall.repeats())
+      motion.add_side(wall.normal(), wall.velocity());
+  return motion;
+}
+} // namespace
+
+void Dynamics::see_cell(const std::vector<Wall> &walls)
+{
+  cell.reset();
+  for (const Wall &wall : walls)
+    if (wall.repeats())
+    {
+      cell = motion_of(walls);
+      find_centers();
+      return;
+    }
+}
+
+contact::ImageLattice Dynamics::lattice() const
+{
+  if (!cell)
+    return {};
+  const PeriodicCell &here = cell->cell;
+  return {here.periodic, {{here.lower[0], here.lower[1]}}, here.length, here.offset};
+}
+
+void Dynamics::find_centers()
+{
+  const std::size_t n_bodies = primaries.size() == 0 ? 0 : primaries.body.back() + 1;
+  center_of_body.assign(n_bodies, dealii::Point<2>());
+  mass_of_body.assign(n_bodies, 0.);
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+  {
+    mass_of_body[primaries.body[i]] += primaries.mass[i];
+    for (unsigned int d = 0; d < 2; ++d)
+      center_of_body[primaries.body[i]][d] += primaries.mass[i] * primaries.position[i][d];
+  }
+  for (std::size_t b = 0; b < n_bodies; ++b)
+    center_of_body[b] /= mass_of_body[b];
+}
+
+dealii::Tensor<1, 2>
+Dynamics::branch(const std::uint32_t a, const std::uint32_t b, const PeriodicCell::Image &image) const
+{
+  if (primaries.body[a] == primaries.body[b])
+    return {};
+  return center_of_body[primaries.body[a]] - center_of_body[primaries.body[b]] - cell->cell.shift(image);
+}
+
+void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
+{
+  cell = motion_of(walls);
+  bodies.cell = contact::DiskCell();
+  for (const Wall &wall : walls)
+    if (wall.repeats() && !wall.prescribed())
+    {
+      const FreeWallStep step = free_wall_step(wall, dt, 1.);
+      cell->add_side(wall.normal(), (step.free_speed - wall.speed) * wall.normal());
+      const unsigned int d = axis_of(wall.normal());
+      const double length = cell->cell.length[d];
+      bodies.cell.inverse_mass[d][d] = 1. / (step.mass * length * length);
+    }
+  for (unsigned int k = 0; k < 2; ++k)
+    for (unsigned int l = 0; l < 2; ++l)
+      bodies.cell.gradient[k][l] = cell->gradient[k][l];
+}
+
+void Dynamics::load_cell(const double dt, std::vector<Wall> &walls) const
+{
+  dealii::Tensor<2, 2> virial;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    const std::array<double, 2> &n = rows.normal[row], &r = rows.branch[row];
+    const double t = rotations ? rows.tangential_impulse[row] : 0.;
+    const double force[2] = {(n[0] * rows.impulse[row] - n[1] * t) / dt,
+                             (n[1] * rows.impulse[row] + n[0] * t) / dt};
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int l = 0; l < 2; ++l)
+        virial[k][l] += force[k] * r[l];
+  }
+  load_sides(walls, cell->cell, virial);
+}
+
+void Dynamics::take_along(const double dt, std::vector<Wall> &walls, DynamicsReport &report)
+{
+  // Sides have their speeds at the end of the step.
+  CellMotion motion;
+  motion.cell = cell->cell;
+  for (const Wall &wall : walls)
+    if (wall.repeats())
+      motion.add_side(wall.normal(), wall.velocity());
+  const double offset = motion.offset_after(dt);
+  for (Wall &wall : walls)
+    if (wall.repeats())
+      wall.offset = offset;
+  if (!motion.deforms())
+    return;
+  // All copies of the cell stay alike: what is peculiar now is measured against the cell after the step.
+  dealii::Tensor<2, 2> stretch = dt * motion.gradient;
+  stretch[0][0] += 1.;
+  stretch[1][1] += 1.;
+  const dealii::Tensor<2, 2> after = motion.gradient * invert(stretch);
+  std::vector<dealii::Tensor<1, 2>> way(center_of_body.size()), change(center_of_body.size());
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      change[primaries.body[i]][d] += primaries.mass[i] * primaries.velocity[i][d];
+  for (std::size_t b = 0; b < way.size(); ++b)
+  {
+    way[b] = dt * motion.velocity(center_of_body[b]);
+    change[b] = -dt / mass_of_body[b] * (after * change[b]);
+    report.cell_impulse += mass_of_body[b] * change[b];
+  }
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+  {
+    const std::uint32_t b = primaries.body[i];
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      primaries.position[i][d] += way[b][d];
+      report.wall_work += primaries.mass[i] * change[b][d] * (primaries.velocity[i][d] + 0.5 * change[b][d]);
+      primaries.velocity[i][d] += change[b][d];
+    }
+  }
+}
+} // namespace softgrain::bpm

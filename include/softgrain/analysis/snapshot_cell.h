@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_analysis_snapshot_cell_h
+#define softgrain_analysis_snapshot_cell_h
+
+#include <softgrain/analysis/snapshot.h>
+#include <softgrain/geometry/periodic_cell.h>
+
+#include <vector>
+
+namespace softgrain
+{
+/// The cell between those of the walls that are sides of one; it does not repeat when there are none.
+inline PeriodicCell cell_of(const std::vector<WallState<2>> &walls)
+{
+  std::vector<CellSide> sides;
+  double offset = 0.;
+  for (const WallState<2> &wall : walls)
+    if (wall.repeats)
+    {
+      sides.push_back({wall.point, wall.normal});
+      offset = wall.offset;
+    }
+  return make_cell(sides, offset);
+}
+} // namespace softgrain
+
+#endif

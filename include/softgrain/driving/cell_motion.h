@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_driving_cell_motion_h
+#define softgrain_driving_cell_motion_h
+
+#include <softgrain/driving/wall.h>
+#include <softgrain/geometry/periodic_cell.h>
+
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief A cell that repeats at the start of a step, and how it deforms over it: homogeneously, so that its
+ * sides move as they are driven.
+ *
+ * Bodies follow as wholes: each is taken along with velocity(centre of its mass), not strained. Velocities in
+ * the models are those beside this one (peculiar). An image that lies n cells away is taken along at
+ * velocity(x + shift(n)), so all copies of the cell are alike however fast it deforms; the price is the
+ * force -m L U on a body of mass m and peculiar velocity U, L being the gradient
+ * (Evans and Morriss, Phys. Rev. A 30, 1984, SLLOD).
+ */
+struct CellMotion
+{
+  PeriodicCell cell;
+  dealii::Tensor<2, 2> gradient; ///< of the velocity [1/s]
+  dealii::Tensor<1, 2> drift;    ///< velocity of the lower corner [m/s]
+
+  bool deforms() const { return gradient.norm_square() > 0. || drift.norm_square() > 0.; }
+
+  /// Of a body with its centre at @p x [m/s].
+  dealii::Tensor<1, 2> velocity(const dealii::Point<2> &x) const
+  {
+    return drift + gradient * (x - cell.lower);
+  }
+
+  /// A side moves: adds its velocity [m/s].
+  void add_side(const dealii::Tensor<1, 2> &normal, const dealii::Tensor<1, 2> &velocity);
+
+  /// The offset of the cell above after a step of @p dt [m].
+  double offset_after(double dt) const { return cell.offset + dt * (gradient * cell.shift({{0, 1}}))[0]; }
+};
+
+/// The cell between the walls that are sides of one; it does not repeat when there are none.
+PeriodicCell cell_of(const std::vector<Wall> &walls);
+
+/// Puts the forces through its sides on them. @param virial sum over contacts of the force on a body times
+/// the branch vector to its centre from that of its partner [N]
+void load_sides(std::vector<Wall> &walls, const PeriodicCell &cell, const dealii::Tensor<2, 2> &virial);
+} // namespace softgrain
+
+#endif
