@@ -119,6 +119,8 @@ void make_symmetric(Eigen::MatrixXd &W)
 {
   if (W.size() == 0)
     return;
+  if (!W.allFinite())
+    throw InputError("the matrix has an entry that is no finite number");
   constexpr double allowed = 1e-5;
   const double largest = W.cwiseAbs().maxCoeff(), difference = (W - W.transpose()).cwiseAbs().maxCoeff();
   if (!(difference <= allowed * largest))

@@ -218,9 +218,11 @@ class Signals(Runs):
         self.check("held", signal.SIGTERM, seconds=2)
 
     def test_as_if_never_stopped_held(self):
-        for _ in range(3):
-            words = ["--restart"] if states(self.folder) else ["--overwrite"]
-            with self.running("held", *words, seconds=0.4) as process:
+        for n_before in range(3):
+            with self.running("held", *(["--restart"] if n_before else []), seconds=0.2) as process:
+                while (self.folder / "run.log").read_text().count("going on from") < n_before and process.poll() is None:
+                    time.sleep(0.02)
+                time.sleep(0.2)
                 process.send_signal(signal.SIGTERM)
                 self.assertEqual(process.wait(60), 3)
         self.run_scene("held", "--restart")

@@ -15,8 +15,8 @@ SCENES = {"mpm": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3"],
           "bpm": ["gallery/one_grain_bpm.prm", "Primaries/Number per body=40", "Stop/End time=2e-3",
                   "Stop/Axial strain=0"],
           "held": ["gallery/thirty_grains_quasi_static_mpm.prm", "Packing/Number=6", "Packing/Packing fraction=0.6",
-                   "Mesh/Cell size=6.4e-4", "Walls/top/Velocity=20", "Output/Fields every=0", "Output/Snapshots every=0",
-                   "Stop/End time=4e-4"]}
+                   "Mesh/Cell size=6.4e-4", "Walls/top/Velocity=5", "Output/Fields every=0", "Output/Snapshots every=0",
+                   "Stop/End time=6.4e-4"]}
 # Steps that take minutes: iterations towards tolerances that rounding forbids.
 LONG_STEPS = {"mpm": ["Mesh/Cell size=2.5e-4", "Time/CFL multiple=20", "Newton/Residual tolerance=1e-14",
                       "Newton/Displacement tolerance=1e-14", "Newton/Energy tolerance=1e-20",

@@ -97,10 +97,10 @@ void random_disks(const std::string &what,
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
   {
     const double low = 1. + std::min(list.a(p), list.b(p)), high = 1. + std::max(list.a(p), list.b(p));
-    const PairMemory::Impulses memory = list.memory()[p];
+    const softgrain::contact::PairMemory::Impulses memory = list.memory()[p];
     if (memory[0] == low && memory[1] == high)
       ++right;
-    else if (memory == PairMemory::Impulses{})
+    else if (memory == softgrain::contact::PairMemory::Impulses{})
       forgotten += all.count({static_cast<unsigned int>(low) - 1, static_cast<unsigned int>(high) - 1});
     else
       ++wrong;

@@ -59,7 +59,8 @@ public:
    *
    * Time stands still. Called after the steps that are written, not after all: `quasi_static` looks for
    * balance here. Nothing is to be done in most models.
-   * @throw ComputationError when it cannot be done
+   * @throw ComputationError when it cannot be done, Interrupted when the program is to stop; the state is
+   * then that before the step, that is before the last advance()
    */
   virtual void settle(StepReport &report) { (void) report; }
 

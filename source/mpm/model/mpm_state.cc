@@ -145,6 +145,7 @@ void MpmModel::load(StateReader &in)
   steps = counts.at(0);
   world.contact.plain_solves = counts.at(1);
   held_steps = counts.at(2);
+  settled_step = 0; // what comes is another step, of whatever number
   const std::vector<double> own = in.read_doubles("mpm/balance/own");
   Balance &b = world.balance;
   b.load(in, "mpm/balance/common");

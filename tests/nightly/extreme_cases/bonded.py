@@ -12,7 +12,7 @@ def cases():
     for number in (1, 2):
         yield Case(f"bonded grain: primaries: {number}", BONDED, (f"Primaries/Number per body={number}", "Walls/top/Velocity=0.5"),
                    length=2.5e-4, limits={"energy": 0.3}, expected=(RIGHT, STOPPED), quick=True)
-    yield Case("bonded grain: two walls in one place", BONDED, ("Walls/Names=bottom, top, again", "Walls/again/Point=0, -1.1e-3"),
+    yield Case("bonded grain: two walls in one place", BONDED, ("Walls/Names=bottom, top, again", "Walls/again/Point=0, -1.1e-3", "Walls/again/Normal=0, 1"),
                length=2.5e-4, limits={"energy": 0.2}, checks={"it carries": carries}, quick=True)
     one = {"length": 2.5e-4, "limits": {"energy": 0.2}}
     yield Case("bonded grain: no attraction, step not given", BONDED, (f"{grain}Force at contact=0",), expected=(REFUSED,), **one)

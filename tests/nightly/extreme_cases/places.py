@@ -38,7 +38,7 @@ def cases():
         ("one marker in four cells", ["Contact/Marker spacing=4"], {"limits": {"penetration": 0.5}}),
         ("plates touch and move apart", ["Walls/top/Velocity=-10e-3"], {"expected": (RIGHT, STOPPED)}),
         ("plates at rest", ["Walls/top/Velocity=0"]),
-        ("two plates in one place", ["Walls/Names=bottom, top, again", "Walls/again/Point=0, -5e-3"],
+        ("two plates in one place", ["Walls/Names=bottom, top, again", "Walls/again/Point=0, -5e-3", "Walls/again/Normal=0, 1"],
          {"checks": {"Johnson's force": force_about(385 / 0.91, 0.07)}, "quick": True}),
         ("as flat as it goes", ["Walls/top/Velocity=100e-3", "Time/Time step=2e-3"],
          {"expected": (STOPPED,), "quick": True}),

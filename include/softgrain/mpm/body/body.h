@@ -90,15 +90,15 @@ struct Body
 
   Eigen::VectorXd mass;               ///< per independent node, lumped (3.10) [kg]
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
-  Eigen::VectorXd velocity;           ///< [m/s]
-  Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]
+  Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
+  Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]; likewise
   Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
   Eigen::VectorXd internal_force;     ///< end of the last step [N]
 
   bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
 
   bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
-  /// Momentum of the nodal field [kg m/s].
+  /// Momentum of the nodal field, zero where it has no velocity [kg m/s].
   dealii::Tensor<1, dim> momentum() const;
   double kinetic_energy() const;
 };
