@@ -45,6 +45,7 @@ void BpmModel::save(StateWriter &out) const
   // The area was measured when the list was made: it is the same after a restart only if it is kept.
   out.write("bpm/solid_area", std::vector<double>{solid_area()});
   save_walls(out, "bpm/walls", moving_walls);
+  save_obstacles(out, "bpm/obstacles", moving_obstacles);
 
   const contact::NeighbourList &list = dynamics->neighbours();
   out.write("bpm/neighbours/build_position", flat(list.build_positions()));
@@ -69,6 +70,7 @@ void BpmModel::load(StateReader &in)
   load_walls(in, "bpm/walls", moving_walls);
   const std::vector<double> scalars = in.read_doubles("bpm/scalars");
   now = scalars.at(0);
+  load_obstacles(in, "bpm/obstacles", now, moving_obstacles);
   step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
   steps = in.read_integers("bpm/step").at(0);

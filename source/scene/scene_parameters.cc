@@ -8,7 +8,7 @@
 namespace softgrain
 {
 SceneParameters::SceneParameters(const SceneNames &names, const LawCatalogue &laws)
-    : materials(names.materials, laws), bodies(names.bodies), walls(names.walls)
+    : materials(names.materials, laws), bodies(names.bodies), walls(names.walls), obstacles(names.obstacles)
 {
 }
 
@@ -19,6 +19,7 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   bodies.declare_parameters(prm);
   PackingParameters::declare_parameters(prm);
   walls.declare_parameters(prm);
+  obstacles.declare_parameters(prm);
   prm.enter_subsection("Contact");
   prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction between bodies. Units: none.");
   prm.leave_subsection();
@@ -35,6 +36,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   scene.bodies = bodies.parse_parameters(prm, scene.materials);
   scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
   scene.walls = walls.parse_parameters(prm);
+  scene.obstacles = obstacles.parse_parameters(prm);
   scene.friction = prm.get_double({"Contact"}, "Friction");
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;

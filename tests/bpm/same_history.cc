@@ -90,4 +90,7 @@ int main()
 {
   compare("frictionless", {});
   compare("friction and rolling resistance", {"Contact/Friction=0.5", "Contact/Rolling resistance=0.1"});
+  compare("obstacle", {"Obstacles/Names=plate", "Obstacles/plate/Points=-10, 0; 90, 0",
+                       "Obstacles/plate/Displacement=0; 0.1*t", "Obstacles/plate/Angle=0.05*t",
+                       "Obstacles/plate/Friction=0.5"});
 }

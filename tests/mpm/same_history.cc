@@ -103,6 +103,10 @@ int main(int argc, char **argv)
           {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
            "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"},
           4);
+  compare("obstacles", "gallery/hopper_mpm.prm",
+          {"Obstacles/left_plate/Friction=0.3", "Obstacles/left_plate/Displacement=1e-3*sin(100*t); 5*t"},
+          24);
+  compare("ellipses", "gallery/thirty_ellipses_mpm.prm", {"Time/Scheme=theta", "Mesh/Cell size=5e-4"}, 12);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

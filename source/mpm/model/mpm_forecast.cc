@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 
 #include <algorithm>
@@ -159,9 +160,10 @@ Forecast forecast(const Scene<2> &scene,
   result.step = settings.step.wanted(
       (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl);
   result.n_steps = run.n_steps(result.step);
-  const bool friction =
-      scene.friction > 0. || std::any_of(scene.walls.begin(), scene.walls.end(),
-                                         [](const WallDescription<2> &wall) { return wall.friction > 0.; });
+  const bool friction = scene.friction > 0. ||
+                        std::any_of(scene.walls.begin(), scene.walls.end(),
+                                    [](const WallDescription<2> &wall) { return wall.friction > 0.; }) ||
+                        rough(scene.obstacles);
   const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
   const double iterations = n_iterations(settings, run, result.step, cfl);
   const double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);

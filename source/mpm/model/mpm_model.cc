@@ -77,6 +77,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     world.bodies.push_back(make_body(body, world.bodies.size(), laws[body.material],
                                      world.scene.materials[body.material].density, context));
   world.walls = make_walls(world.scene);
+  world.obstacles = make_obstacles(world.scene);
   for (unsigned int w = 0; w < world.walls.size(); ++w)
     if (world.walls[w].description.type == WallDescription<2>::Type::material_points)
     {
@@ -92,8 +93,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (settings.scheme.implicit)
   {
     world.matrices.resize(world.bodies.size());
-    const bool condensed =
-        settings.coupling == ContactCoupling::condensed && world.bodies.size() + world.scene.walls.size() > 1;
+    const bool condensed = settings.coupling == ContactCoupling::condensed &&
+                           world.bodies.size() + world.scene.walls.size() + world.obstacles.size() > 1;
     for (const Body<2> &body : world.bodies)
     {
       world.solvers.emplace_back();

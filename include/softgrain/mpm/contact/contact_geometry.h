@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_contact_geometry_h
 #define softgrain_mpm_contact_contact_geometry_h
 
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 
@@ -23,7 +24,8 @@ struct ContactScene
   const std::vector<Eigen::VectorXd> *increment = nullptr;
   /// Where in the step places and normals are taken: 0 its start, 1 its end.
   double share = 0.5;
-  bool frictionless = false; ///< no row of the scene has friction
+  bool frictionless = false;                        ///< no row of the scene has friction
+  const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
 };
 
 /**

@@ -3,6 +3,7 @@
 #define softgrain_mpm_model_world_h
 
 #include <softgrain/driving/balance.h>
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
 #include <softgrain/linear/system_matrix.h>
@@ -64,6 +65,7 @@ struct World
   std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
+  std::vector<Obstacle> obstacles;
   std::vector<SystemMatrix> matrices;                  ///< one per body, implicit schemes
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
   std::unique_ptr<ContactGeometry<2>> geometry;
@@ -81,7 +83,7 @@ struct World
   /// Whether no body can meet anything with friction.
   bool frictionless() const;
 
-  /// How walls move in a step, slabs among them.
+  /// How walls move in a step, slabs among them; obstacles plan their way.
   std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
 
   /// Finds the contact rows of a step.
