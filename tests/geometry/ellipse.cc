@@ -79,7 +79,7 @@ void look(const double a, const double b, const double angle)
   for (const auto &p : fine)
     for (unsigned int d = 0; d < 2; ++d)
       outside = std::max({outside, p[d] - box.second[d], box.first[d] - p[d]});
-  std::cout << "  depth off by " << below(1e-5, worst) << ", box off by " << below(1e-6, outside) << '\n';
+  std::cout << "  depth off by " << below(2e-5, worst) << ", box off by " << below(1e-6, outside) << '\n';
 }
 } // namespace
 
