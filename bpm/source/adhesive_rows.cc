@@ -13,8 +13,9 @@ void Dynamics::find_pulls()
   if (!adhesion.acts())
     return;
   pull.resize(rows.size(), 0.);
-  const std::size_t n = primaries.size();
-  for (std::size_t row = 0; row < rows.size(); ++row)
+  // Obstacles, whose rows are the last ones, do not adhere.
+  const std::size_t n = primaries.size(), n_rows = rows.size() - obstacle_rows.size();
+  for (std::size_t row = 0; row < n_rows; ++row)
   {
     const std::uint32_t a = primaries.body[rows.a[row]], b = rows.b[row];
     if (b < n && a == primaries.body[b])
@@ -80,7 +81,7 @@ void Dynamics::note_contacts(const double dt)
     return;
   constexpr double near_limit = 1. - 1e-6; // of friction: solvers have tolerances
   const std::size_t n = primaries.size();
-  for (std::size_t row = 0; row < rows.size(); ++row)
+  for (std::size_t row = 0; row < rows.size() - obstacle_rows.size(); ++row)
   {
     const std::uint32_t a = rows.a[row], b = rows.b[row];
     if (b < n && primaries.body[a] == primaries.body[b])

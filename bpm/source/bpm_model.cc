@@ -22,12 +22,41 @@ std::string text(const double value, const std::string &unit)
   s << value << unit;
   return s.str();
 }
+/// What a step changes of an obstacle; formulas are dear to copy.
+struct Felt
+{
+  Pose now;
+  ObstacleMotion way;
+  dealii::Tensor<1, 2> force;
+  double torque;
+};
+
+std::vector<Felt> felt_by(const std::vector<Obstacle> &obstacles)
+{
+  std::vector<Felt> felt;
+  for (const Obstacle &one : obstacles)
+    felt.push_back({one.now, one.way, one.force, one.torque});
+  return felt;
+}
+
+void put_back(const std::vector<Felt> &felt, std::vector<Obstacle> &obstacles)
+{
+  for (std::size_t o = 0; o < obstacles.size(); ++o)
+  {
+    obstacles[o].now = felt[o].now;
+    obstacles[o].way = felt[o].way;
+    obstacles[o].force = felt[o].force;
+    obstacles[o].torque = felt[o].torque;
+  }
+}
 } // namespace
 
 BpmModel::~BpmModel() = default;
 
 void BpmModel::drive_walls(const double dt)
 {
+  for (Obstacle &obstacle : moving_obstacles)
+    obstacle.plan(now, dt);
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
@@ -83,6 +112,7 @@ StepReport BpmModel::advance(const double dt_limit)
   const auto spins = dynamics->disks().angular_velocity;
   const std::vector<Wall> walls_before = moving_walls;
   const Adhesion memory = dynamics->contact_memory();
+  const std::vector<Felt> obstacles_before = felt_by(moving_obstacles);
   const auto try_step = [&](const double dt) -> Attempt
   {
     drive_walls(dt);
@@ -96,6 +126,7 @@ StepReport BpmModel::advance(const double dt_limit)
     {
       // Only the contact solve stops early, before anything has moved.
       moving_walls = walls_before;
+      put_back(obstacles_before, moving_obstacles);
       throw;
     }
     report.contact_sweeps += done.solver.sweeps;
@@ -112,6 +143,7 @@ StepReport BpmModel::advance(const double dt_limit)
     dynamics->disks().angular_velocity = spins;
     moving_walls = walls_before;
     dynamics->contact_memory() = memory;
+    put_back(obstacles_before, moving_obstacles);
     dynamics->detect(moving_walls);
     return {false, why_not(done, limit)};
   };

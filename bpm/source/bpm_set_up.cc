@@ -82,6 +82,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
     , moving_walls(make_walls(scene))
+    , moving_obstacles(make_obstacles(scene))
 {
   settings.dynamics.pairs = ContactPairs(scene);
   settings.dynamics.contact_law = scene.contact_law;
@@ -98,7 +99,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   // Checkpoints of earlier versions do not say whose the primaries are.
   const bool known = state != nullptr && state->contains("bpm/first_of_body");
   Primaries disks = known ? primaries_of(*state) : fill_bodies(laws, law_texts);
-  if (settings.dynamics.rotations())
+  if (settings.dynamics.rotations() || rough(scene.obstacles))
   {
     disks.angular_velocity.resize(disks.size());
     for (std::size_t i = 0; i < disks.size(); ++i)
@@ -120,6 +121,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   settings.dynamics.look_ahead = 1.5 * wanted_step();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
   dynamics->set_timer(timer.get());
+  if (!moving_obstacles.empty())
+    dynamics->set_obstacles(&moving_obstacles);
 
   for (const BodyDescription<2> &body : scene.bodies)
     body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"

@@ -77,6 +77,11 @@ std::vector<WallState<2>> BpmModel::walls() const
   return states_of(moving_walls);
 }
 
+std::vector<ObstacleState<2>> BpmModel::obstacles() const
+{
+  return states_of(moving_obstacles);
+}
+
 double BpmModel::coordination() const
 {
   const Primaries &disks = dynamics->disks();
@@ -155,6 +160,7 @@ Snapshot<2> BpmModel::snapshot() const
   snapshot.time = now;
   snapshot.step = steps;
   snapshot.walls = walls();
+  snapshot.obstacles = obstacles();
   snapshot.energies = energies();
 
   PointStates<2> &points = snapshot.points;

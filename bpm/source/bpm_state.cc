@@ -49,6 +49,7 @@ void BpmModel::save(StateWriter &out) const
   const bool measured = area_of_list == dynamics->lists_made();
   out.write("bpm/solid_area", std::vector<double>{measured ? area_now : -1.});
   save_walls(out, "bpm/walls", moving_walls);
+  save_obstacles(out, "bpm/obstacles", moving_obstacles);
 
   const contact::NeighbourList &list = dynamics->neighbours();
   out.write("bpm/neighbours/build_position", flat(list.build_positions()));
@@ -79,6 +80,7 @@ void BpmModel::load(StateReader &in)
   load_walls(in, "bpm/walls", moving_walls);
   const std::vector<double> scalars = in.read_doubles("bpm/scalars");
   now = scalars.at(0);
+  load_obstacles(in, "bpm/obstacles", now, moving_obstacles);
   step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
   steps = in.read_integers("bpm/step").at(0);

@@ -320,6 +320,8 @@ void Dynamics::collect(const std::vector<Wall> &walls)
         }
       });
   collect_walls(walls);
+  if (obstacles != nullptr)
+    collect_obstacles(walls.size());
   find_pulls();
   deepest = 0.;
   for (const double opening : gap)
@@ -343,8 +345,12 @@ void Dynamics::remember()
                    memory.set(pair_of_row[row], impulses(row));
                });
   remembered_at_walls.clear();
-  for (std::size_t row = pair_of_row.size(); row < rows.size(); ++row)
+  const std::size_t first_at_obstacle = rows.size() - obstacle_rows.size();
+  for (std::size_t row = pair_of_row.size(); row < first_at_obstacle; ++row)
     remembered_at_walls.push_back(
         {static_cast<std::uint32_t>(rows.b[row] - primaries.size()), rows.a[row], impulses(row)});
+  for (std::size_t row = first_at_obstacle; row < rows.size(); ++row)
+    remembered_at_walls.push_back(
+        {obstacle_rows[row - first_at_obstacle].surface, rows.a[row], impulses(row)});
 }
 } // namespace softgrain::bpm

@@ -92,9 +92,10 @@ void Dynamics::prepare_bodies(const double dt,
                               const std::vector<std::array<double, 2>> &acceleration)
 {
   const std::size_t n = primaries.size();
-  bodies.velocity.resize(n + walls.size());
+  const std::size_t n_all = n + walls.size() + (obstacles != nullptr ? obstacles->size() : 0);
+  bodies.velocity.resize(n_all);
   bodies.inverse_mass = inverse_mass;
-  bodies.inverse_mass.resize(n + walls.size());
+  bodies.inverse_mass.resize(n_all);
   parallel_for(n, grain,
                [&](const std::size_t begin, const std::size_t end)
                {
@@ -124,8 +125,8 @@ void Dynamics::prepare_bodies(const double dt,
   if (rotations)
   {
     bodies.angular_velocity = primaries.angular_velocity;
-    bodies.angular_velocity.resize(n + walls.size(), 0.);
-    bodies.inverse_inertia.assign(n + walls.size(), 0.);
+    bodies.angular_velocity.resize(n_all, 0.);
+    bodies.inverse_inertia.assign(n_all, 0.);
     for (std::size_t i = 0; i < n; ++i)
       bodies.inverse_inertia[i] = 2. * inverse_mass[i] / (primaries.radius[i] * primaries.radius[i]);
   }
@@ -151,7 +152,9 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &
     for (unsigned int d = 0; d < 2; ++d)
     {
       const std::size_t b = rows.b[row];
-      const double of_b = b < n ? primaries.velocity[b][d] : walls[b - n].speed * walls[b - n].normal()[d];
+      const double of_b = b < n                  ? primaries.velocity[b][d]
+                          : b - n < walls.size() ? walls[b - n].speed * walls[b - n].normal()[d]
+                                                 : obstacle_velocity(row)[d];
       before += rows.normal[row][d] * (primaries.velocity[rows.a[row]][d] - of_b);
       if (cell)
         before += rows.normal[row][d] *
@@ -179,7 +182,7 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
 {
   const std::size_t n = primaries.size();
   std::vector<double> normal_impulse(walls.size(), 0.), tangential_impulse(walls.size(), 0.);
-  for (std::size_t row = rows.tile_start.back(); row < rows.size(); ++row)
+  for (std::size_t row = rows.tile_start.back(); row < rows.size() - obstacle_rows.size(); ++row)
   {
     normal_impulse[rows.b[row] - n] += rows.impulse[row];
     if (rotations)
@@ -283,6 +286,8 @@ DynamicsReport Dynamics::step(const double dt,
     const Section section(timer, "free motion");
     prepare_bodies(dt, walls, acceleration);
     prepare_gap_velocities(dt, walls);
+    if (obstacles != nullptr)
+      drive_obstacles(walls.size());
   }
   {
     const Section section(timer, "contact solve");
@@ -298,6 +303,8 @@ DynamicsReport Dynamics::step(const double dt,
     const Section section(timer, "motion");
     report.adhesion_work = adhesion_work(dt, walls);
     move_walls(dt, walls, report);
+    if (obstacles != nullptr)
+      move_obstacles(dt, report);
     account(dt, acceleration, report);
     report.contact_loss += report.adhesion_work;
     note_contacts(dt);

@@ -137,6 +137,11 @@ def draw_walls(axes, walls, thickness):
                   zorder=3)
 
 
+def draw_obstacles(axes, lines):
+    for line in lines:
+        axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=2.4, solid_capstyle="round", solid_joinstyle="round", zorder=5)
+
+
 def pair_forces(contacts):
     """Forces of pairs of bodies, or of body and wall: (pairs, magnitudes)."""
     pairs = pairs_of(contacts)
@@ -256,5 +261,5 @@ def is_signed(values):
     return low < 0 < high and min(-low, high) > 0.15 * max(-low, high)
 
 
-__all__ = ["INK", "STYLE", "Normalize", "draw_smooth", "draw_disks", "draw_outlines", "draw_walls",
+__all__ = ["INK", "STYLE", "Normalize", "draw_smooth", "draw_disks", "draw_outlines", "draw_walls", "draw_obstacles",
            "draw_chains", "strong_force", "pair_forces", "draw_arrows", "strongest_arrow", "draw_scale_bar", "colour_range", "is_signed"]

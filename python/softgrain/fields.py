@@ -79,8 +79,8 @@ def read_grid(path):
     return grid
 
 
-INDICES = ("body", "body_a", "body_b", "wall", "ring")
-PLANE = ("velocity_m_per_s", "center_m", "normal", "force_N_per_m")  # three components in the file, two that count
+INDICES = ("body", "body_a", "body_b", "wall", "obstacle", "ring")
+PLANE = ("velocity_m_per_s", "center_m", "pivot_m", "normal", "force_N_per_m")  # three components in the file, two that count
 
 
 def in_plane(name, values):
@@ -141,6 +141,11 @@ def walls_of(grid, names):
     return data
 
 
+def obstacles_of(grid, names):
+    data = {n: in_plane(n, v) for n, v in grid.cell_data.items()}
+    return {"name": np.array(names), **data} if len(names) == len(grid.cells) else data
+
+
 def rings_of(grid):
     """{body: [closed outlines]} of a grid of outlines."""
     rings = {}
@@ -163,8 +168,8 @@ def bodies_of(grid):
 class FieldSource:
     """One frame of fields.pvd as a source of a state."""
 
-    def __init__(self, frame, wall_names=()):
-        self.frame, self.wall_names, self.grids = frame, wall_names, {}
+    def __init__(self, frame, wall_names=(), obstacle_names=()):
+        self.frame, self.wall_names, self.obstacle_names, self.grids = frame, wall_names, obstacle_names, {}
 
     def has(self, part):
         return {"bodies": "outlines"}.get(part, part) in self.frame.files
@@ -182,8 +187,13 @@ class FieldSource:
 
     def table(self, part):
         make = {"points": points_of, "contacts": contacts_of, "bodies": bodies_of,
-                "walls": lambda grid: walls_of(grid, self.wall_names)}[part]
+                "walls": lambda grid: walls_of(grid, self.wall_names),
+                "obstacles": lambda grid: obstacles_of(grid, self.obstacle_names)}[part]
         return Table(make(self.grid({"bodies": "outlines"}.get(part, part))), part, self.path(part))
+
+    def lines(self):
+        grid = self.grid("obstacles")
+        return [grid.points[cell] for cell in grid.cells]
 
     def rings(self):
         return rings_of(self.grid("outlines"))

@@ -206,7 +206,7 @@ class Run:
         if self.source == "snapshots":
             return State(self, SnapshotSource(self.directory, number), number, float(self.times[number]))
         frame = self.frames()[number]
-        return State(self, FieldSource(frame, self.parameters.names("Walls")), number, frame.time)
+        return State(self, FieldSource(frame, self.parameters.names("Walls"), self.parameters.names("Obstacles")), number, frame.time)
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))

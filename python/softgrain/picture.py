@@ -108,6 +108,7 @@ class Picture:
         places = [state.outlines.points_m] if state.has("outlines") else []
         if state.has("walls"):
             places.append(state.walls["ends_m"].reshape(-1, 2))
+        places += state.obstacle_lines
         if not state.has("outlines") and state.has("points"):
             places.append(state.points["position_m"])
         places = [p for p in places if len(p)]
@@ -167,6 +168,7 @@ class Picture:
             rings = state.outlines.rings if state.has("outlines") else {}
             if state.has("walls") and len(state.walls):
                 drawing.draw_walls(axes, state.walls, self.thickness)
+            drawing.draw_obstacles(axes, state.obstacle_lines)
             self.fill(axes, state, rings, points_per_metre)
             if self.scale:
                 self.scale.draw_bar(figure, bar_axes)

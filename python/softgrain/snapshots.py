@@ -10,7 +10,7 @@ from .tables import Table
 
 NOBODY = 4294967295
 WIDTHS = {"position_m": 2, "velocity_m_per_s": 2, "center_m": 2, "place_m": 2, "normal": 2, "force_N_per_m": 2,
-          "point_m": 2, "points_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
+          "point_m": 2, "points_m": 2, "pivot_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
 OTHER_NAMES = {"size_m2": "area_m2"}  # the name that fields.pvd has
 
 
@@ -111,18 +111,26 @@ class SnapshotSource:
 
     def table(self, part):
         sizes = self.names(part)
-        key = {"points": "position_m", "bodies": "center_m", "contacts": "place_m", "walls": "name"}[part]
+        key = {"points": "position_m", "bodies": "center_m", "contacts": "place_m", "walls": "name",
+               "obstacles": "name"}[part]
         n_rows = sizes.get(key, max(sizes.values(), default=0))
         columns = {}
         for name, size in sorted(sizes.items(), key=lambda item: (item[0] not in (key, "name"), shown_name(item[0]))):
             if size == 0 and n_rows > 0:
                 continue  # what this model does not have
+            if name in ("line_offsets", "points_m"):
+                continue  # see lines()
             columns[shown_name(name)] = lambda full=f"{part}/{name}": self.read(full)
         if part == "bodies":
             columns = {"body": lambda: np.arange(n_rows), **columns}
         if part == "walls":
             columns["wall"] = lambda: np.arange(n_rows)
         return Table(columns, part, self.path(part), self.units(part))
+
+    def lines(self):
+        """The lines of the obstacles."""
+        offsets = self.read("obstacles/line_offsets")
+        return np.split(self.read("obstacles/points_m"), offsets[1:-1])
 
     def rings(self):
         vertices, rings, bodies = (self.read(f"outlines/{name}")

@@ -69,12 +69,12 @@ class State:
         return f"<state {self.number} of {self.run.directory} at t = {self.time:g} s>"
 
     def has(self, part):
-        """Whether 'bodies', 'points', 'contacts', 'walls' or 'outlines' were written."""
+        """Whether 'bodies', 'points', 'contacts', 'walls', 'obstacles' or 'outlines' were written."""
         return self.source.has(part)
 
     def forget(self):
         """Frees what was read: of a long film only one state stays in memory."""
-        for name in ("points", "bodies", "outlines", "contacts", "pairs", "walls", "energies"):
+        for name in ("points", "bodies", "outlines", "contacts", "pairs", "walls", "obstacles", "obstacle_lines", "energies"):
             self.__dict__.pop(name, None)
         self.source.forget()
 
@@ -127,6 +127,16 @@ class State:
         if "ends_m" not in table and "point_m" in table:
             table["ends_m"] = lambda: kinematics.wall_ends(table, self.outlines.points_m)
         return table
+
+    @cached_property
+    def obstacles(self):
+        """Obstacles, one row each: place of the pivot, angle, force, torque."""
+        return self.part("obstacles")
+
+    @cached_property
+    def obstacle_lines(self):
+        """The line of every obstacle, arrays of x, y [m]; none in a scene without obstacles."""
+        return self.source.lines() if self.has("obstacles") else []
 
     @cached_property
     def outlines(self):

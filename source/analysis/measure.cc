@@ -22,7 +22,7 @@ void check(const Snapshot<2> &snapshot)
   for (const ContactState<2> &contact : snapshot.contacts)
     if (contact.body_a >= snapshot.bodies.size() ||
         (contact.wall == none ? contact.body_b >= snapshot.bodies.size()
-                              : contact.wall >= snapshot.walls.size()))
+                              : contact.wall >= snapshot.walls.size() + snapshot.obstacles.size()))
       throw ComputationError("a contact at t = " + std::to_string(snapshot.time) +
                              " s names a body or wall that is not there");
 }
@@ -83,6 +83,7 @@ void MeasureSeries::remember(const Snapshot<2> &snapshot)
   light.time = snapshot.time;
   light.step = snapshot.step;
   light.walls = snapshot.walls;
+  light.obstacles = snapshot.obstacles;
   light.contacts = snapshot.contacts;
   light.bodies = snapshot.bodies;
   for (BodyState<2> &body : light.bodies)

@@ -75,6 +75,11 @@ void print_check_report(std::ostream &out,
     report.emplace_back("stage " + input.stages()[n].name,
                         input.stages()[n].stop.empty() ? "until the run ends"
                                                        : "until " + input.stages()[n].stop.in_words());
+  std::vector<std::string> obstacles;
+  for (const ObstacleDescription<2> &obstacle : scene.obstacles)
+    obstacles.push_back(obstacle.name);
+  if (!obstacles.empty())
+    report.emplace_back("obstacles", join(obstacles));
   const auto append = [&report](const SizeReport &lines)
   { report.insert(report.end(), lines.begin(), lines.end()); };
   if (model != nullptr)

@@ -273,7 +273,7 @@ void CommandLine::measure() const
 void CommandLine::print_parameters() const
 {
   // A name in capitals stands for each name of the user's lists.
-  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
+  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
   dealii::ParameterHandler prm;
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   if (models.empty())
@@ -282,18 +282,23 @@ void CommandLine::print_parameters() const
   const std::string shown = !model.empty() ? model : has_mpm ? "mpm" : models.front();
   declare_all_parameters(prm, shown, names);
   prm.set("Model", shown);
-  for (const std::string section : {"Materials", "Bodies", "Walls", "Stages"})
+  for (const std::string section : {"Materials", "Bodies", "Walls", "Obstacles", "Stages"})
   {
     prm.enter_subsection(section);
     prm.set("Names", "NAME");
     prm.leave_subsection();
   }
   // What is printed can be read as a parameter file once it has a body and an end: the wall NAME, which has
-  // no default normal, lies where it is in nobody's way.
+  // no default normal, and the obstacle NAME lie where they are in nobody's way.
   prm.enter_subsection("Walls");
   prm.enter_subsection("NAME");
   prm.set("Point", "0, -1");
   prm.set("Normal", "0, 1");
+  prm.leave_subsection();
+  prm.leave_subsection();
+  prm.enter_subsection("Obstacles");
+  prm.enter_subsection("NAME");
+  prm.set("Points", "-1, -1; 1, -1");
   prm.leave_subsection();
   prm.leave_subsection();
   const ParameterSection tree = parameter_tree(prm);

@@ -46,7 +46,7 @@ Input::Input(const std::string &file_name, const std::vector<std::string> &assig
   constitutive::load_libraries(
       dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", "")));
   const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls"),
-                         file.names("Stages")};
+                         file.names("Stages"), file.names("Obstacles")};
   const std::string model = model_of(file);
   declare_all_parameters(prm, model, names);
   file.apply(prm);

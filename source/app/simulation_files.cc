@@ -44,6 +44,15 @@ void Simulation::write_history(const StepReport &report)
     row.emplace_back(wall.name + "_position_m", wall.position);
     row.emplace_back(wall.name + "_force_N_per_m", wall.normal_force);
   }
+  for (const ObstacleState<2> &obstacle : model.obstacles())
+  {
+    row.emplace_back(obstacle.name + "_x_m", obstacle.pivot[0]);
+    row.emplace_back(obstacle.name + "_y_m", obstacle.pivot[1]);
+    row.emplace_back(obstacle.name + "_angle_rad", obstacle.angle);
+    row.emplace_back(obstacle.name + "_force_x_N_per_m", obstacle.force[0]);
+    row.emplace_back(obstacle.name + "_force_y_N_per_m", obstacle.force[1]);
+    row.emplace_back(obstacle.name + "_torque_N", obstacle.torque);
+  }
   if (!path.empty())
     row.emplace_back("stage", path.number() + 1.);
   row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));

@@ -81,6 +81,8 @@ void check(const DiskBodies &bodies, const DiskContacts &contacts)
     check_finite(contacts.arm_a, "arm");
     check_finite(contacts.arm_b, "arm");
     check_finite(contacts.tangential_impulse, "tangential impulse");
+    check_size(contacts.wall_slip.size(), contacts.wall_slip.empty() ? 0 : n, "the slip of walls");
+    check_finite(contacts.wall_slip, "slip of a wall");
   }
   check_size(contacts.branch.size(), contacts.branch.empty() ? 0 : n, "the branch");
   check_size(contacts.rolling.size(), bodies.rotate() && !contacts.rolling.empty() ? n : 0,

@@ -126,37 +126,38 @@ void DiskSweeps<n, in_cell>::for_ranges_at_once(const Work &work)
 template <unsigned int n, bool in_cell>
 void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
 {
-  interleave(range,
-             [&](const std::uint32_t packed, const std::uint32_t i)
-             {
-               Row &row = rows[packed];
-               row.a = packed_of[contacts.a[i]];
-               row.b = packed_of[contacts.b[i]];
-               row.normal[0] = contacts.normal[i][0];
-               row.normal[1] = contacts.normal[i][1];
-               row.gap_velocity = contacts.gap_velocity[i];
-               row.impulse[0] = contacts.impulse[i];
-               if constexpr (n > 1)
-               {
-                 row.friction = contacts.friction[i];
-                 row.arm_a = contacts.arm_a[i];
-                 row.arm_b = wall ? 0. : contacts.arm_b[i];
-                 row.impulse[1] = contacts.tangential_impulse[i];
-               }
-               if constexpr (n > 2)
-               {
-                 row.rolling = contacts.rolling[i];
-                 row.impulse[2] = contacts.rolling_impulse[i];
-               }
-               if constexpr (in_cell)
-                 std::copy_n(contacts.branch[i].begin(), 2, row.branch);
-               // A start that is no impulse at all, or one between prescribed bodies, would stay.
-               using Contact = DiskContact<n, false>;
-               if (bodies.inverse_mass[contacts.a[i]] + bodies.inverse_mass[contacts.b[i]] == 0.)
-                 std::fill(row.impulse, row.impulse + n, 0.);
-               Contact::project(row, row.impulse);
-               std::copy(row.impulse, row.impulse + n, row.previous);
-             });
+  interleave(
+      range,
+      [&](const std::uint32_t packed, const std::uint32_t i)
+      {
+        Row &row = rows[packed];
+        row.a = packed_of[contacts.a[i]];
+        row.b = packed_of[contacts.b[i]];
+        row.normal[0] = contacts.normal[i][0];
+        row.normal[1] = contacts.normal[i][1];
+        row.gap_velocity = contacts.gap_velocity[i];
+        row.impulse[0] = contacts.impulse[i];
+        if constexpr (n > 1)
+        {
+          row.friction = contacts.friction[i];
+          row.arm_a = contacts.arm_a[i];
+          row.arm_b = !wall ? contacts.arm_b[i] : contacts.wall_slip.empty() ? 0. : contacts.wall_slip[i];
+          row.impulse[1] = contacts.tangential_impulse[i];
+        }
+        if constexpr (n > 2)
+        {
+          row.rolling = contacts.rolling[i];
+          row.impulse[2] = contacts.rolling_impulse[i];
+        }
+        if constexpr (in_cell)
+          std::copy_n(contacts.branch[i].begin(), 2, row.branch);
+        // A start that is no impulse at all, or one between prescribed bodies, would stay.
+        using Contact = DiskContact<n, false>;
+        if (bodies.inverse_mass[contacts.a[i]] + bodies.inverse_mass[contacts.b[i]] == 0.)
+          std::fill(row.impulse, row.impulse + n, 0.);
+        Contact::project(row, row.impulse);
+        std::copy(row.impulse, row.impulse + n, row.previous);
+      });
 }
 
 template <unsigned int n, bool in_cell>

@@ -121,7 +121,7 @@ void Rectangle2D::declare_parameters(dealii::ParameterHandler &prm) const
   prm.declare_entry("Size", "0, 0", List(Double(0), 2, 2, ","),
                     "Edge lengths of a rectangle, \"width, height\". Units: m.");
   prm.declare_entry("Angle", "0", Double(-360, 360),
-                    "Rotation of a rectangle, counter-clockwise. Units: degrees.");
+                    "Rotation of a rectangle or an ellipse, counter-clockwise. Units: degrees.");
 }
 
 void Rectangle2D::parse_parameters(const dealii::ParameterHandler &prm, const Place &body_center)

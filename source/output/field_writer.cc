@@ -18,7 +18,7 @@ namespace
 using Cell = VtuFile::Cell;
 
 /// Of the names of files.
-const std::vector<std::string> prefixes = {"points-", "outlines-", "contacts-", "walls-"};
+const std::vector<std::string> prefixes = {"points-", "outlines-", "contacts-", "walls-", "obstacles-"};
 const std::string suffix = ".vtu";
 
 std::int32_t id(const unsigned int index)
@@ -215,6 +215,25 @@ void fill_walls(VtuFile &file, const Snapshot<2> &snapshot)
   file.add_cell_data("tangential_force_N_per_m", 1,
                      doubles(drawn, [](const Wall &w) { return w.tangential_force; }));
 }
+
+void fill_obstacles(VtuFile &file, const std::vector<ObstacleState<2>> &obstacles)
+{
+  using Obstacle = ObstacleState<2>;
+  std::vector<std::int32_t> index;
+  std::vector<double> pivot, force;
+  for (const Obstacle &obstacle : obstacles)
+  {
+    index.push_back(static_cast<std::int32_t>(index.size()));
+    file.add_cell(Cell::poly_line, obstacle.line);
+    push(pivot, obstacle.pivot);
+    push(force, obstacle.force);
+  }
+  file.add_cell_data("obstacle", index);
+  file.add_cell_data("pivot_m", 3, pivot);
+  file.add_cell_data("angle_rad", 1, doubles(obstacles, [](const Obstacle &o) { return o.angle; }));
+  file.add_cell_data("force_N_per_m", 3, force);
+  file.add_cell_data("torque_N", 1, doubles(obstacles, [](const Obstacle &o) { return o.torque; }));
+}
 } // namespace
 
 FieldWriter::FieldWriter(const std::string &directory, const FieldOptions &options)
@@ -282,6 +301,8 @@ void FieldWriter::write(const Snapshot<2> &snapshot)
     put("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot.contacts); });
   if (options.walls)
     put("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
+  if (options.walls && !snapshot.obstacles.empty())
+    put("obstacles", [&](VtuFile &file) { fill_obstacles(file, snapshot.obstacles); });
   frames.push_back(frame);
   write_index();
 }

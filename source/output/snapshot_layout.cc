@@ -224,6 +224,19 @@ void read_cell(const Hdf5File &file, const std::string &group, Snapshot<2> &snap
       [](auto &contact) -> auto & { return contact.image; });
 }
 
+template <typename Action>
+void for_each_obstacle_array(const Action &action)
+{
+  action(
+      "obstacles/pivot_m", [](auto &obstacle) -> auto & { return obstacle.pivot; });
+  action(
+      "obstacles/angle_rad", [](auto &obstacle) -> auto & { return obstacle.angle; });
+  action(
+      "obstacles/force_N_per_m", [](auto &obstacle) -> auto & { return obstacle.force; });
+  action(
+      "obstacles/torque_N", [](auto &obstacle) -> auto & { return obstacle.torque; });
+}
+
 /// Points, by their member vectors.
 template <typename Points, typename Action>
 void for_each_point_array(Points &points, const Action &action)
@@ -301,6 +314,33 @@ void read_outlines(const Hdf5File &file, const std::string &group, std::vector<B
                                      points.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
 }
 
+void write_lines(Hdf5File &file, const std::vector<ObstacleState<2>> &obstacles)
+{
+  std::vector<std::uint64_t> offsets{0};
+  std::vector<double> rows;
+  for (const ObstacleState<2> &obstacle : obstacles)
+  {
+    for (const dealii::Point<2> &point : obstacle.line)
+      put(rows, point);
+    offsets.push_back(rows.size() / 2);
+  }
+  file.write("obstacles/line_offsets", offsets);
+  file.write("obstacles/points_m", rows, 2);
+}
+
+void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<2>> &obstacles)
+{
+  const std::vector<std::uint64_t> offsets = file.read_integers(group + "obstacles/line_offsets");
+  std::vector<dealii::Point<2>> points;
+  read_rows(file, group + "obstacles/points_m", points);
+  if (offsets.size() != obstacles.size() + 1 || offsets.back() != points.size() ||
+      !std::is_sorted(offsets.begin(), offsets.end()))
+    throw InputError("cannot read '" + group + "obstacles' from " + file.name() + ": the offsets do not fit");
+  for (std::size_t o = 0; o < obstacles.size(); ++o)
+    obstacles[o].line.assign(points.begin() + static_cast<std::ptrdiff_t>(offsets[o]),
+                             points.begin() + static_cast<std::ptrdiff_t>(offsets[o + 1]));
+}
+
 template <typename Item>
 std::vector<std::string> names_of(const std::vector<Item> &items)
 {
@@ -330,6 +370,13 @@ void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool poin
   for_each_wall_array([&](const std::string &name, const auto &member)
                       { write_rows(file, name, snapshot.walls, member); });
   write_cell(file, snapshot);
+  if (!snapshot.obstacles.empty())
+  {
+    file.write("obstacles/name", names_of(snapshot.obstacles));
+    for_each_obstacle_array([&](const std::string &name, const auto &member)
+                            { write_rows(file, name, snapshot.obstacles, member); });
+    write_lines(file, snapshot.obstacles);
+  }
   const Energies &energies = snapshot.energies;
   file.write("energies/kinetic_J_per_m", std::vector<double>{energies.kinetic});
   file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
@@ -363,6 +410,12 @@ Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)
   };
   read_names("bodies/name", snapshot.bodies);
   read_names("walls/name", snapshot.walls);
+  if (file.contains(group + "obstacles"))
+  {
+    for_each_obstacle_array(read_into(snapshot.obstacles));
+    read_names("obstacles/name", snapshot.obstacles);
+    read_lines(file, group, snapshot.obstacles);
+  }
   const auto energy = [&](const std::string &name)
   {
     const std::vector<double> values = file.read_doubles(group + "energies/" + name);

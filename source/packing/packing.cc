@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/packing/packing.h>
+#include <softgrain/packing/shaken_box.h>
 #include <softgrain/packing/shrinking_box.h>
 
 #include <deal.II/base/numbers.h>
@@ -26,6 +27,8 @@ struct Jamming
 constexpr Jamming avoided = {2e-5, 200}, wanted = {1e-4, 30};
 /// Share of the mean radius that disks may overlap; it is taken from the radii at the end.
 constexpr double allowed_overlap = 1e-3;
+/// Share of their size that grains other than disks lose at the end.
+constexpr double grain_slack = 1e-3;
 
 double mean_of(const std::vector<double> &values)
 {
@@ -73,9 +76,14 @@ bool shrink(ShrinkingBox &box, const double end, const double mean, const Packin
 double Packing::solid_area() const
 {
   double area = 0.;
-  for (const Disk &disk : disks)
-    area += dealii::numbers::PI * disk.radius * disk.radius;
+  for (std::size_t i = 0; i < disks.size(); ++i)
+    area += form(i).area(disks[i].radius);
   return area;
+}
+
+GrainForm Packing::form(const std::size_t grain) const
+{
+  return forms.empty() ? GrainForm() : forms[grain];
 }
 
 Packing pack_disks(const std::vector<double> &radius,
@@ -117,6 +125,44 @@ Packing pack_disks(const std::vector<double> &radius,
   return packing;
 }
 
+Packing
+pack_grains(Packing packing, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random)
+{
+  const dealii::Tensor<1, 2> edges = upper - lower;
+  std::vector<double> radii;
+  for (const Packing::Disk &disk : packing.disks)
+    radii.push_back(disk.radius);
+  std::ostringstream numbers;
+  numbers << radii.size() << " grains fill " << packing.solid_area() / (edges[0] * edges[1]) << " of the box";
+  if (packing.solid_area() > 0.95 * edges[0] * edges[1])
+    throw InputError("'Packing': " + numbers.str() + "; at most about 0.85 is possible");
+  const double growth = std::max(1., std::sqrt(area_of(radii) / (edges[0] * edges[1]) / loose_fraction));
+  const dealii::Point<2> half(0.5 * growth * edges[0], 0.5 * growth * edges[1]);
+  const ShrinkingBox thrown(radii, {{half[0], half[1]}, {}, 0.}, random);
+  std::vector<ConvexGrain> grains;
+  for (std::size_t i = 0; i < radii.size(); ++i)
+  {
+    grains.emplace_back(radii[i], packing.forms[i]);
+    grains.back().put({thrown.disks()[i][0], thrown.disks()[i][1]}, 2. * dealii::numbers::PI * random());
+  }
+  ShakenBox box(std::move(grains), half);
+  if (!box.shrink(0.5 * edges[0], random))
+    throw InputError("'Packing': the grains jam before they are in the box: " + numbers.str() +
+                     "; enlarge the box or use fewer grains");
+  const dealii::Point<2> middle = lower + 0.5 * edges;
+  for (std::size_t i = 0; i < radii.size(); ++i)
+  {
+    const ConvexGrain &grain = box.grains()[i];
+    packing.disks[i].center = middle + (grain.center() - dealii::Point<2>());
+    packing.disks[i].radius *= 1. - grain_slack;
+    packing.forms[i].short_radius *= 1. - grain_slack;
+    const double turns = grain.angle() / (2. * dealii::numbers::PI);
+    packing.forms[i].angle =
+        packing.forms[i].kind == GrainForm::Kind::disk ? 0. : 360. * (turns - std::floor(turns));
+  }
+  return packing;
+}
+
 std::vector<double> draw_radii(const PackingRequest &request, Uniform &random)
 {
   std::vector<double> radii(request.number);
@@ -125,19 +171,47 @@ std::vector<double> draw_radii(const PackingRequest &request, Uniform &random)
   if (request.fraction > 0.)
   {
     // What pack_disks() takes from the radii is made up for.
-    const double taken = request.fraction > loose_fraction ? allowed_overlap * mean_of(radii) : 0.;
+    const bool disks = request.mix.only_disks();
+    const double taken = disks && request.fraction > loose_fraction ? allowed_overlap * mean_of(radii) : 0.;
     const dealii::Tensor<1, 2> edges = request.upper - request.lower;
-    const double scale = std::sqrt(request.fraction * edges[0] * edges[1] / area_of(radii, taken));
+    const double scale = (disks ? 1. : 1. / (1. - grain_slack)) *
+                         std::sqrt(request.fraction * edges[0] * edges[1] / area_of(radii, taken));
     for (double &r : radii)
       r *= scale;
   }
   return radii;
 }
 
+namespace
+{
+/// Grains with the areas of disks of these radii.
+Packing draw_forms(const std::vector<double> &radii, const GrainMix &mix, Uniform &random)
+{
+  Packing packing;
+  for (const double radius : radii)
+  {
+    GrainForm form;
+    form.kind = mix.kinds[static_cast<std::size_t>(mix.kinds.size() * random())];
+    const double ratio = mix.least_ratio + (mix.greatest_ratio - mix.least_ratio) * random();
+    const unsigned int corners =
+        mix.least_corners + static_cast<unsigned int>((mix.most_corners - mix.least_corners + 1) * random());
+    form.corners = form.kind == GrainForm::Kind::polygon ? corners : 0;
+    form.short_radius = form.kind == GrainForm::Kind::disk ? 1. : ratio;
+    const double long_radius = radius * std::sqrt(dealii::numbers::PI / form.area(1.));
+    form.short_radius *= long_radius;
+    packing.disks.push_back({dealii::Point<2>(), long_radius});
+    packing.forms.push_back(form);
+  }
+  return packing;
+}
+} // namespace
+
 Packing make_packing(const PackingRequest &request)
 {
   Uniform random(request.seed);
   const std::vector<double> radii = draw_radii(request, random);
+  if (!request.mix.only_disks())
+    return pack_grains(draw_forms(radii, request.mix, random), request.lower, request.upper, random);
   return pack_disks(radii, request.lower, request.upper, random, request.protocol);
 }
 } // namespace softgrain

@@ -3,32 +3,87 @@
 #include <softgrain/packing/packing.h>
 #include <softgrain/parameters/parameter_file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace softgrain
 {
 namespace
 {
-const std::string heading = "x_m,y_m,radius_m";
-const std::string heading_with_material = heading + ",material";
+const std::string of_disks = "x_m,y_m,radius_m", of_grains = "x_m,y_m,shape,a_m,b_m,corners,angle_deg",
+                  with_material = ",material";
 
-/// A disk of a line, and the name of its material when it has one. @return whether the line is a disk.
-bool read_disk(const std::string &line, const bool with_material, Packing::Disk &disk, std::string &material)
+const std::vector<std::pair<std::string, GrainForm::Kind>> kinds = {{"disk", GrainForm::Kind::disk},
+                                                                    {"ellipse", GrainForm::Kind::ellipse},
+                                                                    {"polygon", GrainForm::Kind::polygon}};
+
+/// One line of a table.
+struct Entry
 {
+  Packing::Disk disk;
+  GrainForm form;
+  std::string material;
+};
+
+/// The cells of a line without the blanks around them.
+std::vector<std::string> cells_of(const std::string &line)
+{
+  std::vector<std::string> cells;
   std::istringstream fields(line);
-  char first = 0, second = 0, third = ',';
-  fields >> disk.center[0] >> first >> disk.center[1] >> second >> disk.radius;
-  material.clear();
-  if (with_material && fields >> third >> std::ws)
-    std::getline(fields, material);
-  material.erase(material.find_last_not_of(" \t") + 1);
-  const bool whole = with_material ? !material.empty() : fields && (fields >> std::ws).eof();
-  return whole && first == ',' && second == ',' && third == ',' && std::isfinite(disk.center.norm()) &&
-         std::isfinite(disk.radius) && disk.radius > 0.;
+  for (std::string cell; std::getline(fields, cell, ',');)
+  {
+    cell.erase(cell.find_last_not_of(" \t") + 1);
+    cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
+    cells.push_back(cell);
+  }
+  if (!line.empty() && line.back() == ',')
+    cells.emplace_back();
+  return cells;
+}
+
+/// @return whether the text is a number and nothing else, and finite
+bool read_number(const std::string &text, double &number)
+{
+  std::istringstream in(text);
+  return !text.empty() && in >> number && in.eof() && std::isfinite(number);
+}
+
+bool read_form(const std::vector<std::string> &cells, Entry &entry)
+{
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const auto &known) { return known.first == cells[2]; });
+  double corners = 0.;
+  if (kind == kinds.end() || !read_number(cells[3], entry.disk.radius) ||
+      !read_number(cells[4], entry.form.short_radius) || !read_number(cells[5], corners) ||
+      !read_number(cells[6], entry.form.angle))
+    return false;
+  entry.form.kind = kind->second;
+  entry.form.corners = static_cast<unsigned int>(std::clamp(corners, 0., 1e4));
+  const bool polygon = entry.form.kind == GrainForm::Kind::polygon;
+  return entry.form.corners == corners && (polygon ? corners >= 3. : corners == 0.) &&
+         entry.form.short_radius > 0. && entry.form.short_radius <= entry.disk.radius &&
+         (entry.form.kind != GrainForm::Kind::disk || entry.form.short_radius == entry.disk.radius);
+}
+
+/// @return whether the line is a grain
+bool read_entry(const std::string &line, const bool grains, const bool materials, Entry &entry)
+{
+  const std::vector<std::string> cells = cells_of(line);
+  const std::size_t n = (grains ? 7 : 3) + (materials ? 1 : 0);
+  if (cells.size() != n || !read_number(cells[0], entry.disk.center[0]) ||
+      !read_number(cells[1], entry.disk.center[1]))
+    return false;
+  if (grains ? !read_form(cells, entry) : !read_number(cells[2], entry.disk.radius))
+    return false;
+  if (materials)
+    entry.material = cells.back();
+  return entry.disk.radius > 0. && (!materials || !entry.material.empty());
 }
 } // namespace
 
@@ -53,31 +108,38 @@ Packing read_packing(const std::string &file)
       line.pop_back();
     return true;
   };
-  const auto complain = [&](const std::size_t number)
-  {
-    throw InputError("'Packing/File': line " + std::to_string(number) + " of '" + file +
-                     "' is not allowed: the first line must be " + heading + " or " + heading_with_material +
-                     ", the others three finite numbers, the last above 0, and with the longer one a name");
-  };
   std::string line;
   next_line(line);
-  const bool with_material = line == heading_with_material;
-  if (line != heading && !with_material)
+  const bool materials = line == of_disks + with_material || line == of_grains + with_material;
+  const bool grains = line == of_grains || line == of_grains + with_material;
+  const auto complain = [&](const std::size_t number)
+  {
+    throw InputError(
+        "'Packing/File': line " + std::to_string(number) + " of '" + file + "' is not allowed: " +
+        (grains ? "a line is x, y, one of disk, ellipse, polygon, the semi-axes a >= b > 0 (equal for a "
+                  "disk), the "
+                  "corners of a polygon (3 or more, else 0), an angle, and with the longer heading a name"
+                : "the first line must be " + of_disks + " or " + of_grains + ", or one of these with " +
+                      with_material +
+                      ", the others three finite numbers, the last above 0, and with the longer one a name"));
+  };
+  if (!materials && !grains && line != of_disks)
     complain(1);
   Packing packing;
   packing.file = file;
   for (std::size_t number = 2; next_line(line); ++number)
   {
-    Packing::Disk disk;
-    std::string material;
-    if (!read_disk(line, with_material, disk, material))
+    Entry entry;
+    if (!read_entry(line, grains, materials, entry))
       complain(number);
-    packing.disks.push_back(disk);
-    if (with_material)
-      packing.materials.push_back(material);
+    packing.disks.push_back(entry.disk);
+    if (grains)
+      packing.forms.push_back(entry.form);
+    if (materials)
+      packing.materials.push_back(entry.material);
   }
   if (packing.disks.empty())
-    throw InputError("'Packing/File': there are no disks in '" + file + "'");
+    throw InputError("'Packing/File': there are no grains in '" + file + "'");
   return packing;
 }
 
@@ -85,13 +147,21 @@ void write_packing(const std::string &file, const Packing &packing)
 {
   const std::string unfinished = file + ".part";
   std::ofstream out(unfinished);
-  const bool with_material = !packing.materials.empty();
-  out << (with_material ? heading_with_material : heading) << '\n' << std::setprecision(17);
+  const bool materials = !packing.materials.empty(), grains = !packing.forms.empty();
+  out << (grains ? of_grains : of_disks) << (materials ? with_material : "") << '\n' << std::setprecision(17);
   for (std::size_t i = 0; i < packing.disks.size(); ++i)
   {
     const Packing::Disk &disk = packing.disks[i];
-    out << disk.center[0] << ',' << disk.center[1] << ',' << disk.radius
-        << (with_material ? "," + packing.materials[i] : "") << '\n';
+    out << disk.center[0] << ',' << disk.center[1] << ',';
+    if (grains)
+      for (const auto &[name, kind] : kinds)
+        out << (kind == packing.forms[i].kind ? name + "," : "");
+    out << disk.radius;
+    if (grains)
+      out << ','
+          << (packing.forms[i].kind == GrainForm::Kind::disk ? disk.radius : packing.forms[i].short_radius)
+          << ',' << packing.forms[i].corners << ',' << packing.forms[i].angle;
+    out << (materials ? "," + packing.materials[i] : "") << '\n';
   }
   out.close();
   std::error_code error;

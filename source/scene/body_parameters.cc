@@ -20,7 +20,7 @@ void declare_shape(dealii::ParameterHandler &prm)
   prm.declare_entry("Shape", "disk", Selection(shapes.choice()),
                     "Shape at rest, with its parameters; " + shapes.choice_in_words());
   prm.declare_entry("Center", "0, 0", List(Double(), 2, 2, ","),
-                    "Center of a disk or rectangle, \"x, y\". Units: m.");
+                    "Center of a disk, a rectangle or an ellipse, \"x, y\". Units: m.");
   for (const std::string &shape : shapes.names())
     shapes.create(shape)->declare_parameters(prm);
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/geometry/ellipse.h>
 #include <softgrain/geometry/shapes_2d.h>
 #include <softgrain/packing/packing_method.h>
 #include <softgrain/scene/packing_parameters.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+
+#include <cmath>
 
 namespace softgrain
 {
@@ -64,6 +68,23 @@ std::shared_ptr<PackingMethod> chosen_method(const dealii::ParameterHandler &prm
   }
   return chosen;
 }
+
+std::shared_ptr<const Shape<2>> shape_of(const Packing::Disk &disk, const GrainForm &form)
+{
+  const double angle = form.angle * dealii::numbers::PI / 180., c = std::cos(angle), s = std::sin(angle);
+  if (form.kind == GrainForm::Kind::disk)
+    return std::make_shared<Disk2D>(disk.center, disk.radius);
+  if (form.kind == GrainForm::Kind::ellipse)
+    return std::make_shared<Ellipse2D>(disk.center, dealii::Tensor<1, 2>({disk.radius, form.short_radius}),
+                                       angle);
+  Polygon corners;
+  for (const dealii::Tensor<1, 2> &direction : form.directions())
+  {
+    const double x = disk.radius * direction[0], y = form.short_radius * direction[1];
+    corners.emplace_back(disk.center[0] + c * x - s * y, disk.center[1] + s * x + c * y);
+  }
+  return std::make_shared<Polygon2D>(corners);
+}
 } // namespace
 
 void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
@@ -73,14 +94,13 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   const Registry<PackingMethod> &methods = Registry<PackingMethod>::instance();
   prm.declare_entry(
       "Method", automatic, Selection(std::string(automatic) + "|" + methods.choice()),
-      "Where the disks come from, as bodies grain_1, grain_2, …; automatic: random with 'Number', "
+      "Where the grains come from, as bodies grain_1, grain_2, …; automatic: random with 'Number', "
       "file with 'File', else there are none; " +
           methods.choice_in_words());
   prm.declare_entry("Save to", "", Anything(),
-                    "File to which the packed disks are written, CSV with the columns x_m, y_m, radius_m; "
-                    "empty: none.");
+                    "File to which the packed grains are written, CSV as 'File' reads it; empty: none.");
   prm.declare_entry("Material", "", Anything(),
-                    "Material of the disks; may be left out when there is only one or the file names them.");
+                    "Material of the grains; may be left out when there is only one or the file names them.");
   for (const std::string &method : methods.names())
     methods.create(method)->declare_parameters(prm);
   prm.leave_subsection();
@@ -123,7 +143,7 @@ void add_packing(Scene<2> &scene)
     BodyDescription<2> body;
     body.material = material_of[number];
     body.name = "grain_" + std::to_string(++number);
-    body.shape = std::make_shared<Disk2D>(disk.center, disk.radius);
+    body.shape = shape_of(disk, packing.form(number - 1));
     body.center = disk.center;
     body.velocity = body.body_force = "0; 0";
     scene.bodies.push_back(body);

@@ -3,6 +3,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/scene/contact_pairs.h>
+#include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/scene_checks.h>
 
 #include <algorithm>
@@ -78,6 +79,41 @@ void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall
                      number(-distances.first) + " m");
 }
 
+/// No place of an obstacle may be inside of a body at the start; places a hundredth of the body apart are
+/// looked at.
+void check_outside(const BodyDescription<2> &body, const ObstacleDescription<2> &obstacle)
+{
+  const Pose pose = pose_of(obstacle, 0.);
+  const double size = body.shape->size(), tolerance = touching * size;
+  const auto box = body.shape->bounding_box();
+  // Chords lie up to half a thousandth of an arc's radius off it.
+  const auto in_box = [&](const dealii::Point<2> &p, const double margin)
+  {
+    return p[0] > box.first[0] - margin && p[0] < box.second[0] + margin && p[1] > box.first[1] - margin &&
+           p[1] < box.second[1] + margin;
+  };
+  for (const Curve &piece : obstacle.pieces)
+  {
+    const Polygon line = piece.line(0.06);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      const dealii::Point<2> from = pose.placed(line[i]);
+      const dealii::Tensor<1, 2> edge = pose.placed(line[i + 1]) - from;
+      const unsigned int n = 1 + static_cast<unsigned int>(std::min(1e5, edge.norm() / (0.01 * size)));
+      for (unsigned int k = 0; k <= n; ++k)
+      {
+        const dealii::Point<2> on_chord = from + (static_cast<double>(k) / n) * edge;
+        if (!in_box(on_chord, 0.01 * edge.norm()))
+          continue;
+        const dealii::Point<2> p = pose.placed(piece.foot(pose.drawn(on_chord)).place);
+        if (in_box(p, 0.) && body.shape->depth(p) > tolerance)
+          throw InputError("the obstacle '" + obstacle.name + "' crosses body '" + body.name + "' at (" +
+                           number(p[0]) + ", " + number(p[1]) + ") m at the start");
+      }
+    }
+  }
+}
+
 void check_walls(const std::vector<WallDescription<2>> &walls)
 {
   for (auto a = walls.begin(); a != walls.end(); ++a)
@@ -146,6 +182,9 @@ void check_cell(const Scene<2> &scene)
     {
       if (!repeats(side) || !repeats(other) || side.normal * other.normal > -1. + 1e-12)
         continue;
+      if (!scene.obstacles.empty())
+        throw InputError("'Obstacles/" + scene.obstacles.front().name +
+                         "' is not allowed in a cell that repeats: nothing repeats an obstacle");
       const double length = (other.point - side.point) * side.normal;
       for (const BodyDescription<2> &body : scene.bodies)
       {
@@ -179,6 +218,9 @@ void check_scene(const Scene<2> &scene)
       if (wall.type != WallDescription<2>::Type::periodic)
         check_inside(body, wall);
   check_cell(scene);
+  for (const ObstacleDescription<2> &obstacle : scene.obstacles)
+    for (const BodyDescription<2> &body : scene.bodies)
+      check_outside(body, obstacle);
   check_bodies_apart(scene.bodies);
 }
 } // namespace softgrain

@@ -10,7 +10,11 @@
 namespace softgrain
 {
 SceneParameters::SceneParameters(const SceneNames &names, const LawCatalogue &laws)
-    : names(names), materials(names.materials, laws), bodies(names.bodies), walls(names.walls)
+    : names(names)
+    , materials(names.materials, laws)
+    , bodies(names.bodies)
+    , walls(names.walls)
+    , obstacles(names.obstacles)
 {
 }
 
@@ -21,6 +25,7 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   bodies.declare_parameters(prm);
   PackingParameters::declare_parameters(prm);
   walls.declare_parameters(prm);
+  obstacles.declare_parameters(prm);
   prm.enter_subsection("Contact");
   prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction between bodies. Units: none.");
   const std::string table =
@@ -68,6 +73,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
   scene.walls = walls.parse_parameters(prm);
   parse_contact(prm, scene);
+  scene.obstacles = obstacles.parse_parameters(prm);
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;
 }

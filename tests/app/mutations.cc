@@ -100,7 +100,7 @@ void read_parameters(const std::string &path)
 {
   const ParameterFile file(path);
   const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls"),
-                         file.names("Stages")};
+                         file.names("Stages"), file.names("Obstacles")};
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   const std::string model = file.value({}, "Model", "mpm");
   dealii::ParameterHandler prm;

@@ -99,4 +99,7 @@ int main()
   for (const std::string wall : {"bottom", "top", "left", "right"})
     cell.push_back("Walls/" + wall + "/Type=periodic");
   compare("cell that repeats", cell);
+  compare("obstacle", {"Obstacles/Names=plate", "Obstacles/plate/Points=-10, 0; 90, 0",
+                       "Obstacles/plate/Displacement=0; 0.1*t", "Obstacles/plate/Angle=0.05*t",
+                       "Obstacles/plate/Friction=0.5"});
 }

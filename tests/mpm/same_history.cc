@@ -111,6 +111,11 @@ int main(int argc, char **argv)
   cohesive.push_back("Contact/Law=cohesive");
   compare("cohesion and tables", "gallery/thirty_grains_mpm.prm", cohesive, 12);
   compare("bonds", "gallery/thirty_grains_mpm.prm", bonds, 12);
+  compare("obstacles", "gallery/hopper_mpm.prm",
+          {"Obstacles/left_plate/Friction=0.3", "Obstacles/left_plate/Displacement=1e-3*sin(100*t); 5*t"},
+          24);
+  compare("ellipses", "gallery/thirty_ellipses_mpm.prm", {"Time/Scheme=moreau_jean", "Mesh/Cell size=5e-4"},
+          12);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

@@ -63,6 +63,9 @@ void snapshot()
   out.bodies[1].outline.push_back({{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}});
   out.bodies[2].outline.clear();
   out.energies = {1. / 3, 2, 3, 4};
+  out.obstacles = {
+      {"drum", {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}}, {0.7, 0.8}, 1. / 3, dealii::Tensor<1, 2>({1., -2.}), 3.},
+      {"plate", {{1., 2.}, {3., 4.}}, {5., 6.}, 0., dealii::Tensor<1, 2>({0.1, 0.}), -0.2}};
   SnapshotFile file("run");
   file.append(out);
   const Snapshot<2> in = read_snapshot("run/snapshots.h5", 0);
@@ -92,8 +95,15 @@ void snapshot()
                in.contacts[c].wall == out.contacts[c].wall && in.contacts[c].place == out.contacts[c].place &&
                in.contacts[c].force == out.contacts[c].force && in.contacts[c].gap == out.contacts[c].gap &&
                in.contacts[c].length == out.contacts[c].length;
+  bool obstacles = in.obstacles.size() == out.obstacles.size();
+  for (std::size_t o = 0; obstacles && o < in.obstacles.size(); ++o)
+    obstacles =
+        in.obstacles[o].name == out.obstacles[o].name && in.obstacles[o].line == out.obstacles[o].line &&
+        in.obstacles[o].pivot == out.obstacles[o].pivot && in.obstacles[o].angle == out.obstacles[o].angle &&
+        in.obstacles[o].force == out.obstacles[o].force && in.obstacles[o].torque == out.obstacles[o].torque;
   report("bodies", bodies);
   report("walls", walls);
+  report("obstacles", obstacles);
   report("contacts", contacts);
   report("energies", in.energies.kinetic == out.energies.kinetic &&
                          in.energies.elastic == out.energies.elastic &&

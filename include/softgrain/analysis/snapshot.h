@@ -59,7 +59,7 @@ struct ContactState
 
   unsigned int body_a = not_a_body; ///< the body that feels `force`
   unsigned int body_b = not_a_body; ///< its partner, or not_a_body when it is a wall
-  unsigned int wall = not_a_body;   ///< index into Snapshot::walls, or not_a_body
+  unsigned int wall = not_a_body;   ///< index into Snapshot::walls, those of obstacles follow; or not_a_body
   dealii::Point<dim> place;         ///< [m]
   dealii::Tensor<1, dim> normal;    ///< unit, from partner to body_a
   dealii::Tensor<1, dim> force;     ///< on body_a [N/m in 2D]
@@ -84,6 +84,18 @@ struct WallState
   double offset = 0;             ///< of the cell above, of such a side [m]
 };
 
+/// A rigid line of finite length and what it feels.
+template <int dim>
+struct ObstacleState
+{
+  std::string name;
+  std::vector<dealii::Point<dim>> line; ///< where it is, arcs as polylines [m]
+  dealii::Point<dim> pivot;             ///< where it is [m]
+  double angle = 0;                     ///< by which it has turned, counter-clockwise [rad]
+  dealii::Tensor<1, dim> force;         ///< on it [N/m in 2D]
+  double torque = 0;                    ///< of these forces about the pivot, counter-clockwise [N in 2D]
+};
+
 /// Energies of the whole scene [J/m in 2D].
 struct Energies
 {
@@ -104,6 +116,7 @@ struct Snapshot
   PointStates<dim> points;
   std::vector<BodyState<dim>> bodies;
   std::vector<WallState<dim>> walls;
+  std::vector<ObstacleState<dim>> obstacles;
   std::vector<ContactState<dim>> contacts; ///< only those that carry force
   Energies energies;
 };

@@ -38,7 +38,7 @@ struct DiskRowExtra
 template <>
 struct DiskRowExtra<2>
 {
-  double friction, arm_a, arm_b;
+  double friction, arm_a, arm_b; ///< arm_b of a wall: its velocity along t [m/s]
 };
 
 template <>
@@ -82,7 +82,7 @@ struct DiskCompliance
  * @brief Kinematics of one contact and its exact solution.
  *
  * @tparam n as for DiskRow
- * @tparam wall b is a wall: it moves along the normal only
+ * @tparam wall b is a wall: impulses move it along the normal only
  */
 template <unsigned int n, bool wall>
 struct DiskContact
@@ -118,13 +118,13 @@ struct DiskContact
       if constexpr (wall)
         w[1] =
             (row.normal[0] * a.velocity[1] - row.normal[1] * a.velocity[0] - row.arm_a * a.angular_velocity) -
-            (row.normal[0] * b.velocity[1] - row.normal[1] * b.velocity[0]);
+            (row.normal[0] * b.velocity[1] - row.normal[1] * b.velocity[0]) - row.arm_b;
       else
         w[1] = row.normal[0] * u[1] - row.normal[1] * u[0] - row.arm_a * a.angular_velocity -
                row.arm_b * b.angular_velocity;
     }
     if constexpr (n > 2)
-      w[2] = wall ? a.angular_velocity : a.angular_velocity - b.angular_velocity;
+      w[2] = a.angular_velocity - b.angular_velocity;
   }
 
   /// Adds @p change to the impulse's effect on the bodies.

@@ -54,7 +54,8 @@ struct DiskBodies
  *
  * Contacts are ordered by tiles: two tiles of one colour share no body, so that they may be swept at the same
  * time with the same answer for any number of threads. Contacts with walls come last and are swept one after
- * the other; there the wall is b, which feels the normal impulse alone.
+ * the other; there the wall is b, which feels the normal impulse alone. What else moves than its velocity is
+ * in `gap_velocity`, `wall_slip` and its angular velocity.
  */
 struct DiskContacts
 {
@@ -65,6 +66,8 @@ struct DiskContacts
   std::vector<double> rolling;      ///< [m]; empty: no rolling resistance
   std::vector<double> arm_a, arm_b; ///< distance from centre to contact [m]; empty without rotations
   std::vector<std::array<double, 2>> branch; ///< in a cell that deforms, else empty [m]
+
+  std::vector<double> wall_slip; ///< velocity of a wall along t, one per contact; empty: none has one [m/s]
 
   std::vector<double> impulse;            ///< normal, warm start in, solution out [N s/m]
   std::vector<double> tangential_impulse; ///< [N s/m]; empty without rotations

@@ -75,6 +75,8 @@ public:
 
   /// Walls alone, cheap enough for every step.
   virtual std::vector<WallState<dim>> walls() const = 0;
+  /// Obstacles alone, as cheap.
+  virtual std::vector<ObstacleState<dim>> obstacles() const { return {}; }
   /// Largest |force on a wall - its load| over its load, of the walls that are free to move; 0 without any.
   virtual double unbalanced_walls() const { return 0.; }
   /// May cost a pass over the points.

@@ -5,6 +5,7 @@
 #include <softgrain/packing/size_distribution.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 
 #include <array>
 #include <cstdint>
@@ -13,7 +14,30 @@
 
 namespace softgrain
 {
-/// Disks that do not overlap: what a scene with many bodies starts from.
+/// What makes a grain of a packing another one than a disk; it lies inside of the disk.
+struct GrainForm
+{
+  enum class Kind
+  {
+    disk,
+    ellipse,
+    polygon ///< its corners lie on an ellipse, in even steps of its parameter: a regular one when that is a
+            ///< disk
+  };
+  Kind kind = Kind::disk;
+  double short_radius = 0;  ///< second semi-axis; the first is the radius of the disk around it [m]
+  unsigned int corners = 0; ///< of a polygon
+  double angle = 0;         ///< of the first axis, where a polygon has a corner; counter-clockwise [degrees]
+
+  /// Of the corners of a polygon, as they would be on a unit circle.
+  std::vector<dealii::Tensor<1, 2>> directions() const;
+  /// @param radius of the disk around it [m] @return [m^2]
+  double area(double radius) const;
+  /// About the smallest distance of two parallel lines around it [m].
+  double width(double radius) const;
+};
+
+/// Grains that do not overlap: what a scene with many bodies starts from.
 struct Packing
 {
   struct Disk
@@ -22,11 +46,15 @@ struct Packing
     double radius = 0;       ///< [m]
   };
   std::vector<Disk> disks;
+  std::vector<GrainForm> forms; ///< of the grains inside of the disks; empty: they are the disks
   std::vector<std::string>
       materials;    ///< name of each disk's material; empty: the disks have none of their own
   std::string file; ///< that the disks were read from; empty: none
 
   double solid_area() const;
+
+  /// Form of a grain, that of a disk where there are no others.
+  GrainForm form(std::size_t grain) const;
 };
 
 /// How disks are brought into their box.
@@ -44,11 +72,22 @@ struct PackingProtocol
   std::array<bool, 2> periodic{}; ///< directions without walls: what leaves at one side comes in at the other
 };
 
+/// Which grains a packing is of; each kind that is asked for is drawn equally often.
+struct GrainMix
+{
+  std::vector<GrainForm::Kind> kinds = {GrainForm::Kind::disk};
+  double least_ratio = 1, greatest_ratio = 1;       ///< of the semi-axes, short over long
+  unsigned int least_corners = 5, most_corners = 5; ///< of polygons
+
+  bool only_disks() const { return kinds.size() == 1 && kinds[0] == GrainForm::Kind::disk; }
+};
+
 /// What make_packing() is to make.
 struct PackingRequest
 {
   unsigned int number = 0;
-  SizeDistribution sizes;
+  SizeDistribution sizes; ///< diameters, of disks with the areas of the grains
+  GrainMix mix;
   dealii::Point<2> lower, upper; ///< box at the end [m]
   double fraction = 0; ///< of the box that the disks fill, their sizes scaled alike; 0: sizes as drawn
   std::uint64_t seed = 1;
@@ -71,13 +110,26 @@ Packing pack_disks(const std::vector<double> &radii,
                    Uniform &random,
                    const PackingProtocol &protocol = {});
 
-/// The radii that make_packing() draws [m].
+/**
+ * @brief Disks, ellipses and polygons in the box from @p lower to @p upper, without overlap.
+ *
+ * The disks around them are thrown at random into a larger box of the same shape, which then shrinks while
+ * the grains are shaken, see ShakenBox. All sizes are a thousandth smaller at the end, so that no rounding
+ * makes grains overlap.
+ * @param grains places and angles do not matter
+ * @throw InputError when the grains do not fit into the box
+ */
+Packing
+pack_grains(Packing grains, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random);
+
+/// The radii that make_packing() draws; where there are others than disks, of disks with the same areas [m].
 std::vector<double> draw_radii(const PackingRequest &request, Uniform &random);
 
-/// pack_disks() with radii drawn at random.
+/// pack_disks() with radii drawn at random, or pack_grains().
 Packing make_packing(const PackingRequest &request);
 
-/// Reads `x_m,y_m,radius_m` or `x_m,y_m,radius_m,material`. @throw InputError naming file and line.
+/// Reads `x_m,y_m,radius_m` or `x_m,y_m,shape,a_m,b_m,corners,angle_deg`, either with `,material`. @throw
+/// InputError naming file and line.
 Packing read_packing(const std::string &file);
 
 /// Writes what read_packing() reads, whole or not at all. @throw InputError when it cannot be written.

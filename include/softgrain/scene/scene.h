@@ -2,6 +2,8 @@
 #ifndef softgrain_scene_scene_h
 #define softgrain_scene_scene_h
 
+#include <softgrain/base/expression.h>
+#include <softgrain/geometry/curve.h>
 #include <softgrain/scene/pair_table.h>
 
 #include <deal.II/base/point.h>
@@ -64,6 +66,17 @@ struct WallDescription
   double friction = 0;                    ///< with bodies that the table of pairs does not name with it
 };
 
+/// A rigid line of finite length that bodies may touch from both sides.
+template <int dim>
+struct ObstacleDescription
+{
+  std::string name;
+  std::vector<Curve> pieces;      ///< as drawn; each begins where the one before it ends
+  dealii::Point<dim> pivot;       ///< about which it turns, before it is displaced [m]
+  std::vector<Expression> motion; ///< formulas of t: displacement [m], angle [degrees]
+  double friction = 0;
+};
+
 /// Many grains at once, made when everything else is known to be right; see add_packing().
 struct PackingDescription
 {
@@ -80,6 +93,7 @@ struct Scene
   std::vector<BodyDescription<dim>> bodies; ///< with those of the packing, once it is made
   PackingDescription packing;
   std::vector<WallDescription<dim>> walls;
+  std::vector<ObstacleDescription<dim>> obstacles;
   dealii::Tensor<1, dim> gravity; ///< [m/s^2]
   double friction = 0;            ///< between bodies, where the table of pairs says nothing
   std::vector<PairValue> friction_pairs;

@@ -5,6 +5,7 @@
 #include <softgrain/scene/body_parameters.h>
 #include <softgrain/scene/law_catalogue.h>
 #include <softgrain/scene/material_parameters.h>
+#include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/wall_parameters.h>
 
@@ -20,10 +21,12 @@ struct SceneNames
   std::vector<std::string> bodies;
   std::vector<std::string> walls;
   std::vector<std::string> stages = {};
+  std::vector<std::string> obstacles = {};
 };
 
 /**
- * @brief All sections that make a Scene: Materials, Bodies, Packing, Walls, Contact (friction), Loads.
+ * @brief All sections that make a Scene: Materials, Bodies, Packing, Walls, Obstacles, Contact (friction),
+ * Loads.
  */
 class SceneParameters
 {
@@ -43,6 +46,7 @@ private:
   const MaterialParameters materials;
   const BodyParameters bodies;
   const WallParameters walls;
+  const ObstacleParameters obstacles;
 };
 } // namespace softgrain
 

@@ -60,6 +60,18 @@ void find_corners(Boundary<2> &boundary)
   }
 }
 
+/// Whether all vertices are as far from their middle.
+bool is_circle(const Polygon &loop)
+{
+  dealii::Point<2> middle;
+  for (const dealii::Point<2> &x : loop)
+    middle += (x - dealii::Point<2>()) / static_cast<double>(loop.size());
+  const double radius = loop.front().distance(middle);
+  return std::all_of(loop.begin(), loop.end(),
+                     [&](const dealii::Point<2> &x)
+                     { return std::abs(x.distance(middle) - radius) < 1e-6 * radius; });
+}
+
 void make_boundary(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   // Four pieces of polyline between two places that look for contact: their sagitta is then a sixteenth.
@@ -85,6 +97,9 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   find_corners(boundary);
   boundary.smooth = description.shape->round() && !boundary.corner.empty() &&
                     std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
+  boundary.circular =
+      boundary.smooth &&
+      is_circle(Polygon(boundary.position.begin(), boundary.position.begin() + boundary.loop_start[1]));
 }
 
 /// Mass, velocity and acceleration of the nodes; false when an independent node is left without mass, or

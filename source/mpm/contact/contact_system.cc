@@ -234,9 +234,12 @@ void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
     for (Pair &pair : pairs)
     {
       const ContactRow<dim> &row = rows[pair.first];
-      pair.compliance =
-          subgrid(bodies[row.body], row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
-                  normal_force(pair, dt));
+      // What the grid misses at a curved partner or a tip is not known.
+      pair.compliance = row.obstacle
+                            ? 0.
+                            : subgrid(bodies[row.body],
+                                      row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                                      normal_force(pair, dt));
       if (pair.compliance == 0.)
         continue;
       std::vector<unsigned int> normals;

@@ -18,10 +18,16 @@ std::vector<double> row_velocity(const World &world,
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     // Slabs that are driven move in relative_velocity() already.
-    const bool plane = rows[r].partner == ContactRow<2>::none;
+    const bool plane = rows[r].partner == ContactRow<2>::none && !rows[r].obstacle;
     const FreeWall<2> *const free =
         rows[r].wall == ContactRow<2>::none ? nullptr : world.contact.free_walls.find(rows[r].wall);
     double start = plane ? motion[rows[r].wall].velocity : 0., end = start;
+    if (rows[r].obstacle)
+    {
+      start = end = rows[r].partner_velocity * rows[r].normal;
+      for (unsigned int c = 1; c < components; ++c)
+        q[r * components + c] -= rows[r].partner_velocity * rows[r].direction(c);
+    }
     if (free != nullptr)
     {
       start = free->start_speed * (free->normal * rows[r].normal);

@@ -19,7 +19,7 @@ double plane_compliance(const Body<2> &body)
 
 bool is_round(const Body<2> &body)
 {
-  return body.boundary.smooth && !body.driven;
+  return body.boundary.circular && !body.driven;
 }
 
 /// 1/R at rest.

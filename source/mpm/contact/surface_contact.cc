@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
-#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/contact/obstacle_contact.h>
+#include <softgrain/mpm/contact/seekers.h>
 #include <softgrain/mpm/contact/surface_contact.h>
 
 #include <deal.II/numerics/rtree.h>
@@ -24,13 +25,13 @@ using Row = ContactRow<2>;
 class Reach
 {
 public:
-  explicit Reach(const ContactScene<2> &scene)
+  Reach(const ContactScene<2> &scene, const ObstacleContact &obstacles)
       : rest(0.1 * scene.cell_size + scene.adhesion_reach), foresight(scene.foresight)
   {
-    double drive = 0.;
+    double way = obstacles.largest_way();
     for (const WallMotion<2> &wall : scene.walls)
-      drive = std::max(drive, wall.fastest);
-    rest += foresight * scene.dt * drive;
+      way = std::max(way, scene.dt * wall.fastest);
+    rest += foresight * way;
   }
 
   double operator()(const double approach) const { return rest + foresight * approach; }
@@ -39,64 +40,6 @@ private:
   double rest;
   const double foresight;
 };
-
-std::uint64_t
-row_key(const unsigned int body, const unsigned int marker, const unsigned int partner, const bool wall)
-{
-  // 24 bits for bodies, 16 for the marker, 23 for the partner: beyond that warm starts mix, results do not.
-  return (static_cast<std::uint64_t>(body) << 40) | (static_cast<std::uint64_t>(marker & 0xffff) << 24) |
-         (static_cast<std::uint64_t>(wall) << 23) | (partner & 0x7fffff);
-}
-
-/// A place that looks for contact.
-struct Seeker
-{
-  Place at;            ///< without weights
-  double parameter;    ///< on its boundary
-  unsigned int number; ///< names it from search to search
-};
-
-/**
- * Calls work(seeker) for the places of a body that look for contact with what lies along @p direction from
- * its centre, as long as it says that there is something near.
- *
- * On a smooth boundary without friction they stand in space: the first where the ray along @p direction
- * leaves the body, the others a contact marker's distance apart on both sides. So a disk that turns under its
- * outline is the same disk, and touches as soon as its outline does. With friction, where material sticks,
- * and with corners, where corners must look, a boundary looks with its own markers, all of them.
- */
-template <typename Work>
-void for_places(const MovedBoundary &own, const Vector &direction, const Work &work)
-{
-  const int stride = own.boundary().contact_stride, n = own.n_markers();
-  if (!own.is_free)
-  {
-    for (int m = 0; m < n; m += stride)
-      work({own.place(m, 0., false), static_cast<double>(m), static_cast<unsigned int>(m)});
-    return;
-  }
-  const double first = own.facing(direction);
-  const int side = n / (2 * stride);
-  const auto look = [&](const int k)
-  {
-    const double parameter = first + k * stride;
-    return work({own.place(parameter, false), parameter, static_cast<unsigned int>(k + 0x8000)});
-  };
-  for (int k = 0; k < side && look(k); ++k)
-    ;
-  for (int k = -1; k >= -side && look(k); --k)
-    ;
-}
-
-/// Half the way to the neighbouring seekers on both sides.
-double tributary_length(const MovedBoundary &own, const Seeker &seeker)
-{
-  if (!own.is_free)
-    return own.tributary_length(seeker.number);
-  const double stride = own.boundary().contact_stride;
-  return 0.5 * (own.place(seeker.parameter + stride, false).position.distance(seeker.at.position) +
-                own.place(seeker.parameter - stride, false).position.distance(seeker.at.position));
-}
 
 /// Share of the boundary around a seeker that faces what has @p normal: at a corner one side looks elsewhere
 /// and does not adhere.
@@ -228,10 +171,10 @@ public:
   }
 
 private:
-  /// From the centre of a smooth body towards its partner.
+  /// From the centre of a round body towards its partner.
   Vector direction() const
   {
-    if (other.boundary().smooth)
+    if (other.boundary().circular)
       return other.center - own.center;
     double nearest = std::numeric_limits<double>::max();
     Vector to;
@@ -368,7 +311,8 @@ find_tasks(const ContactScene<2> &scene, const Reach &reach, const std::vector<M
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
 {
   const std::size_t n = scene.bodies.size();
-  const Reach reach(scene);
+  const ObstacleContact obstacles(scene);
+  const Reach reach(scene, obstacles);
   std::vector<MovedBoundary> boundaries(n);
   parallel_for(n, 8,
                [&](const std::size_t begin, const std::size_t end)
@@ -386,7 +330,10 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                    const Body<2> &body = scene.bodies[b];
                    const MovedBoundary &own = boundaries[b];
                    if (!body.driven)
+                   {
                      find_wall_rows(scene, reach, body, own, of_body[b]);
+                     obstacles.find(body, own, reach(0.), of_body[b]);
+                   }
                    for (const Task &task : tasks[b])
                    {
                      const MovedBoundary &other = boundaries[task.partner];

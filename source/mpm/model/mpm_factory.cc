@@ -95,6 +95,20 @@ private:
     }
   }
 
+  /// @throw InputError when a scene with obstacles asks for what does not know them
+  static void check_obstacles(const Scene<2> &scene, const Settings &settings)
+  {
+    if (scene.obstacles.empty())
+      return;
+    const std::string scene_has = "the scene has 'Obstacles/" + scene.obstacles.front().name + "'";
+    if (!settings.contact_on_boundaries)
+      throw InputError("'Contact/Geometry' = '" + settings.contact_geometry + "' is not allowed where " +
+                       scene_has + ": it sees planes only");
+    if (settings.scheme.stored_acceleration)
+      throw InputError("'Time/Scheme' = '" + settings.scheme.name + "' is not allowed where " + scene_has +
+                       ", whose forces it would not carry from step to step");
+  }
+
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
 
   static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
@@ -104,6 +118,7 @@ private:
     check_walls(scene);
     check_free_walls(scene);
     check_wall_inertia(scene, settings);
+    check_obstacles(scene, settings);
     Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/scene/contact_pairs.h>

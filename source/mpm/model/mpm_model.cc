@@ -89,6 +89,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (world.pairs.adhere())
     world.adhesion = Adhesion(world.scene.contact_law, touching * settings.cell_size);
   world.walls = make_walls(world.scene);
+  world.obstacles = make_obstacles(world.scene);
   for (unsigned int w = 0; w < world.walls.size(); ++w)
     if (world.walls[w].description.type == WallDescription<2>::Type::material_points)
     {
@@ -104,8 +105,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (settings.scheme.implicit)
   {
     world.matrices.resize(world.bodies.size());
-    const bool condensed =
-        settings.coupling == ContactCoupling::condensed && world.bodies.size() + world.scene.walls.size() > 1;
+    const bool condensed = settings.coupling == ContactCoupling::condensed &&
+                           world.bodies.size() + world.scene.walls.size() + world.obstacles.size() > 1;
     for (const Body<2> &body : world.bodies)
     {
       world.solvers.emplace_back();

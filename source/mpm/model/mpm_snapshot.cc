@@ -132,6 +132,7 @@ Snapshot<2> MpmModel::snapshot() const
     snapshot.bodies.push_back(body_state(body));
   }
   snapshot.walls = walls();
+  snapshot.obstacles = obstacles();
   snapshot.energies = energies();
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
@@ -166,6 +167,11 @@ double MpmModel::unbalanced_walls() const
 std::vector<WallState<2>> MpmModel::walls() const
 {
   return states_of(world.walls);
+}
+
+std::vector<ObstacleState<2>> MpmModel::obstacles() const
+{
+  return states_of(world.obstacles);
 }
 
 double MpmModel::solid_area() const

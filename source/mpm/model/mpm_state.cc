@@ -101,6 +101,7 @@ void MpmModel::save(StateWriter &out) const
             std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
                                 b.carried_load[0], b.carried_load[1]});
   save_walls(out, "mpm/walls", world.walls);
+  save_obstacles(out, "mpm/obstacles", world.obstacles);
 
   // Sorted by key, so that equal states give equal files.
   std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(),
@@ -137,6 +138,7 @@ void MpmModel::load(StateReader &in)
   const std::vector<double> scalars = in.read_doubles("mpm/scalars");
   load_walls(in, "mpm/walls", world.walls);
   world.time = scalars.at(0);
+  load_obstacles(in, "mpm/obstacles", world.time, world.obstacles);
   step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
   world.contact.memory_step = scalars.at(3);

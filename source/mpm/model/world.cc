@@ -30,6 +30,8 @@ SubgridCompliance World::subgrid() const
 
 std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
 {
+  for (Obstacle &obstacle : obstacles)
+    obstacle.plan(time, plan.held ? 0. : plan.dt);
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
   {
@@ -57,6 +59,7 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
   std::vector<ContactRow<2>> rows;
   ContactScene<2> where{bodies, motion,     pairs,           dt, lattice->cell_size(), increment,
                         share,  slippery(), adhesion.reach()};
+  where.obstacles = obstacles.empty() ? nullptr : &obstacles;
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
   geometry->find(where, rows);
@@ -82,9 +85,10 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  geometry->find(
-      {bodies, motion, pairs, dt, lattice->cell_size(), &increment, share, slippery(), adhesion.reach()},
-      rows);
+  ContactScene<2> where{bodies, motion,     pairs,           dt, lattice->cell_size(), &increment,
+                        share,  slippery(), adhesion.reach()};
+  where.obstacles = obstacles.empty() ? nullptr : &obstacles;
+  geometry->find(where, rows);
   GapsByRow gaps;
   gaps.reserve(rows.size());
   for (const ContactRow<2> &row : rows)
@@ -129,7 +133,9 @@ std::vector<double> end_gaps(const World &world,
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     gap[r] = rows[r].gap + dt * w[r * components];
-    if (rows[r].partner == ContactRow<2>::none)
+    if (rows[r].obstacle)
+      gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
+    else if (rows[r].partner == ContactRow<2>::none)
       gap[r] -= dt * motion[rows[r].wall].velocity;
   }
   return gap;
@@ -168,6 +174,8 @@ void account_contacts(World &world,
     world.walls[w].force = 0.;
     world.walls[w].speed = motion[w].rate;
   }
+  for (Obstacle &obstacle : world.obstacles)
+    obstacle.arrive();
   // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
   // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
   // at its end.
@@ -204,7 +212,25 @@ void account_contacts(World &world,
       if (impulse == 0. && rows[r].pull == 0.)
         continue;
       double relative = w[r * components + c];
-      if (rows[r].wall != ContactRow<2>::none)
+      double acting = impulse;
+      if (half || balanced)
+      {
+        const auto before = world.contact.memory().find(rows[r].key);
+        const double old = before == world.contact.memory().end() ? 0.
+                           : half                                 ? before->second[c]
+                                  : before->second[c] * dt / world.contact.memory_step;
+        acting = (half ? 1. : 0.5) * (impulse + old);
+      }
+      if (rows[r].obstacle)
+      {
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        world.obstacles[rows[r].wall - world.walls.size()].give(given, rows[r].place, dt);
+        world.balance.wall_impulse += given;
+        const double speed = rows[r].partner_velocity * rows[r].direction(c);
+        world.balance.wall_work += acting * speed;
+        relative -= speed;
+      }
+      else if (rows[r].wall != ContactRow<2>::none)
       {
         Wall &wall = world.walls[rows[r].wall];
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
@@ -221,15 +247,6 @@ void account_contacts(World &world,
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         world.balance.wall_impulse += given;
         world.balance.wall_work += given * world.bodies[rows[r].partner].drive;
-      }
-      double acting = impulse;
-      if (half || balanced)
-      {
-        const auto before = world.contact.memory().find(rows[r].key);
-        const double old = before == world.contact.memory().end() ? 0.
-                           : half                                 ? before->second[c]
-                                  : before->second[c] * dt / world.contact.memory_step;
-        acting = (half ? 1. : 0.5) * (impulse + old);
       }
       if (c == 0 && rows[r].pull > 0.)
       {

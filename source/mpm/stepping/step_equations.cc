@@ -61,7 +61,7 @@ StepEquations::StepEquations(World &world, const StepPlan &plan)
         // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
-        round_and_smooth[b] = body.boundary.smooth && world.slippery() && !scheme.stored_acceleration;
+        round_and_smooth[b] = body.boundary.circular && world.slippery() && !scheme.stored_acceleration;
         if (scheme.inertia && round_and_smooth[b])
           spin[b] = turned_by_load(body, external[b]);
         if (scheme.inertia && !round_and_smooth[b])

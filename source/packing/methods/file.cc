@@ -9,7 +9,7 @@ namespace softgrain
 {
 namespace
 {
-/// Disks from a table.
+/// Grains from a table.
 class PackingFromFile final : public PackingMethod
 {
 public:
@@ -17,8 +17,8 @@ public:
   {
     prm.declare_entry(
         "File", "", dealii::Patterns::Anything(),
-        "Table of disks to read: CSV with the columns x_m, y_m, radius_m and, where the disks are of "
-        "several materials, material.");
+        "Table of grains to read: CSV with the columns x_m, y_m, radius_m of disks, or x_m, y_m, shape, a_m, "
+        "b_m, corners, angle_deg (doc/packings.md); where they are of several materials, material follows.");
   }
 
   void parse_parameters(dealii::ParameterHandler &prm) override
@@ -39,9 +39,12 @@ public:
     const Packing packing = read_packing(file);
     ExpectedDisks disks{static_cast<double>(packing.disks.size()),
                         packing.solid_area() / packing.disks.size(), 0.};
-    for (const Packing::Disk &disk : packing.disks)
-      if (disks.smallest == 0. || 2. * disk.radius < disks.smallest)
-        disks.smallest = 2. * disk.radius;
+    for (std::size_t i = 0; i < packing.disks.size(); ++i)
+    {
+      const double width = packing.form(i).width(packing.disks[i].radius);
+      if (disks.smallest == 0. || width < disks.smallest)
+        disks.smallest = width;
+    }
     return disks;
   }
 
@@ -52,6 +55,6 @@ private:
 };
 
 [[maybe_unused]] const bool registered = Registry<PackingMethod>::instance().add(
-    "file", "disks that 'File' lists", [] { return std::make_unique<PackingFromFile>(); });
+    "file", "grains that 'File' lists", [] { return std::make_unique<PackingFromFile>(); });
 } // namespace
 } // namespace softgrain

@@ -15,7 +15,7 @@ namespace softgrain
 {
 namespace
 {
-/// Disks thrown into a box that shrinks.
+/// Grains thrown into a box that shrinks.
 class RandomPacking final : public PackingMethod
 {
 public:
@@ -24,8 +24,19 @@ public:
     using namespace dealii::Patterns;
     prm.declare_entry(
         "Number", "0", Integer(0, 10000000),
-        "Number of disks to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
+        "Number of grains to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
     SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
+    prm.declare_entry(
+        "Shapes", "disk", MultipleSelection("disk|ellipse|polygon"),
+        "What the grains are: disks, ellipses, polygons, or several of these, each as often as the "
+        "others, turned at random. Diameters are those of disks with the same area.");
+    prm.declare_entry(
+        "Aspect ratio", "1, 1", List(Double(0.1, 1.), 2, 2, ","),
+        "Least and greatest ratio of the short to the long axis of ellipses, and of the ellipses on "
+        "which polygons have their corners; drawn uniformly. Units: none.");
+    prm.declare_entry("Corners", "5, 5", List(Integer(3, 100), 2, 2, ","),
+                      "Least and greatest number of corners of polygons; with 'Aspect ratio' = 1, 1 they are "
+                      "regular. Units: none.");
     prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2, ","),
                       "Lower left corner of the box that the disks are packed in. Units: m.");
     prm.declare_entry(
@@ -59,6 +70,7 @@ public:
       throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
                        prm.get("Number") + "': either make a packing or read one");
     request.sizes.parse_parameters(prm, "Packing");
+    parse_mix(prm);
     request.lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
     request.upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
     request.fraction = prm.get_double("Packing fraction");
@@ -89,7 +101,8 @@ public:
     ExpectedDisks disks{static_cast<double>(request.number), 0., 0.};
     for (const double r : radii)
       disks.mean_area += dealii::numbers::PI * r * r / disks.number;
-    disks.smallest = 2. * *std::min_element(radii.begin(), radii.end());
+    const double thin = 2. * *std::min_element(radii.begin(), radii.end());
+    disks.smallest = request.mix.only_disks() ? thin : thin * std::sqrt(request.mix.least_ratio);
     if (request.protocol.jam)
     {
       // All are scaled to fill the box as jammed disks do.
@@ -104,12 +117,53 @@ public:
   Packing make() const override { return make_packing(request); }
 
 private:
+  void parse_mix(const dealii::ParameterHandler &prm)
+  {
+    const std::string shapes = prm.get("Shapes");
+    GrainMix &mix = request.mix;
+    mix.kinds.clear();
+    for (const auto &[name, kind] : {std::pair("disk", GrainForm::Kind::disk),
+                                     {"ellipse", GrainForm::Kind::ellipse},
+                                     {"polygon", GrainForm::Kind::polygon}})
+      if (shapes.find(name) != std::string::npos)
+        mix.kinds.push_back(kind);
+    if (mix.kinds.empty())
+      throw InputError("'Packing/Shapes' = '' is not allowed: name at least one of disk, ellipse, polygon");
+    const auto refuse = [&](const std::string &key, const std::string &without, const std::string &why)
+    {
+      if (prm.get(key) != without)
+        throw InputError("'Packing/" + key + "' = '" + prm.get(key) + "' " + why + " 'Packing/Shapes' = '" +
+                         shapes + "'");
+    };
+    if (mix.only_disks())
+      refuse("Aspect ratio", "1, 1", "has no effect with");
+    if (shapes.find("polygon") == std::string::npos)
+      refuse("Corners", "5, 5", "has no effect with");
+    if (!mix.only_disks())
+    {
+      refuse("Until jammed", "false", "is known for disks alone, not with");
+      refuse("Periodic", "", "is known for disks alone, not with");
+      if (prm.get_double("Friction") > 0.)
+        refuse("Friction", "0", "is known for disks alone, not with");
+    }
+    const dealii::Tensor<1, 2> ratio = pair_of_numbers(prm.get("Aspect ratio")),
+                               corners = pair_of_numbers(prm.get("Corners"));
+    for (const auto &[key, range] : {std::pair("Aspect ratio", ratio), {"Corners", corners}})
+      if (range[0] > range[1])
+        throw InputError("'Packing/" + std::string(key) + "' = '" + prm.get(key) +
+                         "' is not allowed: the second number must be at least the first");
+    mix.least_ratio = ratio[0];
+    mix.greatest_ratio = ratio[1];
+    mix.least_corners = static_cast<unsigned int>(corners[0]);
+    mix.most_corners = static_cast<unsigned int>(corners[1]);
+  }
+
   PackingRequest request;
 };
 
 [[maybe_unused]] const bool registered =
     Registry<PackingMethod>::instance().add("random",
-                                            "'Number' disks thrown into a box that shrinks",
+                                            "'Number' grains thrown into a box that shrinks",
                                             [] { return std::make_unique<RandomPacking>(); });
 } // namespace
 } // namespace softgrain

@@ -52,6 +52,7 @@ public:
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
   std::vector<WallState<2>> walls() const override;
+  std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
   Energies energies() const override;
   double solid_area() const override;
@@ -89,6 +90,7 @@ private:
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
   std::vector<Wall> moving_walls;
+  std::vector<Obstacle> moving_obstacles;
   std::vector<std::uint32_t> first_of_body;
   std::vector<bool> fixed;
   std::vector<double> density; ///< of every body

@@ -9,6 +9,7 @@
 #include <softgrain/contact/neighbour_list.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -97,6 +98,9 @@ public:
   DynamicsReport
   step(double dt, std::vector<Wall> &walls, const std::vector<std::array<double, 2>> &acceleration);
 
+  /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
+  void set_obstacles(std::vector<Obstacle> *list) { obstacles = list; }
+
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
 
@@ -105,7 +109,8 @@ public:
   contact::NeighbourList &neighbours() { return list; }
   const contact::NeighbourList &neighbours() const { return list; }
 
-  /// Contacts of the present places with the impulses of the last step; b >= disks().size(): a wall.
+  /// Contacts of the present places with the impulses of the last step; b >= disks().size(): a wall, and
+  /// obstacles after the walls.
   const contact::DiskContacts &contacts() const { return rows; }
   /// Gap of every contact [m].
   const std::vector<double> &gaps() const { return gap; }
@@ -143,7 +148,8 @@ public:
   /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
   double attraction_of(std::size_t pair) const;
 
-  /// Impulses remembered of contacts with walls (wall, primary, impulses), for restarts.
+  /// Impulses remembered of contacts with walls (wall, primary, impulses), for restarts; the pieces of
+  /// obstacles count on after the walls.
   struct WallMemory
   {
     std::uint32_t wall = 0, primary = 0;
@@ -159,6 +165,16 @@ private:
   void attract_and_find(std::size_t tile, Scratch &scratch);
   void collect(const std::vector<Wall> &walls);
   void collect_walls(const std::vector<Wall> &walls);
+  void collect_obstacles(std::size_t n_walls);
+  void meet(std::uint32_t obstacle,
+            std::size_t piece,
+            std::uint32_t surface,
+            std::size_t n_walls,
+            std::size_t &remembered);
+  void drive_obstacles(std::size_t n_walls);
+  /// Of the place of an obstacle that row @p row touches, in the step to come [m/s].
+  dealii::Tensor<1, 2> obstacle_velocity(std::size_t row) const;
+  void move_obstacles(double dt, DynamicsReport &report);
   bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
   void see_cell(const std::vector<Wall> &walls);
   contact::ImageLattice lattice() const;
@@ -213,6 +229,16 @@ private:
   std::optional<CellMotion> cell;               ///< as the walls move now; nothing where nothing repeats
   std::vector<dealii::Point<2>> center_of_body; ///< in a cell [m]
   std::vector<double> mass_of_body;             ///< in a cell [kg/m]
+
+  /// A row with an obstacle; they are the last ones.
+  struct ObstacleRow
+  {
+    std::uint32_t obstacle, surface; ///< index; its piece, counted on after the walls
+    dealii::Point<2> drawn;          ///< where it is touched, as it is drawn [m]
+    double slip = 0;                 ///< its velocity along t in the step [m/s]
+  };
+  std::vector<ObstacleRow> obstacle_rows;
+  std::vector<Obstacle> *obstacles = nullptr;
   double stored_energy = 0, deepest = 0;
   std::size_t n_lists = 0;
 

@@ -52,8 +52,9 @@ struct Boundary
   std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
   unsigned int contact_stride = 1;
   std::vector<char> corner; ///< of every marker: whether the outline at rest has a corner there
-  /// One loop around the centre without corners: rows may stand anywhere on it.
-  bool smooth = false;
+  bool smooth = false;      ///< no corners, holes excepted
+  bool circular =
+      false; ///< smooth, and a circle at rest: rows may stand anywhere on it, and turning it changes nothing
 
   unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
   /// Marker after @p m in its loop.

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_contact_geometry_h
 #define softgrain_mpm_contact_contact_geometry_h
 
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -29,6 +30,7 @@ struct ContactScene
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.
   double foresight = 2.;
+  const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
 };
 
 /// Gives a row what the two that meet there do to each other.

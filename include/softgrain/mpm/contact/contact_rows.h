@@ -23,7 +23,9 @@ struct ContactRow
 
   unsigned int body = none;    ///< feels +impulse
   unsigned int partner = none; ///< feels -impulse; none when it is a plane wall
-  unsigned int wall = none;    ///< the wall on the other side, plane or made of points
+  unsigned int wall =
+      none;              ///< the wall on the other side, plane or made of points; obstacles follow the walls
+  bool obstacle = false; ///< whether it is one
   NodeWeights body_weights, partner_weights;
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
@@ -31,9 +33,10 @@ struct ContactRow
   double gap_where_found = 0;    ///< where in the step it was looked for [m]
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
-  double adhesion = 0;   ///< strength of the pair [N/m^2]
-  double pull = 0;       ///< cohesive force over the step, as its impulses count forces [N/m]
-  std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
+  double adhesion = 0; ///< strength of the pair [N/m^2]
+  double pull = 0;     ///< cohesive force over the step, as its impulses count forces [N/m]
+  dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
+  std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
 
   /// Tangent of a 2D row: the normal turned by -90 degrees.
   dealii::Tensor<1, dim> direction(const unsigned int component) const

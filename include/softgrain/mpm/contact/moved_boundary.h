@@ -65,10 +65,14 @@ public:
     return x[0] > lower[0] - margin && x[0] < upper[0] + margin && x[1] > lower[1] - margin &&
            x[1] < upper[1] + margin;
   }
+  bool near_box(const Point &box_lower, const Point &box_upper, const double margin) const
+  {
+    return box_upper[0] > lower[0] - margin && box_lower[0] < upper[0] + margin &&
+           box_upper[1] > lower[1] - margin && box_lower[1] < upper[1] + margin;
+  }
   bool near(const MovedBoundary &other, const double margin) const
   {
-    return other.upper[0] > lower[0] - margin && other.lower[0] < upper[0] + margin &&
-           other.upper[1] > lower[1] - margin && other.lower[1] < upper[1] + margin;
+    return near_box(other.lower, other.upper, margin);
   }
 
   /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].

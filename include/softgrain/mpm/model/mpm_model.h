@@ -37,6 +37,7 @@ public:
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
   std::vector<WallState<2>> walls() const override;
+  std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
   Energies energies() const override;
   double solid_area() const override;

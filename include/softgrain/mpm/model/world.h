@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
 #include <softgrain/linear/system_matrix.h>
@@ -66,6 +67,7 @@ struct World
   std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
+  std::vector<Obstacle> obstacles;
   std::vector<SystemMatrix> matrices;                  ///< one per body, implicit schemes
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
   std::unique_ptr<ContactGeometry<2>> geometry;
@@ -83,9 +85,9 @@ struct World
   SubgridCompliance subgrid() const;
 
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
-  bool slippery() const { return pairs.frictionless() && !adhesion.remembers(); }
+  bool slippery() const { return pairs.frictionless() && !adhesion.remembers() && !rough(scene.obstacles); }
 
-  /// How walls move in a step, slabs among them.
+  /// How walls move in a step, slabs among them; obstacles plan their way.
   std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
 
   /// Finds the contact rows of a step.

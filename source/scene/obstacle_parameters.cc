@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/parameters/parameter_values.h>
+#include <softgrain/scene/obstacle_parameters.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace softgrain
+{
+namespace
+{
+using namespace dealii::Patterns;
+
+constexpr double degree = dealii::numbers::PI / 180.;
+
+const std::vector<std::string> of_segments = {"Points"}, of_arc = {"Center", "Radius", "From", "To"};
+
+void declare(dealii::ParameterHandler &prm)
+{
+  prm.declare_entry(
+      "Shape", "segments", Selection("segments|arc"),
+      "segments: straight lines from one of 'Points' to the next; arc: of a circle about 'Center' "
+      "with 'Radius', counter-clockwise from 'From' to 'To'. Both have two sides.");
+  prm.declare_entry("Points", "", List(List(Double(), 2, 2, ","), 0, List::max_int_value, ";"),
+                    "Corners of the line in order, \"x1, y1; x2, y2; ...\". Units: m.");
+  prm.declare_entry("Center", "0, 0", List(Double(), 2, 2, ","), "Center of an arc. Units: m.");
+  prm.declare_entry("Radius", "0", Double(0), "Radius of an arc. Units: m.");
+  prm.declare_entry("From", "0", Double(-360, 360), "Direction in which an arc begins. Units: degrees.");
+  prm.declare_entry("To", "360", Double(-360, 720),
+                    "Direction in which it ends, above 'From' by at most 360. Units: degrees.");
+  prm.declare_entry("Displacement", "0; 0", Anything(),
+                    "How far it has gone, formulas (doc/formulas.md) of t: \"ux; uy\". Units: m.");
+  prm.declare_entry(
+      "Angle", "0", Anything(),
+      "How far it has turned about 'Pivot', counter-clockwise; a formula of t. Units: degrees.");
+  prm.declare_entry("Pivot", "0, 0", List(Double(), 2, 2, ","),
+                    "Place about which it turns, and about which its torque is taken; it goes with "
+                    "'Displacement'. Units: m.");
+  prm.declare_entry("Friction", "0", Double(0),
+                    "Coefficient of friction between the obstacle and bodies. Units: none.");
+}
+
+void check_unused(const dealii::ParameterHandler &prm,
+                  const std::string &where,
+                  const std::vector<std::string> &others)
+{
+  dealii::ParameterHandler fresh;
+  declare(fresh);
+  for (const std::string &name : others)
+    if (prm.get(name) != fresh.get(name))
+      throw InputError("'" + where + "/" + name + "' = '" + prm.get(name) +
+                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+}
+
+std::vector<Curve> segments(const dealii::ParameterHandler &prm, const std::string &where)
+{
+  check_unused(prm, where, of_arc);
+  const std::vector<dealii::Tensor<1, 2>> corners = list_of_pairs(prm.get("Points"));
+  if (corners.size() < 2)
+    throw InputError("'" + where + "/Points' has " + std::to_string(corners.size()) +
+                     " points: a line needs at least 2");
+  std::vector<Curve> pieces;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+  {
+    if (!((corners[i + 1] - corners[i]).norm() > 0.))
+      throw InputError("'" + where + "/Points': point " + std::to_string(i + 1) +
+                       " is the same as the next one");
+    pieces.push_back(Curve::segment(dealii::Point<2>(corners[i]), dealii::Point<2>(corners[i + 1])));
+  }
+  return pieces;
+}
+
+std::vector<Curve> arc(const dealii::ParameterHandler &prm, const std::string &where)
+{
+  check_unused(prm, where, of_segments);
+  const double radius = prm.get_double("Radius"), from = prm.get_double("From"), to = prm.get_double("To");
+  if (!(radius > 0.))
+    throw InputError("'" + where + "/Radius' = '" + prm.get("Radius") +
+                     "' is not allowed: it must be greater than 0");
+  if (!(to > from) || to - from > 360.)
+    throw InputError("'" + where + "/To' = '" + prm.get("To") +
+                     "' is not allowed: it must be greater than 'From' = '" + prm.get("From") +
+                     "', by at most 360");
+  return {
+      Curve::arc(dealii::Point<2>(pair_of_numbers(prm.get("Center"))), radius, degree * from, degree * to)};
+}
+
+/// Both formulas of 'Displacement'; a semicolon stands between them.
+std::vector<Expression> displacement(const std::string &text, const std::string &parameter)
+{
+  const auto middle = text.find(';');
+  if (middle == std::string::npos || text.find(';', middle + 1) != std::string::npos)
+    throw InputError("'" + parameter + "' = '" + text +
+                     "' is not allowed: it must be two formulas \"ux; uy\"");
+  return {formula_of_time(text.substr(0, middle), parameter),
+          formula_of_time(text.substr(middle + 1), parameter)};
+}
+} // namespace
+
+ObstacleParameters::ObstacleParameters(const std::vector<std::string> &names) : names(names) {}
+
+void ObstacleParameters::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  prm.enter_subsection("Obstacles");
+  prm.declare_entry("Names", "", List(Anything()),
+                    "Names of the obstacles: rigid lines of finite length, straight or round; each has a "
+                    "subsection of its name.");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    declare(prm);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+}
+
+std::vector<ObstacleDescription<2>> ObstacleParameters::parse_parameters(dealii::ParameterHandler &prm) const
+{
+  std::vector<ObstacleDescription<2>> obstacles;
+  prm.enter_subsection("Obstacles");
+  for (const std::string &name : names)
+  {
+    prm.enter_subsection(name);
+    const std::string where = "Obstacles/" + name;
+    ObstacleDescription<2> obstacle;
+    obstacle.name = name;
+    obstacle.pieces = prm.get("Shape") == "arc" ? arc(prm, where) : segments(prm, where);
+    obstacle.pivot = dealii::Point<2>(pair_of_numbers(prm.get("Pivot")));
+    obstacle.motion = displacement(prm.get("Displacement"), where + "/Displacement");
+    obstacle.motion.push_back(formula_of_time(prm.get("Angle"), where + "/Angle"));
+    obstacle.friction = prm.get_double("Friction");
+    obstacles.push_back(obstacle);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+  return obstacles;
+}
+
+dealii::Tensor<1, 2> Pose::turned(const dealii::Tensor<1, 2> &v, const double by) const
+{
+  const double c = std::cos(by), s = std::sin(by);
+  return dealii::Tensor<1, 2>({c * v[0] - s * v[1], s * v[0] + c * v[1]});
+}
+
+Pose pose_of(const ObstacleDescription<2> &obstacle, const double time)
+{
+  Pose pose;
+  pose.pivot = obstacle.pivot;
+  for (unsigned int d = 0; d < 2; ++d)
+    pose.shift[d] = obstacle.motion[d]({time});
+  pose.angle = degree * obstacle.motion[2]({time});
+  if (!std::isfinite(pose.shift.norm() + pose.angle))
+  {
+    std::ostringstream text;
+    text << "the motion of obstacle '" << obstacle.name << "' is not finite at t = " << time << " s";
+    throw ComputationError(text.str());
+  }
+  return pose;
+}
+} // namespace softgrain
