@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/hdf5_file.h>
 #include <softgrain/output/snapshot_layout.h>
+#include <softgrain/output/snapshot_rows.h>
 #include <softgrain/output/units.h>
 
 #include <algorithm>
@@ -10,116 +11,11 @@
 
 namespace softgrain
 {
+using namespace snapshot_rows;
+
 namespace
 {
 const std::string file_format = "softgrain snapshot 1";
-
-// Every type of the snapshot as a row of numbers, both ways.
-void put(std::vector<double> &row, const double value)
-{
-  row.push_back(value);
-}
-void put(std::vector<double> &row, const dealii::Tensor<1, 2> &value)
-{
-  row.insert(row.end(), {value[0], value[1]});
-}
-void put(std::vector<double> &row, const dealii::SymmetricTensor<2, 2> &value)
-{
-  row.insert(row.end(), {value[0][0], value[1][1], value[0][1]});
-}
-void put(std::vector<double> &row, const dealii::Tensor<2, 2> &value)
-{
-  row.insert(row.end(), {value[0][0], value[0][1], value[1][0], value[1][1]});
-}
-void take(const double *row, double &value)
-{
-  value = row[0];
-}
-void take(const double *row, dealii::Tensor<1, 2> &value)
-{
-  value[0] = row[0];
-  value[1] = row[1];
-}
-void take(const double *row, dealii::SymmetricTensor<2, 2> &value)
-{
-  value[0][0] = row[0];
-  value[1][1] = row[1];
-  value[0][1] = row[2];
-}
-void take(const double *row, dealii::Tensor<2, 2> &value)
-{
-  for (unsigned int i = 0; i < 4; ++i)
-    value[i / 2][i % 2] = row[i];
-}
-
-/// Numbers per row of a type.
-template <typename Value>
-unsigned int width()
-{
-  std::vector<double> row;
-  put(row, Value());
-  return row.size();
-}
-
-/// One array of an HDF5 file, a row for what @p value gives of every item; read_rows() is the way back.
-template <typename Item, typename Function>
-void write_rows(Hdf5File &file,
-                const std::string &name,
-                const std::vector<Item> &items,
-                const Function &value)
-{
-  std::vector<double> rows;
-  for (const Item &item : items)
-    put(rows, value(item));
-  file.write(name, rows, width<std::decay_t<decltype(value(std::declval<const Item &>()))>>());
-}
-
-template <typename Item>
-void write_rows(Hdf5File &file, const std::string &name, const std::vector<Item> &items)
-{
-  write_rows(file, name, items, [](const Item &item) { return item; });
-}
-
-template <typename Item, typename Function>
-void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items, const Function &place)
-{
-  using Value = std::decay_t<decltype(place(items[0]))>;
-  const std::vector<double> rows = file.read_doubles(name);
-  const unsigned int columns = width<Value>();
-  items.resize(rows.size() / columns);
-  for (std::size_t i = 0; i < items.size(); ++i)
-    take(rows.data() + i * columns, place(items[i]));
-}
-
-template <typename Item>
-void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items)
-{
-  read_rows(file, name, items, [](Item &item) -> Item & { return item; });
-}
-
-template <typename Item, typename Function>
-void write_indices(Hdf5File &file,
-                   const std::string &name,
-                   const std::vector<Item> &items,
-                   const Function &value)
-{
-  std::vector<std::uint64_t> indices;
-  for (const Item &item : items)
-    indices.push_back(value(item));
-  file.write(name, indices);
-}
-
-template <typename Item, typename Function>
-void read_indices(const Hdf5File &file,
-                  const std::string &name,
-                  std::vector<Item> &items,
-                  const Function &place)
-{
-  const std::vector<std::uint64_t> indices = file.read_integers(name);
-  items.resize(indices.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
-    place(items[i]) = static_cast<unsigned int>(indices[i]);
-}
 
 /// Pairs of array name and member: one list serves writing and reading, so that they cannot differ.
 template <typename Action>

@@ -52,15 +52,6 @@ void choose_for_long_steps(Settings &settings)
       settings.coupling == ContactCoupling::condensed)
     settings.contact_solver.algorithm = contact::Algorithm::active_set;
 }
-
-std::string scheme_in_words(const TimeScheme &scheme)
-{
-  if (!scheme.inertia || !scheme.implicit || scheme.stored_acceleration)
-    return scheme.name;
-  std::ostringstream text;
-  text << scheme.name << ", theta " << scheme.theta;
-  return text.str();
-}
 } // namespace
 
 MpmModel::~MpmModel() = default;
@@ -345,92 +336,5 @@ void MpmModel::renew_grids()
     if (world.settings.scheme.implicit)
       lay_out_stiffness(body.field, world.matrices[body.index]);
   }
-}
-
-dealii::Tensor<1, 2> MpmModel::momentum() const
-{
-  dealii::Tensor<1, 2> sum;
-  for (const Body<2> &body : world.bodies)
-    if (!body.driven)
-      sum += body.momentum();
-  return sum;
-}
-
-double MpmModel::momentum_error() const
-{
-  return world.settings.scheme.inertia ? world.balance.momentum_error(momentum()) : 0.;
-}
-
-Energies MpmModel::energies() const
-{
-  Energies energies;
-  std::vector<double> elastic(world.bodies.size(), 0.);
-  parallel_for(world.bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!world.bodies[b].driven)
-                     elastic[b] = measure_points(
-                                      world.bodies[b], world.bodies[b].displacement,
-                                      Eigen::VectorXd(Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs())))
-                                      .energy;
-               });
-  for (const Body<2> &body : world.bodies)
-    if (!body.driven)
-    {
-      if (world.settings.scheme.inertia)
-        energies.kinetic += body.kinetic_energy();
-      energies.elastic += elastic[body.index];
-    }
-  if (world.settings.scheme.inertia)
-    for (const Wall &wall : world.walls)
-      energies.kinetic += wall.kinetic_energy();
-  energies.elastic += world.balance.subgrid_energy;
-  energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
-                        world.balance.regularisation_work + world.balance.wall_damping_loss;
-  energies.external_work = world.balance.external_work();
-  return energies;
-}
-
-std::size_t MpmModel::n_points() const
-{
-  std::size_t sum = 0;
-  for (const Body<2> &body : world.bodies)
-    sum += body.points.size();
-  return sum;
-}
-
-std::size_t MpmModel::n_bodies() const
-{
-  return world.scene.bodies.size();
-}
-
-SizeReport MpmModel::size_report() const
-{
-  const auto text = [](const double value, const std::string &unit)
-  {
-    std::ostringstream s;
-    s.precision(4);
-    s << value << unit;
-    return s.str();
-  };
-  std::size_t dofs = 0;
-  for (const Body<2> &body : world.bodies)
-    dofs += body.driven ? 0 : body.field.n_dofs();
-  const auto &cells = world.lattice->n_cells();
-  return {{"bodies", std::to_string(n_bodies())},
-          {"material points", std::to_string(n_points())},
-          {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
-                                  text(world.lattice->cell_size(), " m")},
-          {"unknowns", std::to_string(dofs)},
-          {"shape functions", world.settings.shape},
-          {"time scheme", scheme_in_words(world.settings.scheme)},
-          {"CFL step", text(cfl_step(), " s")},
-          {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
-}
-
-std::map<std::string, double> MpmModel::phases() const
-{
-  return timer->get_summary_data(dealii::TimerOutput::total_wall_time);
 }
 } // namespace softgrain::mpm
