@@ -59,7 +59,7 @@ void Dynamics::meet(const std::uint32_t o,
     resize_rows(rows.size() + 1);
     set_row(rows.size() - 1, i, primaries.size() + n_walls + o, n, opening, obstacle.description.friction,
             primaries.radius[i] * settings.rolling_resistance,
-            known ? remembered_at_walls[remembered].impulse : contact::NeighbourList::Memory{});
+            known ? remembered_at_walls[remembered].impulse : contact::PairMemory::Impulses{});
     obstacle_rows.push_back({o, surface, touched});
   }
 }

@@ -43,7 +43,11 @@ std::vector<Wall> sides(const double width, const double height, const double sp
 Dynamics dynamics(const Primaries &disks, const double friction)
 {
   DynamicsSettings settings;
-  settings.friction = friction;
+  Scene<2> scene;
+  scene.friction = friction;
+  scene.materials.resize(1);
+  scene.bodies.resize(disks.size());
+  settings.pairs = ContactPairs(scene);
   settings.look_ahead = 0.15;
   settings.solver.tolerance = 1e-8;
   settings.solver.max_sweeps = 20000;

@@ -83,7 +83,7 @@ void compare(const std::string &what, const ImageLattice &lattice)
         }
   }
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
-    list.memory()[p] = {1. * list.a(p) + list.b(p), 1. * std::abs(list.image(p)[0]), 1.};
+    list.memory().set(p, {1. * list.a(p) + list.b(p), 1. * std::abs(list.image(p)[0]), 1.});
   // Everything moves on by some cells: the same pairs.
   Places moved = places;
   for (unsigned int i = 0; i < n; ++i)
@@ -93,7 +93,7 @@ void compare(const std::string &what, const ImageLattice &lattice)
   unsigned int kept = 0;
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
     kept += list.memory()[p] ==
-            NeighbourList::Memory{1. * list.a(p) + list.b(p), 1. * std::abs(list.image(p)[0]), 1.};
+            PairMemory::Impulses{1. * list.a(p) + list.b(p), 1. * std::abs(list.image(p)[0]), 1.};
   std::cout << what << ": " << found.size() << " pairs, listed " << list.n_pairs() << ", "
             << (found == expected ? "those expected" : "OTHERS") << ", tiles " << (shared ? "SHARE" : "apart")
             << ", memories kept " << (kept == list.n_pairs() ? "all" : "NOT ALL") << '\n';

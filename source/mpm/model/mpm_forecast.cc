@@ -167,7 +167,7 @@ Forecast forecast(const Scene<2> &scene,
     result.step = std::min(settings.wall_way * settings.cell_size / run.fastest_wall,
                            settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(result.step);
-  const bool friction = has_friction(scene);
+  const bool friction = has_friction(scene) || rough(scene.obstacles);
   const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
   const double iterations = n_iterations(settings, run, result.step, cfl);
   const double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);

@@ -25,7 +25,7 @@ void World::sort_points()
 
 SubgridCompliance World::subgrid() const
 {
-  return {settings.subgrid_compliance() && pairs.frictionless() && !pairs.adhere(), lattice->cell_size()};
+  return {settings.subgrid_compliance() && slippery() && !pairs.adhere(), lattice->cell_size()};
 }
 
 std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
