@@ -315,6 +315,11 @@ void Dynamics::collect(const std::vector<Wall> &walls)
                     2. * ra * rb / (ra + rb) *
                         (same ? settings.inner_rolling_resistance : settings.rolling_resistance),
                     list.memory()[contact.pair]);
+            if (cell)
+            {
+              const dealii::Tensor<1, 2> r = branch(a, b, list.image(contact.pair));
+              rows.branch[row] = {{r[0], r[1]}};
+            }
             pair_of_row[row++] = contact.pair;
           }
         }

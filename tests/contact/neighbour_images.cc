@@ -92,8 +92,8 @@ void compare(const std::string &what, const ImageLattice &lattice)
   list.build(moved, lattice);
   unsigned int kept = 0;
   for (std::size_t p = 0; p < list.n_pairs(); ++p)
-    kept += list.memory()[p] ==
-            PairMemory::Impulses{1. * list.a(p) + list.b(p), 1. * std::abs(list.image(p)[0]), 1.};
+    kept += list.memory()[p] == softgrain::contact::PairMemory::Impulses{1. * list.a(p) + list.b(p),
+                                                                         1. * std::abs(list.image(p)[0]), 1.};
   std::cout << what << ": " << found.size() << " pairs, listed " << list.n_pairs() << ", "
             << (found == expected ? "those expected" : "OTHERS") << ", tiles " << (shared ? "SHARE" : "apart")
             << ", memories kept " << (kept == list.n_pairs() ? "all" : "NOT ALL") << '\n';

@@ -106,7 +106,7 @@ void in_motion(const std::string &what, const Changes &changes)
 
 void thirty_grains(const std::string &what, const Changes &changes)
 {
-  Changes all = {"Mesh/Cell size=4e-4", "Time/Time step=1e-4", "Walls/top/Velocity=0",
+  Changes all = {"Mesh/Cell size=4e-4", "Time/Time step=1e-4", "Time/Wall way=0", "Walls/top/Velocity=0",
                  "Walls/top/Pressure=2e9*t"};
   for (const std::string wall : {"bottom", "top", "left", "right"})
     for (const std::string key : {"Drive=pressure", "Pressure=2e9*t"})
@@ -132,9 +132,9 @@ void thirty_grains(const std::string &what, const Changes &changes)
 /// follows the stress that this makes.
 void follow(const std::string &what, const Changes &changes)
 {
-  Changes all = {"Mesh/Cell size=4e-4",      "Time/Time step=1e-4",    "Walls/top/Velocity=0",
-                 "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5", "Walls/right/Drive=pressure",
-                 "Walls/right/Pressure=1e5"};
+  Changes all = {"Mesh/Cell size=4e-4",        "Time/Time step=1e-4",      "Time/Wall way=0",
+                 "Walls/top/Velocity=0",       "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5",
+                 "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5"};
   const auto compacted = shipped_scene("gallery/thirty_grains_quasi_static_mpm.prm", all);
   compacted->advance(1.);
   CheckpointWriter writer("compacted.h5");
