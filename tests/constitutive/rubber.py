@@ -28,7 +28,7 @@ def ogden(exponents, weights):
     print("ogden shear", f"{difference * sine_cosine:.10g} {difference * (2 * cosine2 - 1):.10g}")
 
 
-print("# tolerance: 1e-6 1e-8")
+print("# tolerance: 1e-12 1e-8")
 by_invariants("mooney_rivlin", lambda x: (mu / 2 * 0.7, mu / 2 * 0.3))
 by_invariants("gent", lambda x: (mu / 2 * 30 / (30 - x), 0))
 by_invariants("yeoh", lambda x: (mu / 2 * (1 - 0.04 * x + 0.0012 * x**2), 0))
