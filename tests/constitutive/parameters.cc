@@ -22,7 +22,8 @@ int main()
     catch (const InputError &error)
     {
       // without the list of all laws, which grows
-      std::cout << std::regex_replace(error.what(), std::regex("known are: [a-z_, ]*[a-z]"), "known are: ...")
+      std::cout << std::regex_replace(error.what(), std::regex("known are: [a-z0-9_, ]*[a-z]"),
+                                      "known are: ...")
                 << '\n';
     }
     catch (const dealii::ExceptionBase &)

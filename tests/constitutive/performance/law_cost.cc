@@ -39,6 +39,8 @@ double measure(const std::string &name)
     F[q] = dealii::unit_symmetric_tensor<dim>() + increment[q];
   }
   std::vector<double> history(n * law->n_history()), history_new = history;
+  for (unsigned int q = 0; q < n; ++q)
+    law->initial_history(history.data() + q * law->n_history());
   std::vector<SymmetricTensor<2, dim>> stress(n);
   std::vector<SymmetricTensor<4, dim>> tangent(n);
   const Inputs<dim> in = {n, F.data(), increment.data(), history.data()};
