@@ -30,7 +30,7 @@ end
 subsection Bodies
   set Names = egg
   subsection egg
-    set Shape     = ellipse
+    set Shape     = oval
     set Center    = 1, 0.5
     set Half axes = 0.8, 0.5
   end

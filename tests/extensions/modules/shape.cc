@@ -11,7 +11,7 @@
 
 using namespace softgrain;
 
-class Ellipse final : public Shape<2>
+class Oval final : public Shape<2>
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
@@ -50,5 +50,5 @@ private:
   dealii::Tensor<1, 2> half;
 };
 
-[[maybe_unused]] const bool registered = Registry<Shape<2>>::instance().add(
-    "ellipse", "Center, Half axes", [] { return std::make_unique<Ellipse>(); });
+[[maybe_unused]] const bool registered =
+    Registry<Shape<2>>::instance().add("oval", "Center, Half axes", [] { return std::make_unique<Oval>(); });
