@@ -15,7 +15,7 @@ namespace softgrain
 namespace
 {
 const std::string format_start = "softgrain checkpoint ";
-const std::string format_name = format_start + "4";
+const std::string format_name = format_start + "5";
 
 /// The format that a file says it has, looked for in its bytes; empty when it says none.
 std::string format_in(const std::string &path)

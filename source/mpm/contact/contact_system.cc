@@ -281,7 +281,8 @@ double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
     for (const Pair &pair : pairs)
     {
       const ContactRow<dim> &row = rows[pair.first];
-      if (pair.compliance > 0.)
+      // Also of a contact that has grown wide, whose compliance is none.
+      if (!row.obstacle)
         energy += subgrid.energy(bodies[row.body],
                                  row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
                                  normal_force(pair, dt));

@@ -8,6 +8,9 @@ namespace softgrain::mpm
 {
 namespace
 {
+/// Half width, in cells, from which on the grid misses nothing.
+constexpr double full_width = 0.62;
+
 /// (1-ν²)/E at rest; a driven body is rigid.
 double plane_compliance(const Body<2> &body)
 {
@@ -32,13 +35,13 @@ double curvature(const Body<2> &body)
 double SubgridCompliance::missing_share(const double half_width)
 {
   // A contact that has just begun has no width yet; it is kept from being infinitely soft.
-  return std::max(0., std::log(0.62 / std::max(half_width, 1e-3)));
+  return std::max(0., std::log(full_width / std::max(half_width, 1e-3)));
 }
 
-double SubgridCompliance::operator()(const Body<2> &body, const Body<2> *partner, const double force) const
+SubgridCompliance::Dent SubgridCompliance::dent(const Body<2> &body, const Body<2> *partner) const
 {
   if (!on || (!is_round(body) && (partner == nullptr || !is_round(*partner))))
-    return 0.;
+    return {};
   double curved = curvature(body), soft = plane_compliance(body), dents = is_round(body) ? soft : 0.;
   if (partner != nullptr)
   {
@@ -46,25 +49,29 @@ double SubgridCompliance::operator()(const Body<2> &body, const Body<2> *partner
     soft += plane_compliance(*partner);
     dents += is_round(*partner) ? plane_compliance(*partner) : 0.;
   }
-  const double half_width = std::sqrt(4. / M_PI * std::max(force, 0.) * soft / curved);
+  const double width = full_width * cell_size;
+  return {2. / M_PI * dents, 0.25 * M_PI * width * width * curved / soft};
+}
+
+double SubgridCompliance::operator()(const Body<2> &body, const Body<2> *partner, const double force) const
+{
+  const Dent missed = dent(body, partner);
+  if (missed.compliance == 0.)
+    return 0.;
   // Before the first force is known the middle of the range stands for it.
-  const double share = force > 0. ? missing_share(half_width / cell_size) : 0.65;
-  return 2. / M_PI * dents * share;
+  const double share = force > 0. ? missing_share(full_width * std::sqrt(force / missed.full_force)) : 0.65;
+  return missed.compliance * share;
 }
 
 double SubgridCompliance::energy(const Body<2> &body, const Body<2> *partner, const double force) const
 {
-  const double at_end = (*this)(body, partner, force);
-  if (at_end == 0. || !(force > 0.))
+  const Dent missed = dent(body, partner);
+  if (missed.compliance == 0. || !(force > 0.))
     return 0.;
-  // Work F δ(F) - ∫ δ dF, the integral by the midpoint rule; δ = C F is smooth but for two kinks.
-  constexpr unsigned int n = 16;
-  double sum = 0.;
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    const double f = force * (i + 0.5) / n;
-    sum += (*this)(body, partner, f) * f;
-  }
-  return at_end * force * force - sum * force / n;
+  // δ = C F ln(F_full/F)/2 up to F_full, then none: F δ - ∫ δ dF. A contact that has grown wide has given
+  // back what it took and more, for δ falls under larger forces; that stays with it.
+  const double below = std::min(force, missed.full_force),
+               half_log = 0.5 * std::log(missed.full_force / below);
+  return 0.5 * missed.compliance * below * below * (half_log - 0.25);
 }
 } // namespace softgrain::mpm

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What MpmModel tells of itself: sums, energies, sizes, times.
-#include <softgrain/base/parallel.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/mpm_model.h>
-#include <softgrain/mpm/stepping/stress.h>
+#include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <sstream>
 
@@ -38,30 +37,16 @@ double MpmModel::momentum_error() const
 Energies MpmModel::energies() const
 {
   Energies energies;
-  std::vector<double> elastic(world.bodies.size(), 0.);
-  parallel_for(world.bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!world.bodies[b].driven)
-                     elastic[b] = measure_points(
-                                      world.bodies[b], world.bodies[b].displacement,
-                                      Eigen::VectorXd(Eigen::VectorXd::Zero(world.bodies[b].field.n_dofs())))
-                                      .energy;
-               });
-  for (const Body<2> &body : world.bodies)
-    if (!body.driven)
-    {
-      if (world.settings.scheme.inertia)
-        energies.kinetic += body.kinetic_energy();
-      energies.elastic += elastic[body.index];
-    }
   if (world.settings.scheme.inertia)
+  {
+    for (const Body<2> &body : world.bodies)
+      if (!body.driven)
+        energies.kinetic += body.kinetic_energy();
     for (const Wall &wall : world.walls)
       energies.kinetic += wall.kinetic_energy();
-  energies.elastic += world.balance.subgrid_energy;
-  energies.dissipated = world.balance.contact_loss + world.balance.law_loss + world.balance.scheme_damping +
-                        world.balance.regularisation_work + world.balance.wall_damping_loss;
+  }
+  energies.elastic = stored_energy(world);
+  energies.dissipated = world.balance.dissipated();
   energies.external_work = world.balance.external_work();
   return energies;
 }

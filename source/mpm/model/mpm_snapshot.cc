@@ -224,7 +224,8 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
   if (world.pairs.adhere())
     columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
   if (!world.settings.scheme.inertia)
-    columns.emplace_back("held_steps", held_steps);
+    columns.insert(columns.end(),
+                   {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});
   if (world.settings.contact_on_boundaries)
     columns.emplace_back("unbalanced_force", last_unbalanced);
   if (world.scene.bodies.size() != 1)

@@ -99,7 +99,7 @@ void MpmModel::save(StateWriter &out) const
   b.save(out, "mpm/balance/common");
   out.write("mpm/balance/own",
             std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
-                                b.carried_load[0], b.carried_load[1]});
+                                b.carried_load[0], b.carried_load[1], b.released_energy});
   save_walls(out, "mpm/walls", world.walls);
   save_obstacles(out, "mpm/obstacles", world.obstacles);
 
@@ -156,6 +156,7 @@ void MpmModel::load(StateReader &in)
   b.subgrid_energy = own.at(2);
   b.regularisation_work = own.at(3);
   b.carried_load = dealii::Tensor<1, 2>({own.at(4), own.at(5)});
+  b.released_energy = own.at(6);
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
   const bool frictionless = impulses.size() == keys.size();

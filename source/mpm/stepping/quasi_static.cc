@@ -3,6 +3,7 @@
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,12 +79,80 @@ StepOutcome held_step(World &world, const StepPlan &plan)
   return implicit_step(world, plan);
 }
 
+/// Energy that no column of the balance explains [J/m].
+double not_booked(const World &world)
+{
+  return stored_energy(world) + world.balance.dissipated() - world.balance.external_work();
+}
+
 std::string largest_move_in_cells(const World &world, const StepOutcome &held)
 {
   std::ostringstream text;
   text.precision(3);
   text << held.largest_move / world.lattice->cell_size();
   return text.str();
+}
+
+StepOutcome make_held_steps(World &world, const double dt)
+{
+  const Settings &settings = world.settings;
+  StepOutcome sum;
+  sum.accepted = true;
+  double of_bodies = unbalanced_force_here(world, dt);
+  sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
+  // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
+  StepPlan held{dt, true, settings.regularisation};
+  std::vector<Eigen::VectorXd> place = displacements(world), last_way;
+  StepOutcome step;
+  unsigned int near_balance = 0; // held steps since all walls have met what bears them
+  for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
+  {
+    step = held_step(world, held);
+    add(step, sum);
+    if (!step.accepted)
+    {
+      held.guess = nullptr; // it may be what failed
+      held.regularisation *= 10.;
+      if (held.regularisation > 10.)
+        throw ComputationError("no balance is found with the walls at rest: " + step.reason);
+      continue;
+    }
+    sum.largest_move = std::max(sum.largest_move, step.largest_move);
+    const double before = of_bodies;
+    of_bodies = unbalanced_force_here(world, dt);
+    sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
+    if (sum.unbalanced <= settings.unbalanced_force &&
+        step.largest_move <= settings.held_motion * world.lattice->cell_size())
+    {
+      ++sum.held_steps;
+      return sum;
+    }
+    std::vector<Eigen::VectorXd> now = displacements(world);
+    for (unsigned int b = 0; b < now.size(); ++b)
+      place[b] = now[b] - place[b];
+    const double turn = last_way.empty() ? 0. : cosine(place, last_way);
+    last_way.swap(place);
+    place.swap(now);
+    held.guess = turn > 0.5 ? &last_way : nullptr;
+    if (walls_are_on_their_way(world))
+    {
+      check_room_of_walls(world);
+      near_balance = 0;
+      continue;
+    }
+    // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
+    if (turn < -0.3)
+      held.regularisation = std::min(10. * held.regularisation, 10.);
+    else if (step.rows_settled && of_bodies > 0.3 * before)
+      held.regularisation = std::max(0.1 * held.regularisation, 1e-3 * settings.regularisation);
+  }
+  if (settings.max_held_steps == 0)
+    return sum;
+  std::ostringstream message;
+  message << "at time " << world.time << " s the bodies are not in balance after " << sum.held_steps
+          << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced
+          << ", they still move by " << largest_move_in_cells(world, step) << " cells";
+  throw ComputationError(message.str());
 }
 } // namespace
 
@@ -147,63 +216,10 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
 
 StepOutcome find_balance(World &world, const double dt)
 {
-  const Settings &settings = world.settings;
-  StepOutcome sum;
-  sum.accepted = true;
-  double of_bodies = unbalanced_force_here(world, dt);
-  sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
-  // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
-  StepPlan held{dt, true, settings.regularisation};
-  std::vector<Eigen::VectorXd> place = displacements(world), last_way;
-  StepOutcome step;
-  unsigned int near_balance = 0; // held steps since all walls have met what bears them
-  for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
-  {
-    step = held_step(world, held);
-    add(step, sum);
-    if (!step.accepted)
-    {
-      held.guess = nullptr; // it may be what failed
-      held.regularisation *= 10.;
-      if (held.regularisation > 10.)
-        throw ComputationError("no balance is found with the walls at rest: " + step.reason);
-      continue;
-    }
-    sum.largest_move = std::max(sum.largest_move, step.largest_move);
-    const double before = of_bodies;
-    of_bodies = unbalanced_force_here(world, dt);
-    sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
-    if (sum.unbalanced <= settings.unbalanced_force &&
-        step.largest_move <= settings.held_motion * world.lattice->cell_size())
-    {
-      ++sum.held_steps;
-      return sum;
-    }
-    std::vector<Eigen::VectorXd> now = displacements(world);
-    for (unsigned int b = 0; b < now.size(); ++b)
-      place[b] = now[b] - place[b];
-    const double turn = last_way.empty() ? 0. : cosine(place, last_way);
-    last_way.swap(place);
-    place.swap(now);
-    held.guess = turn > 0.5 ? &last_way : nullptr;
-    if (walls_are_on_their_way(world))
-    {
-      check_room_of_walls(world);
-      near_balance = 0;
-      continue;
-    }
-    // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
-    if (turn < -0.3)
-      held.regularisation = std::min(10. * held.regularisation, 10.);
-    else if (step.rows_settled && of_bodies > 0.3 * before)
-      held.regularisation = std::max(0.1 * held.regularisation, 1e-3 * settings.regularisation);
-  }
-  if (settings.max_held_steps == 0)
-    return sum;
-  std::ostringstream message;
-  message << "at time " << world.time << " s the bodies are not in balance after " << sum.held_steps
-          << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced
-          << ", they still move by " << largest_move_in_cells(world, step) << " cells";
-  throw ComputationError(message.str());
+  const double before = not_booked(world);
+  const StepOutcome outcome = make_held_steps(world, dt);
+  if (outcome.held_steps > 0)
+    world.balance.released_energy += before - not_booked(world);
+  return outcome;
 }
 } // namespace softgrain::mpm

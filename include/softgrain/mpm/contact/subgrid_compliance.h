@@ -32,9 +32,18 @@ struct SubgridCompliance
   /// that the grid misses under @p force [N/m]; [m^2/N]
   double operator()(const Body<2> &body, const Body<2> *partner, double force) const;
 
-  /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it
-  /// [J/m].
+  /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it;
+  /// below zero when the contact is wide, for δ falls again under larger forces [J/m].
   double energy(const Body<2> &body, const Body<2> *partner, double force) const;
+
+private:
+  /// What the grid misses of a contact: δ = C F ln(F_full/F)/2 up to F_full.
+  struct Dent
+  {
+    double compliance = 0.; ///< C [m^2/N]; 0: nothing is missed
+    double full_force = 0.; ///< from which on the grid sees the whole dent [N/m]
+  };
+  Dent dent(const Body<2> &body, const Body<2> *partner) const;
 };
 } // namespace softgrain::mpm
 
