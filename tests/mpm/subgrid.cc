@@ -23,7 +23,7 @@ double johnson(const double approach)
   return low;
 }
 
-void press(const std::string &subgrid)
+void press(const std::string &subgrid, const std::string &friction = "0")
 {
   const std::vector<double> approaches = {0.005, 0.01, 0.02};
   std::vector<double> mean(3, 0.), worst(3, 0.);
@@ -31,10 +31,10 @@ void press(const std::string &subgrid)
   for (const double cut : cuts)
   {
     const std::string lower = std::to_string(-10.2e-3 - cut * 1.7e-3);
-    const auto model =
-        shipped_scene("verification/line_contact.prm",
-                      {"Mesh/Cell size=1.7e-3", "Mesh/Lower=" + lower + ", " + lower,
-                       "Mesh/Upper=10.2e-3, 10.2e-3", "Contact/Sub-grid compliance=" + subgrid});
+    const auto model = shipped_scene("verification/line_contact.prm",
+                                     {"Mesh/Cell size=1.7e-3", "Mesh/Lower=" + lower + ", " + lower,
+                                      "Mesh/Upper=10.2e-3, 10.2e-3", "Contact/Sub-grid compliance=" + subgrid,
+                                      "Walls/bottom/Friction=" + friction, "Walls/top/Friction=" + friction});
     for (unsigned int i = 0; i < 3; ++i)
     {
       run_until(*model, approaches[i]);
@@ -44,7 +44,7 @@ void press(const std::string &subgrid)
     }
   }
   for (unsigned int i = 0; i < 3; ++i)
-    std::cout << "sub-grid compliance " << subgrid << ", d/R " << approaches[i]
+    std::cout << "sub-grid compliance " << subgrid << ", friction " << friction << ", d/R " << approaches[i]
               << ": force over Johnson's less 1, mean " << mean[i] << ", worst " << worst[i] << '\n';
 }
 } // namespace
@@ -53,4 +53,6 @@ int main()
 {
   press("true");
   press("false");
+  // Rough plates hold the material beside the contact: a little stiffer.
+  press("true", "0.5");
 }

@@ -66,7 +66,7 @@ NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share
 }
 
 MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
-    : is_free(body.boundary.circular && scene.slippery)
+    : is_free(body.boundary.circular && scene.free_places)
     , body(&body)
     , position(body.boundary.position)
     , lower(std::numeric_limits<double>::max(), std::numeric_limits<double>::max())

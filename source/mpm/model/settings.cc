@@ -195,7 +195,7 @@ void declare_contact(dealii::ParameterHandler &prm)
             "bodies (condensed surface contact with moreau_jean or quasi_static). "
             "Units: cells.");
         prm.declare_entry("Sub-grid compliance", "true", Bool(),
-                          "Whether light frictionless contacts of round bodies get the dent that is narrower "
+                          "Whether light contacts of round bodies get the dent that is narrower "
                           "than a cell, by a "
                           "law measured against finite elements. With B-splines, geometry surface and scheme "
                           "quasi_static only.");

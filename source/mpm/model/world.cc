@@ -23,9 +23,14 @@ void World::sort_points()
     bodies[b].points.renew(std::move(lists[b]));
 }
 
+bool World::places_are_free() const
+{
+  return slippery() || (!settings.scheme.inertia && !adhesion.remembers());
+}
+
 SubgridCompliance World::subgrid() const
 {
-  return {settings.subgrid_compliance() && slippery() && !pairs.adhere(), lattice->cell_size()};
+  return {settings.subgrid_compliance() && places_are_free() && !pairs.adhere(), lattice->cell_size()};
 }
 
 std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
@@ -57,8 +62,8 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  ContactScene<2> where{bodies, motion,     pairs,           dt, lattice->cell_size(), increment,
-                        share,  slippery(), adhesion.reach()};
+  ContactScene<2> where{
+      bodies, motion, pairs, dt, lattice->cell_size(), increment, share, places_are_free(), adhesion.reach()};
   where.obstacles = obstacles.empty() ? nullptr : &obstacles;
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
@@ -85,8 +90,9 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
-  ContactScene<2> where{bodies, motion,     pairs,           dt, lattice->cell_size(), &increment,
-                        share,  slippery(), adhesion.reach()};
+  ContactScene<2> where{
+      bodies,          motion, pairs, dt, lattice->cell_size(), &increment, share, places_are_free(),
+      adhesion.reach()};
   where.obstacles = obstacles.empty() ? nullptr : &obstacles;
   geometry->find(where, rows);
   GapsByRow gaps;

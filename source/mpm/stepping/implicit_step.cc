@@ -306,7 +306,8 @@ private:
         continue;
       const double now = equations.unbalanced_norm();
       best = std::min(best, now);
-      if (now <= (1. - 1e-4 * alpha) * merit || equations.residual() <= world.settings.residual_tolerance)
+      if (now <= (1. - 1e-4 * alpha) * merit || equations.residual() <= world.settings.residual_tolerance ||
+          still_goes_down(work))
       {
         // Factors that leave so little of the imbalance once do so again, for a fraction of the work. With
         // lumped contact iterations go on long after the bulk is balanced.
@@ -317,6 +318,20 @@ private:
     }
     return best == std::numeric_limits<double>::max() ? equations.why_not()
                                                       : "the line search found no smaller residual";
+  }
+
+  /// Without inertia a step looks for least energy. With pressure that follows, the matrix is not the
+  /// derivative and the imbalance may grow on the way down: good is what does not go far uphill again.
+  /// @param work of the imbalance along the direction at its start
+  bool still_goes_down(const double work) const
+  {
+    if (world.settings.scheme.inertia || !equations.pressure_follows() || work <= 0.)
+      return false;
+    double at_end = 0.;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      if (equations.moves(b))
+        at_end += direction[b].dot(equations.unbalanced(b));
+    return at_end >= -0.5 * work;
   }
 
   /// Why the step may not end as it does: bodies are deeper in each other than is allowed, and deeper than

@@ -25,7 +25,7 @@ struct ContactScene
   const std::vector<Eigen::VectorXd> *increment = nullptr;
   /// Where in the step places and normals are taken: 0 its start, 1 its end.
   double share = 0.5;
-  bool slippery = false;     ///< no row holds material to material: no friction, no contact with a memory
+  bool free_places = false;  ///< places of round bodies that look for contact need not turn with them
   double adhesion_reach = 0; ///< gap up to which rows may pull [m]
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.

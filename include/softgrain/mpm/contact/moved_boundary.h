@@ -78,7 +78,7 @@ public:
   /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].
   double distance_from(const Point &point, const Vector &normal) const;
 
-  /// Whether places that look for contact may stand in space: round, smooth, and nothing sticks to it.
+  /// Whether places that look for contact may stand in space: round, smooth, and ContactScene::free_places.
   bool is_free = false;
   Point center;      ///< of mass [m]
   Vector travel;     ///< of the centre over the whole step [m]

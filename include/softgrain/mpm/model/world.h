@@ -92,6 +92,10 @@ struct World
   /// What the grid misses of light contacts.
   SubgridCompliance subgrid() const;
 
+  /// Whether places that look for contact stand in space, so that round bodies touch where their outlines do:
+  /// without friction, and without inertia, where a step holds what is at a place now to what was opposite.
+  bool places_are_free() const;
+
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
   bool slippery() const { return pairs.frictionless() && !adhesion.remembers() && !rough(scene.obstacles); }
 
