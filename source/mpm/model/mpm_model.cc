@@ -188,8 +188,9 @@ StepReport MpmModel::try_steps(const double dt_limit)
     const StepOutcome outcome = integrator->step(world, dt, wanted);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
+    law_cuts += outcome.law_asks;
     if (!outcome.accepted)
-      return {false, outcome.reason};
+      return {false, outcome.reason, true, outcome.share};
     report.newton_residual = outcome.newton_residual;
     report.contact_residual = outcome.contact_residual;
     report.max_penetration = outcome.max_penetration;
