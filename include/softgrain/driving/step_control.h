@@ -46,7 +46,8 @@ struct StepTaken
 };
 
 /**
- * @brief Repeats steps that fail with half their length, or with the share of it that they ask for, and lets steps grow again afterwards.
+ * @brief Repeats steps that fail with half their length, or with the share of it that they ask for, and lets
+ * steps grow again afterwards.
  */
 class StepControl
 {

@@ -78,7 +78,7 @@ private:
   StepControl step_control{1.5};
   std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
-  std::uint64_t law_cuts = 0; ///< steps that were tried again shorter because a law asked for it
+  std::uint64_t law_cuts = 0;   ///< steps that were tried again shorter because a law asked for it
   std::size_t settled_step = 0; ///< the last step after which settle() had its way
   MemoryState before_step;      ///< if keeps_state_before_step()
   double last_unbalanced = 0.;

@@ -135,8 +135,8 @@ struct World
 struct StepOutcome
 {
   bool accepted = false;
-  std::string reason; ///< why not: names body, place and what happened
-  double share = 0.5; ///< of the step with which it is to be tried again when it is not accepted
+  std::string reason;    ///< why not: names body, place and what happened
+  double share = 0.5;    ///< of the step with which it is to be tried again when it is not accepted
   bool law_asks = false; ///< it is not accepted only because a law asks for a shorter one
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
