@@ -37,8 +37,39 @@ private:
 };
 [[maybe_unused]] const bool registered = constitutive::register_law<Skew>("skew", "For this test.");
 
-/// A block of 10 mm between smooth walls on all sides.
-std::string block(const std::string &law)
+/// Smooth walls below and above.
+const std::string plates = R"(
+subsection Walls
+  set Names = bottom, top
+  subsection bottom
+    set Point = 0, 0
+  end
+  subsection top
+    set Point = 0, 10e-3
+  end
+end
+)";
+/// Smooth walls on all sides.
+const std::string box = R"(
+subsection Walls
+  set Names = bottom, top, left, right
+  subsection bottom
+    set Point = 0, 0
+  end
+  subsection top
+    set Point = 0, 10e-3
+  end
+  subsection left
+    set Point = 0, 0
+  end
+  subsection right
+    set Point = 10e-3, 0
+  end
+end
+)";
+
+/// A block of 10 mm that the walls touch.
+std::string block(const std::string &law, const std::string &walls = box)
 {
   return R"(
 subsection Mesh
@@ -65,22 +96,8 @@ end
 subsection Contact
   set Friction = 0
 end
-subsection Walls
-  set Names = bottom, top, left, right
-  subsection bottom
-    set Point = 0, 0
-  end
-  subsection top
-    set Point = 0, 10e-3
-  end
-  subsection left
-    set Point = 0, 0
-  end
-  subsection right
-    set Point = 10e-3, 0
-  end
-end
-subsection Time
+)" + walls +
+         R"(subsection Time
   set Scheme = quasi_static
   set Time step = 0.25
 end
@@ -130,13 +147,13 @@ double mean(const Snapshot<2> &snapshot, const std::string &name)
 void relax(const std::string &scheme, const std::vector<std::string> &more)
 {
   // Pressed by 5 % in the first microsecond, the sides free to move.
-  std::vector<std::string> changes = {"Time/Scheme=" + scheme, "Walls/Names=bottom, top",
-                                      "Walls/top/Drive=position",
+  std::vector<std::string> changes = {"Time/Scheme=" + scheme, "Walls/top/Drive=position",
                                       "Walls/top/Position=min(t/1e-6, 1) * 0.5e-3"};
   changes.insert(changes.end(), more.begin(), more.end());
-  const auto model = scene_of_text(block(maxwell), changes);
+  const auto model = scene_of_text(block(maxwell, plates), changes);
   run_until(*model, 1e-6);
   const double at_once = model->walls()[1].normal_force;
+  const Energies before = model->energies();
   std::cout << scheme << ": force / expected\n";
   const auto modulus = [](const double t) { return 0.2 + 0.5 * std::exp(-t / 0.5) + 0.3 * std::exp(-t / 4); };
   for (const double end : {0.5, 2.})
@@ -147,7 +164,8 @@ void relax(const std::string &scheme, const std::vector<std::string> &more)
               << '\n';
   }
   const Energies e = model->energies();
-  std::cout << "  dissipated and stored / work: " << (e.dissipated + e.elastic) / e.external_work << '\n';
+  std::cout << "  dissipated since / fall of the energy: "
+            << (e.dissipated - before.dissipated) / (before.elastic - e.elastic) << '\n';
 }
 } // namespace
 
@@ -157,15 +175,13 @@ int main()
   relax("quasi_static", {});
 
   const auto grows = scene_of_text(block(growth));
-  const double step = grows->advance(0.5).dt;
   run_until(*grows, 2.);
   const double E = 1e6, nu = 0.3, lambda = E * nu / (1 + nu) / (1 - 2 * nu), mu = E / 2 / (1 + nu),
                g = std::exp(0.8);
   std::cout << "confined growth, force of the wall / expected: "
             << grows->walls()[1].normal_force / (-0.01 * g * (mu * (1 / g - 1) - lambda * std::log(g)))
             << '\n'
-            << "first step " << step
-            << " s, steps cut by the law: " << (column(*grows, "law_cuts") > 0 ? "yes" : "no") << '\n';
+            << "steps cut by the law: " << (column(*grows, "law_cuts") > 0 ? "yes" : "no") << '\n';
   const Energies e = grows->energies();
   std::cout << "growth in the snapshot / expected: " << mean(grows->snapshot(), "growth") / g
             << ", energy brought in / stored: " << (e.external_work - e.dissipated) / e.elastic << '\n';

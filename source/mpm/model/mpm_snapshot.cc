@@ -83,7 +83,7 @@ void add_history(const std::vector<Body<2>> &bodies, PointStates<2> &points)
       auto field = std::find_if(points.extra.begin(), points.extra.end(),
                                 [&](const NamedField &other) { return other.name == names[i]; });
       if (field == points.extra.end())
-        field = points.extra.insert(field, {names[i], std::vector<double>(points.position.size())});
+        field = points.extra.insert(field, NamedField{names[i], std::vector<double>(points.position.size())});
       for (unsigned int p = 0; p < body.points.size(); ++p)
         field->values[first + body.points.number(p)] = body.points[p].history()[i];
     }
