@@ -39,12 +39,18 @@ void J2Plastic<dim>::parse_parameters(dealii::ParameterHandler &prm)
   saturation = prm.get_double("Saturation stress");
   rate = prm.get_double("Saturation rate");
   kinematic = prm.get_double("Kinematic modulus");
-  if (!(yield > 0))
-    throw InputError("Yield stress = " + prm.get("Yield stress") + " Pa is not allowed; it must be above 0");
+  check_yield(prm);
   if (rate > 0 && saturation < yield)
     throw InputError("Saturation stress = " + prm.get("Saturation stress") +
                      " Pa is not allowed; it must not be below Yield stress = " + prm.get("Yield stress") +
                      " Pa, because a solid that softens has no answer that is independent of the mesh");
+}
+
+template <int dim>
+void J2Plastic<dim>::check_yield(dealii::ParameterHandler &prm) const
+{
+  if (!(yield > 0))
+    throw InputError("Yield stress = " + prm.get("Yield stress") + " Pa is not allowed; it must be above 0");
 }
 
 template <int dim>
@@ -92,8 +98,11 @@ double J2Plastic<dim>::plastic_work(const double alpha) const
 }
 
 template <int dim>
-double J2Plastic<dim>::plastic_increment(const double trial, const double alpha_old) const
+typename J2Plastic<dim>::Flow
+J2Plastic<dim>::flow(const double trial, const double alpha_old, const double, const double) const
 {
+  if (!(trial > yield_stress(alpha_old)))
+    return {};
   // What is left over is convex and falls, so that Newton's method comes from the left without overshooting.
   const double elastic = 3 * this->mu + kinematic;
   double increment = 0;
@@ -105,14 +114,17 @@ double J2Plastic<dim>::plastic_increment(const double trial, const double alpha_
     if (std::abs(step) <= 1e-14 * increment)
       break;
   }
-  return increment;
+  const double alpha = alpha_old + increment;
+  return {increment, 1 / (elastic + hardening(alpha)),
+          std::max(0., plastic_work(alpha) - plastic_work(alpha_old))};
 }
 
 template <int dim>
 std::size_t J2Plastic<dim>::update(const Inputs<dim> &in, const Outputs<dim> &out) const
 {
   using Strain = dealii::SymmetricTensor<2, dim>;
-  constexpr unsigned int n = Strain::n_independent_components, n_strain = dim * dim;
+  constexpr unsigned int n = Strain::n_independent_components, n_strain = dim * dim, n_own = n_strain + n + 1;
+  const unsigned int n_row = n_history();
   const double mu = this->mu, bulk = this->lambda + 2. / 3. * mu;
   for (std::size_t q = 0; q < in.n_points; ++q)
   {
@@ -120,7 +132,7 @@ std::size_t J2Plastic<dim>::update(const Inputs<dim> &in, const Outputs<dim> &ou
     const double J = dealii::determinant(F);
     if (!is_admissible(J))
       return q;
-    const double *old = in.history_old + q * n_history();
+    const double *old = in.history_old + q * n_row;
     dealii::Tensor<2, dim> G;
     for (unsigned int i = 0; i < n_strain; ++i)
       G[i / dim][i % dim] = old[i];
@@ -142,10 +154,9 @@ std::size_t J2Plastic<dim>::update(const Inputs<dim> &in, const Outputs<dim> &ou
     double A_zz = dim == 2 ? -dealii::trace(A) : 0.;
     const double xi_zz = dim == 2 ? s_zz - 2. / 3. * kinematic * A_zz : 0.;
     const double size = std::sqrt(xi * xi + xi_zz * xi_zz), equivalent = std::sqrt(1.5) * size;
-    const bool flows = equivalent > yield_stress(alpha_old);
-    const double increment = flows ? plastic_increment(equivalent, alpha_old) : 0.;
-    const double alpha = alpha_old + increment;
-    const double per_size = flows ? std::sqrt(1.5) * increment / size : 0.; // D = per_size xi
+    const Flow flow = this->flow(equivalent, alpha_old, n_row > n_own ? old[n_own] : 0., in.dt);
+    const bool flows = flow.increment > 0;
+    const double per_size = flows ? std::sqrt(1.5) * flow.increment / size : 0.; // D = per_size xi
     const Strain D = per_size * xi;
     A += D;
     A_zz += per_size * xi_zz;
@@ -163,9 +174,8 @@ std::size_t J2Plastic<dim>::update(const Inputs<dim> &in, const Outputs<dim> &ou
       const double shear = mu * (1 - 2 * mu * per_size);
       dealii::SymmetricTensor<4, dim> modulus = isotropic_modulus<dim>(bulk - 2. / 3. * shear, shear);
       if (flows)
-        modulus -= dealii::outer_product(
-            4 * mu * mu * (1.5 / (3 * mu + kinematic + hardening(alpha)) - per_size) / (size * size) * xi,
-            xi);
+        modulus -=
+            dealii::outer_product(4 * mu * mu * (1.5 * flow.softness - per_size) / (size * size) * xi, xi);
       out.tangent[q] = trial.modulus(T, modulus);
     }
     if (dim == 2 && out.out_of_plane_stress)
@@ -177,17 +187,21 @@ std::size_t J2Plastic<dim>::update(const Inputs<dim> &in, const Outputs<dim> &ou
       out.energy[q] = elastic / (4 * mu) + mean * log_J / 2 + kinematic / 3 * (A * A + A_zz * A_zz);
     }
     if (out.dissipation)
-      out.dissipation[q] = flows ? std::max(0., plastic_work(alpha) - plastic_work(alpha_old)) : 0.;
+      out.dissipation[q] = flow.dissipation;
+    if (out.step_share && largest_increment > 0 && flow.increment > largest_increment)
+      *out.step_share = std::min(*out.step_share, largest_increment / flow.increment);
     if (out.history_new)
     {
       if (flows)
         G = trial.relaxed(G, D);
-      double *fresh = out.history_new + q * n_history();
+      double *fresh = out.history_new + q * n_row;
       for (unsigned int i = 0; i < n_strain; ++i)
         fresh[i] = G[i / dim][i % dim];
       for (unsigned int i = 0; i < n; ++i)
         fresh[n_strain + i] = A.access_raw_entry(i);
-      fresh[n_strain + n] = alpha;
+      fresh[n_strain + n] = alpha_old + flow.increment;
+      if (n_row > n_own)
+        fresh[n_own] = flow.rate;
     }
   }
   return in.n_points;

@@ -40,6 +40,24 @@ std::vector<std::string> Law<dim>::history_names() const
 }
 
 template <int dim>
+bool Law<dim>::symmetric_tangent() const
+{
+  return true;
+}
+
+template <int dim>
+bool Law<dim>::limits_step() const
+{
+  return false;
+}
+
+template <int dim>
+bool Law<dim>::is_active() const
+{
+  return false;
+}
+
+template <int dim>
 double Law<dim>::poisson_ratio() const
 {
   return 0;

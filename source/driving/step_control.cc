@@ -54,7 +54,7 @@ StepTaken StepControl::advance(const StepSettings &settings,
         scale = std::min(1., growth * scale);
       return step;
     }
-    step.dt *= 0.5;
+    step.dt *= std::clamp(done.share, 0.1, 0.9);
     scale = std::min(scale, step.dt / wanted);
     if (step.dt < settings.smallest_step * std::min(wanted, dt_limit))
     {

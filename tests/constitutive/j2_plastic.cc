@@ -2,6 +2,7 @@
 // Plasticity against known answers: a block between smooth plates in plane strain, hardening in uniaxial
 // tension, dissipation and work, a rotation in the middle of the history, and the properties of every law
 // with hardening of all kinds.
+#include "law_point.h"
 #include "law_properties.h"
 
 #include <iomanip>
@@ -10,52 +11,11 @@ namespace
 {
 using namespace softgrain;
 using namespace softgrain::test;
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 template <int dim>
-struct Point
+struct Point : LawPoint<dim>
 {
-  std::unique_ptr<Law<dim>> law;
-  Tensor<2, dim> F = dealii::unit_symmetric_tensor<dim>();
-  std::vector<double> history;
-  Response<dim> last;
-  double work = 0, dissipated = 0;
-
-  explicit Point(const Settings &settings)
-      : law(make_law<dim>("j2_plastic", settings)), history(initial_history(*law))
-  {
-  }
-
-  /// Goes on to @p F_new; work by the trapezoidal rule in the logarithmic step of a motion along fixed axes.
-  void go_to(const Tensor<2, dim> &F_new)
-  {
-    const SymmetricTensor<2, dim> before = last.stress;
-    last = evaluate(*law, {F_new, {}, history});
-    for (unsigned int i = 0; i < dim; ++i)
-      work += (before[i][i] + last.stress[i][i]) / 2 * std::log(F_new[i][i] / F[i][i]);
-    dissipated += last.dissipation;
-    history = last.history;
-    F = F_new;
-  }
-
-  /// Stretches to exp(strain) along x; the other directions are free of stress where @p free says so.
-  void stretch(const double strain, const bool free)
-  {
-    Tensor<2, dim> next = F;
-    next[0][0] = std::exp(strain);
-    for (unsigned int i = 0; free && i < 30; ++i)
-    {
-      // All lateral stretches are equal; Newton with the modulus of ln(lateral stretch).
-      const Response<dim> r = evaluate(*law, {next, {}, history});
-      double slope = 2 * r.stress[1][1];
-      for (unsigned int j = 1; j < dim; ++j)
-        slope += r.tangent[1][1][j][j];
-      const double change = std::exp(-r.stress[1][1] / slope);
-      for (unsigned int j = 1; j < dim; ++j)
-        next[j][j] *= change;
-    }
-    go_to(next);
-  }
+  explicit Point(const Settings &settings) : LawPoint<dim>("j2_plastic", settings) {}
 };
 
 template <int dim>

@@ -41,6 +41,8 @@ struct Step
   Tensor<2, dim> F_old;
   Tensor<2, dim> increment;
   std::vector<double> history_old;
+  double dt = 0;   ///< length [s]
+  double time = 0; ///< at its end [s]
 
   Tensor<2, dim> F() const { return (dealii::unit_symmetric_tensor<dim>() + increment) * F_old; }
 };
@@ -74,8 +76,9 @@ Response<dim> evaluate(const Law<dim> &law, const Step<dim> &step)
   const Tensor<2, dim> F = step.F();
   // A law of one kinematics must not read what belongs to the other.
   const bool finite = law.kinematics() == Kinematics::finite_strain;
-  const Inputs<dim> in = {1, finite ? &F : nullptr, finite ? nullptr : &step.increment,
-                          step.history_old.data()};
+  const Inputs<dim> in = {
+      1,        finite ? &F : nullptr, finite ? nullptr : &step.increment, step.history_old.data(), step.dt,
+      step.time};
   const Outputs<dim> out = {&r.stress, &r.tangent,     &r.out_of_plane_stress,
                             &r.energy, &r.dissipation, r.history.data()};
   r.n_good = law.update(in, out);

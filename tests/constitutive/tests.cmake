@@ -13,8 +13,8 @@ target_compile_definitions(test_constitutive_custom_law PRIVATE
   SOFTGRAIN_CUSTOM_LAW_TWICE="$<TARGET_FILE:test_constitutive_module_custom_law_twice>")
 
 # Laws that are no part of softgrain: one that overflows is told so, and the tester goes on to its end; one that dissipates
-# holds every property.
-foreach(law overflowing dissipative)
+# and one that gives its energy alone hold every property.
+foreach(law overflowing dissipative energy_only)
   add_library(test_constitutive_module_${law} MODULE ${CMAKE_CURRENT_SOURCE_DIR}/constitutive/modules/${law}.cc)
   set_target_properties(test_constitutive_module_${law} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)
@@ -24,7 +24,7 @@ foreach(law overflowing dissipative)
   add_test(NAME constitutive/${law}_law
     COMMAND softgrain_law_tester $<TARGET_FILE:test_constitutive_module_${law}>)
 endforeach()
-set_tests_properties(constitutive/dissipative_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+set_tests_properties(constitutive/dissipative_law constitutive/energy_only_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 set_tests_properties(constitutive/overflowing_law PROPERTIES LABELS "quick;constitutive" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT}
   PASS_REGULAR_EXPRESSION
     "FAILED: no overflow, division by zero or undefined number on the way.*every law holds every property: no")

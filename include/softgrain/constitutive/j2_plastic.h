@@ -23,7 +23,7 @@ namespace softgrain::constitutive
  * sigma_y d alpha, is dissipated.
  */
 template <int dim>
-class J2Plastic final : public ElasticLaw<dim>
+class J2Plastic : public ElasticLaw<dim>
 {
 public:
   std::string title() const override { return "J2 plastic"; }
@@ -35,14 +35,28 @@ public:
   std::vector<std::string> history_names() const override;
   std::size_t update(const Inputs<dim> &inputs, const Outputs<dim> &outputs) const override;
 
-private:
+protected:
+  /// What flows in a step.
+  struct Flow
+  {
+    double increment = 0;   ///< of the equivalent plastic strain
+    double softness = 0;    ///< derivative of the increment by the equivalent trial stress [1/Pa]
+    double dissipation = 0; ///< [J/m^3]
+    double rate = 0; ///< of the equivalent plastic strain, kept by laws with one more number of history
+  };
+
+  /// What flows at an equivalent trial stress @p trial; a law with viscosity reads @p rate_old and @p dt.
+  virtual Flow flow(double trial, double alpha_old, double rate_old, double dt) const;
+  /// @throw InputError when the yield stress is no stress to start from. Default: it must be above 0
+  virtual void check_yield(dealii::ParameterHandler &prm) const;
+
   double yield_stress(double alpha) const;
   double hardening(double alpha) const;
   /// Integral of yield_stress from zero to @p alpha.
   double plastic_work(double alpha) const;
-  /// Equivalent plastic strain of the step that brings an equivalent trial stress back.
-  double plastic_increment(double trial, double alpha_old) const;
 
+  /// Equivalent plastic strain of one step above which a shorter one is asked for; 0: any.
+  double largest_increment = 0;
   double yield = 1e6, linear = 0, saturation = 1e6, rate = 0, kinematic = 0;
 };
 } // namespace softgrain::constitutive

@@ -28,9 +28,9 @@ enum class Kinematics
 /**
  * @brief What a material answers to a deformation: stress, tangent, energy and its own history.
  *
- * A law knows a deformation and its history and nothing else: no mesh, no particle, no time. It is asked for
- * a whole batch of points at once, so that the virtual call costs nothing beside the work. In 2D the state is
- * plane strain. All units are SI, tension is positive.
+ * A law knows a deformation, its history and the step in time, and nothing else: no mesh, no particle. It is
+ * asked for a whole batch of points at once, so that the virtual call costs nothing beside the work. In 2D
+ * the state is plane strain. All units are SI, tension is positive.
  */
 template <int dim>
 class Law
@@ -60,7 +60,7 @@ public:
   /// Writes the n_history() values of a point in the stress-free state. Default: zeros.
   virtual void initial_history(double *history) const;
 
-  /// One name per history value, usable as an output column ("strain_xx"). Default: none.
+  /// One name per history value, under which pictures and snapshots show it ("strain_xx"). Default: none.
   virtual std::vector<std::string> history_names() const;
 
   /**
@@ -73,6 +73,16 @@ public:
    * @return inputs.n_points when all points are good, otherwise the index of the first bad one.
    */
   virtual std::size_t update(const Inputs<dim> &inputs, const Outputs<dim> &outputs) const = 0;
+
+  /// Whether the tangent has the symmetry c_ijkl = c_klij, which the solvers of implicit schemes need; a law
+  /// without is refused there. Default: true.
+  virtual bool symmetric_tangent() const;
+
+  /// Whether update() may ask for a shorter step by Outputs::step_share. Default: false.
+  virtual bool limits_step() const;
+
+  /// Whether the law brings in energy of its own, as growth does. Default: false.
+  virtual bool is_active() const;
 
   /// Modulus of pressure waves at rest, lambda + 2 mu [Pa]: their speed is sqrt(wave_modulus / density).
   virtual double wave_modulus() const = 0;

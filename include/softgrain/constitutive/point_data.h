@@ -20,6 +20,10 @@ struct Inputs
   const dealii::Tensor<2, dim> *increment = nullptr;
   /// n_points rows of Law::n_history() values at the start of the step; may be null when there are none.
   const double *history_old = nullptr;
+  /// Length of the step [s]. 0: the state at hand is asked for, and nothing flows, relaxes or grows.
+  double dt = 0;
+  /// Time at the end of the step [s].
+  double time = 0;
 };
 
 /**
@@ -45,10 +49,14 @@ struct Outputs
   double *out_of_plane_stress = nullptr;
   /// Stored energy per reference volume [J/m^3].
   double *energy = nullptr;
-  /// Energy dissipated over the step per reference volume [J/m^3], never negative.
+  /// Energy dissipated over the step per reference volume [J/m^3], never negative; of laws with
+  /// Law::is_active() less what they bring in, so that it may be.
   double *dissipation = nullptr;
   /// n_points rows of Law::n_history() values at the end of the step.
   double *history_new = nullptr;
+  /// One number for the batch, which a law with Law::limits_step() lowers to the largest share of dt that it
+  /// allows: below 1 the step is tried again shorter. The other outputs are valid nevertheless.
+  double *step_share = nullptr;
 };
 } // namespace softgrain::constitutive
 

@@ -35,6 +35,7 @@ struct Attempt
   bool accepted = false;
   std::string reason;   ///< why not
   bool may_grow = true; ///< whether the next step may be longer than this one, when that was cut
+  double share = 0.5;   ///< of the length of a step that is not accepted with which it is tried again
 };
 
 /// What StepControl::advance() did.
@@ -45,7 +46,8 @@ struct StepTaken
 };
 
 /**
- * @brief Repeats steps that fail with half their length, and lets steps grow again afterwards.
+ * @brief Repeats steps that fail with half their length, or with the share of it that they ask for, and lets
+ * steps grow again afterwards.
  */
 class StepControl
 {

@@ -134,6 +134,11 @@ private:
       }
       prm.leave_subsection();
       prm.leave_subsection();
+      if (settings.scheme.implicit && !laws.back()->symmetric_tangent())
+        throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
+                         "' is not allowed with 'Time/Scheme' = '" + settings.scheme.name +
+                         "': its tangent is not symmetric, and the linear solvers need that it is; choose "
+                         "'Time/Scheme' = 'explicit'");
     }
     return {settings, laws};
   }

@@ -183,13 +183,16 @@ StepReport MpmModel::try_steps(const double dt_limit)
   StepReport report;
   const Settings &settings = world.settings;
   const double wanted = wanted_step();
+  bool cut_by_law = false;
   const auto try_step = [&](const double dt) -> Attempt
   {
     const StepOutcome outcome = integrator->step(world, dt, wanted);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
+    law_cuts += outcome.law_asks;
+    cut_by_law = cut_by_law || outcome.law_asks;
     if (!outcome.accepted)
-      return {false, outcome.reason};
+      return {false, outcome.reason, true, outcome.share};
     report.newton_residual = outcome.newton_residual;
     report.contact_residual = outcome.contact_residual;
     report.max_penetration = outcome.max_penetration;
@@ -199,7 +202,9 @@ StepReport MpmModel::try_steps(const double dt_limit)
     last_unbalanced = !settings.scheme.inertia         ? outcome.unbalanced
                       : settings.contact_on_boundaries ? unbalanced_force(world, dt)
                                                        : 0.;
-    return {true, "", outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
+    // A law that has just asked for this length would refuse a longer one.
+    return {true, "",
+            !cut_by_law && outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
   };
   const double limit = safe_step(world, std::min(dt_limit, wanted));
   const StepTaken taken = step_control.advance(settings.step, wanted, limit, world.time, try_step);

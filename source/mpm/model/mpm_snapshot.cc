@@ -68,6 +68,29 @@ void add_points(const Body<2> &body, PointStates<2> &points)
   }
 }
 
+/// Adds the history of laws under the names that they give, to the points that add_points() has added; zero
+/// where the law of a point has no such name.
+void add_history(const std::vector<Body<2>> &bodies, PointStates<2> &points)
+{
+  std::size_t first = 0;
+  for (const Body<2> &body : bodies)
+  {
+    if (body.wall != Row::none)
+      continue;
+    const std::vector<std::string> names = body.law->history_names();
+    for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), body.law->n_history()); ++i)
+    {
+      auto field = std::find_if(points.extra.begin(), points.extra.end(),
+                                [&](const NamedField &other) { return other.name == names[i]; });
+      if (field == points.extra.end())
+        field = points.extra.insert(field, NamedField{names[i], std::vector<double>(points.position.size())});
+      for (unsigned int p = 0; p < body.points.size(); ++p)
+        field->values[first + body.points.number(p)] = body.points[p].history()[i];
+    }
+    first += body.points.size();
+  }
+}
+
 double outline_area(const Body<2> &body)
 {
   double area = 0.;
@@ -131,6 +154,7 @@ Snapshot<2> MpmModel::snapshot() const
     add_points(body, snapshot.points);
     snapshot.bodies.push_back(body_state(body));
   }
+  add_history(world.bodies, snapshot.points);
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();
@@ -198,6 +222,12 @@ double MpmModel::coordination() const
   return touching.coordination(world.scene.bodies.size());
 }
 
+bool MpmModel::laws_limit_step() const
+{
+  return std::any_of(world.bodies.begin(), world.bodies.end(),
+                     [](const Body<2> &body) { return body.law->limits_step(); });
+}
+
 double MpmModel::rotational_energy() const
 {
   double energy = 0.;
@@ -226,6 +256,8 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
   if (!world.settings.scheme.inertia)
     columns.insert(columns.end(),
                    {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});
+  if (laws_limit_step())
+    columns.emplace_back("law_cuts", law_cuts);
   if (world.settings.contact_on_boundaries)
     columns.emplace_back("unbalanced_force", last_unbalanced);
   if (world.scene.bodies.size() != 1)

@@ -95,7 +95,10 @@ void MpmModel::save(StateWriter &out) const
   const Balance &b = world.balance;
   out.write("mpm/scalars", std::vector<double>{world.time, step_control.scale, last_dt,
                                                world.contact.memory_step, last_unbalanced});
-  out.write("mpm/step", std::vector<std::uint64_t>{steps, world.contact.plain_solves, held_steps});
+  std::vector<std::uint64_t> counts{steps, world.contact.plain_solves, held_steps};
+  if (laws_limit_step())
+    counts.push_back(law_cuts);
+  out.write("mpm/step", counts);
   b.save(out, "mpm/balance/common");
   out.write("mpm/balance/own",
             std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
@@ -147,6 +150,8 @@ void MpmModel::load(StateReader &in)
   steps = counts.at(0);
   world.contact.plain_solves = counts.at(1);
   held_steps = counts.at(2);
+  if (laws_limit_step())
+    law_cuts = counts.at(3);
   settled_step = 0; // what comes is another step, of whatever number
   const std::vector<double> own = in.read_doubles("mpm/balance/own");
   Balance &b = world.balance;

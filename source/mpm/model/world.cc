@@ -124,6 +124,24 @@ std::string World::why_not(const unsigned int body, const StressOutcome &outcome
   return text.str();
 }
 
+void World::heed_laws(const std::vector<StressOutcome> &stress, StepOutcome &outcome) const
+{
+  unsigned int first = 0;
+  for (unsigned int b = 0; b < stress.size(); ++b)
+    if (stress[b].share < stress[first].share)
+      first = b;
+  if (stress.empty() || stress[first].share >= 1.)
+    return;
+  outcome.accepted = false;
+  outcome.law_asks = true;
+  // A little shorter than asked for, so that the next attempt is not refused by rounding.
+  outcome.share = 0.95 * stress[first].share;
+  std::ostringstream text;
+  text << "the law of body '" << bodies[first].name << "', '" << bodies[first].law->title()
+       << "', allows no more than " << stress[first].share << " of this step";
+  outcome.reason = text.str();
+}
+
 std::vector<double> end_gaps(const World &world,
                              const std::vector<Eigen::VectorXd> &increment,
                              const std::vector<WallMotion<2>> &motion,

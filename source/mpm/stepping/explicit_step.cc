@@ -87,7 +87,7 @@ StepOutcome explicit_step(World &world, const double dt)
       {
         const unsigned int b = body.index;
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, false, 0.});
+                                    {half_dt, false, 0., dt, world.time + dt});
         if (stress[b].good())
           internal_force(body, forces[b]);
       });
@@ -97,6 +97,9 @@ StepOutcome explicit_step(World &world, const double dt)
       outcome.reason = world.why_not(b, stress[b]);
       return outcome;
     }
+  world.heed_laws(stress, outcome);
+  if (outcome.law_asks)
+    return outcome;
   for (unsigned int b = 0; b < n_bodies; ++b)
     if (!world.bodies[b].driven)
       std::swap(world.bodies[b].internal_force, forces[b]);

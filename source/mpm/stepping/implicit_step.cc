@@ -61,6 +61,9 @@ public:
         outcome.rows_settled = settled;
         settle_free_walls(world, motion);
         const std::string overlap = too_deep();
+        world.heed_laws(equations.stress_outcome(), outcome);
+        if (outcome.law_asks)
+          return outcome;
         return overlap.empty() ? finish() : reject(overlap);
       }
       if (rows_go_on(settled))

@@ -94,7 +94,8 @@ bool StepEquations::evaluate(const Vectors &v)
 {
   dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
   const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
-  std::vector<StressOutcome> stress(world.bodies.size());
+  stress.assign(world.bodies.size(), StressOutcome());
+  const double law_dt = World::law_dt(plan), end = world.time + law_dt;
   world.for_moving_bodies(
       [&](Body<2> &body)
       {
@@ -104,7 +105,7 @@ bool StepEquations::evaluate(const Vectors &v)
         else
           increment[b] = dt * v[b];
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, true, world.settings.max_strain});
+                                    {half_dt, true, world.settings.max_strain, law_dt, end});
         if (!stress[b].good())
           return;
         internal_force(body, internal[b]);

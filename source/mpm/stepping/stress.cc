@@ -200,7 +200,9 @@ StressOutcome evaluate(const Body<dim> &body,
     body.field.prolongate(body.velocity, nodal_velocity);
 
   const unsigned int n_history = body.law->n_history();
+  const bool limits_step = wishes.trial.dt > 0. && body.law->limits_step();
   std::atomic<std::size_t> bad{StressOutcome::none};
+  std::atomic<double> share{1.};
   const auto work = [&](const std::size_t begin, const std::size_t end)
   {
     for (std::size_t c = begin; c < end; ++c)
@@ -216,6 +218,8 @@ StressOutcome evaluate(const Body<dim> &body,
     in.n_points = n;
     in.deformation_gradient = &s.gradient[first];
     in.increment = s.increment.empty() ? nullptr : &s.increment[first];
+    in.dt = wishes.trial.dt;
+    in.time = wishes.trial.time;
     constitutive::Outputs<dim> out;
     out.stress = &s.stress[first];
     if (wishes.trial.tangent)
@@ -231,7 +235,12 @@ StressOutcome evaluate(const Body<dim> &body,
       out.history_new = &s.history[first * n_history];
       out.dissipation = &s.dissipation[first];
     }
+    double allowed = 1.;
+    if (limits_step)
+      out.step_share = &allowed;
     std::size_t good = body.law->update(in, out);
+    for (double least = share.load(); allowed < least && !share.compare_exchange_weak(least, allowed);)
+      ;
     if (good == n && wishes.trial.max_strain > 0.)
       good = leaps(s, first, first + n, wishes.trial.max_strain) - first;
     if (good < n)
@@ -245,6 +254,7 @@ StressOutcome evaluate(const Body<dim> &body,
   parallel_for(body.field.n_cells(), cell_grain, work);
   StressOutcome outcome;
   outcome.bad_point = bad.load();
+  outcome.share = share.load();
   outcome.leaps = !outcome.good() && determinant(s.gradient[outcome.bad_point]) > 0.;
   return outcome;
 }

@@ -60,6 +60,7 @@ public:
 
 private:
   double rotational_energy() const;
+  bool laws_limit_step() const;
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   StepReport try_steps(double dt_limit);
   /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
@@ -77,6 +78,7 @@ private:
   StepControl step_control{1.5};
   std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
+  std::uint64_t law_cuts = 0;   ///< steps that were tried again shorter because a law asked for it
   std::size_t settled_step = 0; ///< the last step after which settle() had its way
   MemoryState before_step;      ///< if keeps_state_before_step()
   double last_unbalanced = 0.;

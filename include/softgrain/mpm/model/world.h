@@ -29,6 +29,7 @@ namespace softgrain::mpm
 {
 template <int dim>
 class PointStore;
+struct StepOutcome;
 struct StressOutcome;
 
 /// What a step is to do.
@@ -132,6 +133,12 @@ struct World
   /// body's.
   void for_moving_bodies(const std::function<void(Body<2> &)> &work);
 
+  /// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
+  void heed_laws(const std::vector<StressOutcome> &stress, StepOutcome &outcome) const;
+
+  /// Time that passes for laws in a step; none while bodies come to balance [s].
+  static double law_dt(const StepPlan &plan) { return plan.held ? 0. : plan.dt; }
+
   /// Why a step is no good in which the points of body @p body came out as @p outcome tells.
   std::string why_not(unsigned int body, const StressOutcome &outcome) const;
 };
@@ -140,7 +147,9 @@ struct World
 struct StepOutcome
 {
   bool accepted = false;
-  std::string reason; ///< why not: names body, place and what happened
+  std::string reason;    ///< why not: names body, place and what happened
+  double share = 0.5;    ///< of the step with which it is to be tried again when it is not accepted
+  bool law_asks = false; ///< it is not accepted only because a law asks for a shorter one
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
   bool rows_settled = true;    ///< the contact rows are those of the step as it came out

@@ -33,6 +33,8 @@ public:
   bool evaluate(const Vectors &v);
   /// Why the last evaluate() failed.
   std::string why_not() const { return world.why_not(bad_body, trouble); }
+  /// How the last evaluate() came out, body by body.
+  const std::vector<StressOutcome> &stress_outcome() const { return stress; }
 
   /// Impulse that is missing for balance at every node of a body, those of the contacts counted [N s/m].
   Eigen::VectorXd unbalanced(unsigned int b) const;
@@ -101,6 +103,7 @@ private:
   std::vector<double> spin;            ///< of such a body: its change by loads, with inertia [1/s]
   std::vector<double> holding;         ///< torque that holds a body's rotation, times the step [N s m/m]
   unsigned int bad_body = 0;
+  std::vector<StressOutcome> stress;
   StressOutcome trouble;
 };
 } // namespace softgrain::mpm

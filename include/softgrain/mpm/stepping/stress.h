@@ -18,6 +18,7 @@ struct StressOutcome
 
   std::size_t bad_point = none; ///< first point whose trial deformation is no good
   bool leaps = false;           ///< it is not inside out, but deforms by more than was allowed
+  double share = 1.;            ///< of the step that the law allows, see constitutive::Outputs::step_share
   bool good() const { return bad_point == none; }
 };
 
@@ -28,6 +29,8 @@ struct Trial
       0; ///< dt/2 when volumes of small-strain laws follow (3.17) within the step, 0: they stay [s]
   bool tangent = false;  ///< add_stiffness() is to follow
   double max_strain = 0; ///< largest strain of any point over the step, see leaps(); 0: any
+  double dt = 0;         ///< time that passes for the law, 0 where bodies only come to balance [s]
+  double time = 0;       ///< at the end of the step [s]
 };
 
 /**
