@@ -15,6 +15,21 @@ std::vector<double> row_velocity(const World &world,
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   std::vector<double> q = world.contact.relative_velocity(world.bodies, v);
+  const std::optional<CellMotion> cell = world.cell_motion(motion);
+  dealii::Tensor<2, 2> at_start, at_end;
+  if (cell)
+  {
+    CellMotion first = *cell, last = *cell;
+    for (const FreeWall<2> &free : world.contact.free_walls.list)
+      if (world.walls[free.wall].repeats())
+      {
+        const double mean = motion[free.wall].velocity;
+        first.add_side(free.normal, (free.start_speed - mean) * free.normal);
+        last.add_side(free.normal, ((with_impulses ? free.speed : free.free_speed) - mean) * free.normal);
+      }
+    at_start = first.gradient;
+    at_end = last.gradient;
+  }
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     // Slabs that are driven move in relative_velocity() already.
@@ -28,6 +43,10 @@ std::vector<double> row_velocity(const World &world,
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] -= rows[r].partner_velocity * rows[r].direction(c);
     }
+    if (plane && motion[rows[r].wall].slide != 0.)
+      for (unsigned int c = 1; c < components; ++c)
+        q[r * components + c] -=
+            motion[rows[r].wall].slide * (motion[rows[r].wall].tangent() * rows[r].direction(c));
     if (free != nullptr)
     {
       start = free->start_speed * (free->normal * rows[r].normal);
@@ -35,6 +54,14 @@ std::vector<double> row_velocity(const World &world,
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] -= end * (free->normal * rows[r].direction(c));
       end *= free->normal * rows[r].normal;
+    }
+    if (cell)
+    {
+      // The cell takes the bodies along: what parts them so is known, or as fast as free sides move.
+      start -= at_start * rows[r].branch * rows[r].normal;
+      end -= at_end * rows[r].branch * rows[r].normal;
+      for (unsigned int c = 1; c < components; ++c)
+        q[r * components + c] += at_end * rows[r].branch * rows[r].direction(c);
     }
     q[r * components] -= end;
     double predicted = rows[r].gap;

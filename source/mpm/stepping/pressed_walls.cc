@@ -54,6 +54,8 @@ void press_walls(World &world, const StepPlan &plan)
     FreeWall<2> free;
     free.wall = w;
     free.normal = wall.normal();
+    if (wall.repeats())
+      free.length = cell_of(world.walls).length[axis_of(wall.normal())];
     if (scheme.inertia)
     {
       // newmark: the forces at the start act for the first half.
@@ -88,7 +90,8 @@ void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion)
   follow_free_walls(world, motion);
   for (const FreeWall<2> &free : world.contact.free_walls.list)
     if (world.walls[free.wall].body != Wall::no_body)
-      world.bodies[world.walls[free.wall].body].drive = motion[free.wall].velocity * free.normal;
+      world.bodies[world.walls[free.wall].body].drive =
+          motion[free.wall].velocity * free.normal + motion[free.wall].slide * motion[free.wall].tangent();
 }
 
 void account_free_wall(

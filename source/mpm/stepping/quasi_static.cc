@@ -185,7 +185,8 @@ StepOutcome find_balance(World &world, const double dt)
     const double turn = last_way.empty() ? 0. : cosine(place, last_way);
     last_way.swap(place);
     place.swap(now);
-    held.guess = turn > 0.5 ? &last_way : nullptr;
+    // In a cell they also go where it takes them, which is no guess for what they do beside that.
+    held.guess = turn > 0.5 && !world.repeats() ? &last_way : nullptr;
     if (walls_are_on_their_way(world))
     {
       check_room_of_walls(world);

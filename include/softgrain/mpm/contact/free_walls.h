@@ -21,6 +21,7 @@ struct FreeWall
   double mass = 0;               ///< [kg/m in 2D]
   double start_speed = 0;        ///< along the normal at the start of the step [m/s]
   double free_speed = 0;         ///< at its end without contact [m/s]
+  double length = 0;             ///< of the cell across it, of a side of one that repeats [m]
   double stop = 0;               ///< largest speed at the end, either way; 0: any [m/s]
   double speed = 0;              ///< at the end under the impulses of the last solve [m/s]
 };

@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
+#include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
@@ -22,6 +23,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,6 +91,18 @@ struct World
 
   /// How walls move in a step, slabs among them; obstacles plan their way.
   std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
+
+  /// Whether it is a cell that repeats.
+  bool repeats() const;
+
+  /// How the cell deforms in a step; nothing when it does not repeat.
+  std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
+
+  /// Of the velocity in that; zero when the cell does not repeat [1/s].
+  dealii::Tensor<2, 2> cell_gradient(const std::vector<WallMotion<2>> &motion) const;
+
+  /// A body that has come to another copy of the cell that repeats is the same there.
+  void bring_into_cell(Body<2> &body) const;
 
   /// Finds the contact rows of a step.
   /// @param increment displacement of the nodes over the step as far as it is known, null: by their

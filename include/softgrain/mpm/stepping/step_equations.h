@@ -24,7 +24,8 @@ public:
   using Vectors = std::vector<Eigen::VectorXd>;
 
   /// Takes forces and loads at the start of the step from @p world.
-  StepEquations(World &world, const StepPlan &plan);
+  /// @param gradient of the velocity of a cell that deforms, as far as it is known [1/s]
+  StepEquations(World &world, const StepPlan &plan, const dealii::Tensor<2, 2> &gradient);
 
   bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
 
