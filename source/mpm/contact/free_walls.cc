@@ -6,15 +6,6 @@
 namespace softgrain::mpm
 {
 template <int dim>
-const FreeWall<dim> *FreeWalls<dim>::find(const unsigned int wall) const
-{
-  for (const FreeWall<dim> &one : list)
-    if (one.wall == wall)
-      return &one;
-  return nullptr;
-}
-
-template <int dim>
 void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsigned int components)
 {
   n_components = components;
@@ -29,7 +20,7 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
         for (unsigned int c = 0; c < components; ++c)
         {
           const double factor =
-              list[k].normal * rows[r].direction(c) * (list[k].normal * rows[r].branch / list[k].length);
+              list[k].way * rows[r].direction(c) * (list[k].normal * rows[r].branch / list[k].length);
           if (factor != 0.)
             of_wall[k].push_back({r * components + c, factor});
         }
@@ -37,7 +28,7 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
         for (unsigned int c = 0; c < components; ++c)
         {
           // Rows of a plane have its normal; those of a slab have that of its outline.
-          const double factor = list[k].normal * rows[r].direction(c);
+          const double factor = list[k].way * rows[r].direction(c);
           if (factor != 0.)
             of_wall[k].push_back({r * components + c, factor});
         }

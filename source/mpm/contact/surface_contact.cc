@@ -19,12 +19,10 @@ using Vector = MovedBoundary::Vector;
 using Place = MovedBoundary::Place;
 using Row = ContactRow<2>;
 
-/// As the key of a partner: the low bits of its image take the place of the high ones of its number. Told as
-/// if no body had been brought into the cell, for keys must last.
-unsigned int image_key(const Body<2> &body, const Body<2> &partner, const PeriodicCell::Image &image)
+/// As the key of a partner: the low bits of its image take the place of the high ones of its number.
+unsigned int image_key(const Body<2> &partner, const PeriodicCell::Image &image)
 {
-  const auto bits = [&](const unsigned int d) { return (image[d] + body.home[d] - partner.home[d]) & 3; };
-  return (partner.index & 0x7ffff) | (bits(0) << 21) | (bits(1) << 19);
+  return (partner.index & 0x7ffff) | ((image[0] & 3) << 21) | ((image[1] & 3) << 19);
 }
 
 /// Share of the boundary around a seeker that faces what has @p normal: at a corner one side looks elsewhere
@@ -231,7 +229,7 @@ private:
     {
       row.branch = own.start - other.start;
       row.image = image;
-      row.key = row_key(body.index, seeker.number, image_key(body, partner, image), false);
+      row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
     }
     rows.push_back(row);
     return true;
@@ -243,7 +241,7 @@ private:
   const MovedBoundary &own;
   const Body<2> &partner;
   const MovedBoundary &other;
-  const PeriodicCell::Image image; ///< of the partner, where nothing is folded into the cell
+  const PeriodicCell::Image image; ///< of the partner, as ContactRow::image
   std::vector<unsigned int> segments;
 };
 } // namespace
@@ -288,7 +286,8 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
               continue;
             PeriodicCell::Image image{};
             for (unsigned int d = 0; d < 2 && !folds.empty(); ++d)
-              image[d] = task.image[d] - folds[task.partner][d] + folds[b][d];
+              image[d] = task.image[d] - folds[task.partner][d] + folds[b][d] + body.home[d] -
+                         scene.bodies[task.partner].home[d];
             const PairSearch search(scene, margin, body, own, scene.bodies[task.partner], other, image);
             if (task.corners_only)
               search.look_with_corners(of_body[b]);
@@ -299,7 +298,8 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
       });
   for (unsigned int b = 0; b < folds.size(); ++b)
     for (Row &row : of_body[b])
-      row.fold = folds[b];
+      for (unsigned int d = 0; d < 2; ++d)
+        row.fold[d] = folds[b][d] + scene.bodies[b].home[d];
   rows.clear();
   for (std::vector<Row> &found : of_body)
     rows.insert(rows.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));

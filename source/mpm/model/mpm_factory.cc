@@ -82,11 +82,16 @@ private:
     }
   }
 
-  /// @throw InputError when a cell repeats and settings do not look for contact across its sides
+  /// @throw InputError when a wall slides or a cell repeats and settings do not know that
   static void check_cell(const Scene<2> &scene, const Settings &settings)
   {
     for (const WallDescription<2> &wall : scene.walls)
-      if (wall.type == WallDescription<2>::Type::periodic && !settings.rows_follow())
+      if ((wall.drive->slides() || wall.drive->shears()) &&
+          (!settings.scheme.implicit || settings.scheme.stored_acceleration))
+        throw InputError("'Walls/" + wall.name +
+                         (wall.drive->shears() ? "/Shear stress" : "/Tangential velocity") +
+                         "' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static'");
+      else if (wall.type == WallDescription<2>::Type::periodic && !settings.rows_follow())
         throw InputError("'Walls/" + wall.name +
                          "/Type' = 'periodic' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static', "
                          "'Contact/Geometry' = 'surface' and 'Contact/Solver' = 'condensed'");

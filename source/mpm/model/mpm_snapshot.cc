@@ -135,6 +135,13 @@ Snapshot<2> MpmModel::snapshot() const
   const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
+  // Rows count images from where bodies would be if none had ever been brought into the cell.
+  const auto here = [&](PeriodicCell::Image image, const unsigned int a, const unsigned int b)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      image[d] += (b == Row::none ? 0 : world.bodies[b].home[d]) - world.bodies[a].home[d];
+    return image;
+  };
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     if (!world.contact.carries_force(r) || last_dt == 0.)
@@ -154,7 +161,8 @@ Snapshot<2> MpmModel::snapshot() const
       contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
                        world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     if (cell)
-      cell->fold(contact, rows[r].fold, rows[r].image);
+      cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
+                 here(rows[r].image, rows[r].body, rows[r].partner));
     snapshot.contacts.push_back(contact);
   }
   return snapshot;

@@ -37,11 +37,14 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
   {
     const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(time, plan.dt).velocity;
     motion.push_back({wall.point(), wall.normal(), velocity, wall.body == Wall::no_body && !wall.repeats(),
-                      velocity, std::abs(velocity), plan.held ? 0. : wall.demanded_slide(time, plan.dt)});
+                      velocity, std::abs(velocity),
+                      plan.held || wall.slides_freely() ? 0. : wall.demanded_slide(time, plan.dt)});
   }
   for (const FreeWall<2> &free : contact.free_walls.list)
-    motion[free.wall].fastest =
-        free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed));
+    if (!free.slides() || free.length > 0.)
+      motion[free.wall].fastest = std::max(
+          motion[free.wall].fastest,
+          free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].body != Wall::no_body)
       bodies[walls[w].body].drive =
@@ -197,8 +200,7 @@ void account_contacts(World &world,
   {
     wall.give(given, dt);
     world.balance.wall_impulse += given;
-    if (wall.prescribed() || balanced)
-      world.balance.wall_work += given * wall.velocity();
+    world.balance.wall_work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
   if (half)
     for (Wall &wall : world.walls)
@@ -282,8 +284,9 @@ void account_contacts(World &world,
   {
     load_sides(world.walls, cell->cell, virial);
     for (const Wall &wall : world.walls)
-      if (wall.repeats() && (wall.prescribed() || balanced))
-        world.balance.wall_work -= dt * (wall.force * wall.velocity());
+      if (wall.repeats())
+        world.balance.wall_work -=
+            dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
   }
   if (balanced)
     for (unsigned int w = 0; w < world.walls.size(); ++w)
@@ -296,7 +299,8 @@ void account_contacts(World &world,
             0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
     }
   for (const FreeWall<2> &free : world.contact.free_walls.list)
-    account_free_wall(world, free, motion[free.wall].rate, dt, !half && world.settings.scheme.implicit);
+    account_free_wall(world, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate, dt,
+                      !half && world.settings.scheme.implicit);
 }
 
 /// Gives the points what the step has come to.
@@ -367,6 +371,8 @@ void accept_step(World &world,
       });
   for (const double loss : law_loss)
     world.balance.law_loss += loss;
+  if (cell && world.settings.scheme.inertia)
+    world.measure_against_cell(*cell, dt);
   world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
   world.balance.carried_load = load;
   for (unsigned int w = 0; w < world.walls.size(); ++w)

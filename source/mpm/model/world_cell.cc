@@ -24,10 +24,22 @@ std::optional<CellMotion> World::cell_motion(const std::vector<WallMotion<2>> &m
   return cell;
 }
 
-dealii::Tensor<2, 2> World::cell_gradient(const std::vector<WallMotion<2>> &motion) const
+void World::measure_against_cell(const CellMotion &cell, const double dt)
 {
-  const std::optional<CellMotion> cell = cell_motion(motion);
-  return cell ? cell->gradient : dealii::Tensor<2, 2>();
+  dealii::Tensor<2, 2> stretch = dt * cell.gradient;
+  for (unsigned int d = 0; d < 2; ++d)
+    stretch[d][d] += 1.;
+  const dealii::Tensor<2, 2> after = cell.gradient * invert(stretch);
+  for (Body<2> &body : bodies)
+  {
+    const double mass = body.mass.sum();
+    const dealii::Tensor<1, 2> momentum = body.momentum(), change = -dt / mass * (after * momentum);
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        body.velocity[2 * i + d] += change[d];
+    balance.body_force_impulse += mass * change;
+    balance.body_force_work += (momentum + 0.5 * mass * change) * change;
+  }
 }
 
 void World::bring_into_cell(Body<2> &body) const

@@ -39,7 +39,7 @@ public:
       , dt(plan.dt)
       , theta(world.settings.scheme.theta)
       , motion(walls_of_step(world, plan))
-      , equations(world, plan, world.cell_gradient(motion))
+      , equations(world, plan)
       , rows(world, plan.dt, motion)
       , n_bodies(world.bodies.size())
       , trial(n_bodies)

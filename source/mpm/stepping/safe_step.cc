@@ -129,7 +129,8 @@ double safe_in_cell(const World &world, const std::vector<Flight> &flights, cons
     if (wall.repeats())
       cell.add_side(wall.normal(),
                     (wall.prescribed() ? wall.demand(world.time, dt).velocity : wall.speed) * wall.normal() +
-                        wall.demanded_slide(world.time, dt) * wall.tangent());
+                        (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(world.time, dt)) *
+                            wall.tangent());
   return std::min(dt, time_of_way(0.25 * narrowest, 2. * fastest + cell.gradient.norm() * widest,
                                   world.scene.gravity.norm()));
 }

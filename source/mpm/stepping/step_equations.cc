@@ -10,21 +10,7 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-/// What keeps all copies of a cell alike as it deforms, -m L U; see CellMotion.
-void add_cell_force(const Body<2> &body, const dealii::Tensor<2, 2> &gradient, Eigen::VectorXd &force)
-{
-  if (force.size() == 0)
-    force.setZero(body.field.n_dofs());
-  const dealii::Tensor<1, 2> acceleration = -1. / body.mass.sum() * (gradient * body.momentum());
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-      force[2 * i + d] += body.mass[i] * acceleration[d];
-}
-} // namespace
-
-StepEquations::StepEquations(World &world, const StepPlan &plan, const dealii::Tensor<2, 2> &gradient)
+StepEquations::StepEquations(World &world, const StepPlan &plan)
     : increment(world.bodies.size())
     , internal(world.bodies.size())
     , external(world.bodies.size())
@@ -58,8 +44,6 @@ StepEquations::StepEquations(World &world, const StepPlan &plan, const dealii::T
                                              dt,
                             external[b]))
           external[b].resize(0);
-        if (scheme.inertia && gradient.norm_square() > 0.)
-          add_cell_force(body, gradient, external[b]);
         if (scheme.stored_acceleration)
         {
           old_force[b] = body.acceleration;

@@ -98,8 +98,9 @@ struct World
   /// How the cell deforms in a step; nothing when it does not repeat.
   std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
 
-  /// Of the velocity in that; zero when the cell does not repeat [1/s].
-  dealii::Tensor<2, 2> cell_gradient(const std::vector<WallMotion<2>> &motion) const;
+  /// After a step of @p dt in which the cell deformed: velocities are those beside that of the cell as it is
+  /// now, so that its copies stay alike (CellMotion); books what that does.
+  void measure_against_cell(const CellMotion &cell, double dt);
 
   /// A body that has come to another copy of the cell that repeats is the same there.
   void bring_into_cell(Body<2> &body) const;

@@ -24,8 +24,7 @@ public:
   using Vectors = std::vector<Eigen::VectorXd>;
 
   /// Takes forces and loads at the start of the step from @p world.
-  /// @param gradient of the velocity of a cell that deforms, as far as it is known [1/s]
-  StepEquations(World &world, const StepPlan &plan, const dealii::Tensor<2, 2> &gradient);
+  StepEquations(World &world, const StepPlan &plan);
 
   bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
 
