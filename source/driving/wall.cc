@@ -24,7 +24,8 @@ bool keeps_slide(const Wall &wall)
 FreeWallStep free_step(const double mass,
                        const double damping,
                        const double speed,
-                       const double push,
+                       const double load,
+                       const double impulse,
                        const double dt,
                        const double theta)
 {
@@ -32,7 +33,7 @@ FreeWallStep free_step(const double mass,
   // coefficient is stable.
   FreeWallStep step;
   step.mass = mass + theta * dt * damping;
-  step.free_speed = ((mass - (1. - theta) * dt * damping) * speed + push) / step.mass;
+  step.free_speed = ((mass - (1. - theta) * dt * damping) * speed + dt * load + impulse) / step.mass;
   return step;
 }
 
@@ -81,12 +82,12 @@ void Wall::shear(const double asked, const double length)
 
 FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
 {
-  return free_step(wall.mass, wall.damping, wall.speed, dt * wall.load + impulse, dt, theta);
+  return free_step(wall.mass, wall.damping, wall.speed, wall.load, impulse, dt, theta);
 }
 
 FreeWallStep free_slide_step(const Wall &wall, const double dt, const double theta, const double impulse)
 {
-  return free_step(wall.slide_mass, wall.slide_damping, wall.slide_speed, dt * wall.slide_load + impulse, dt,
+  return free_step(wall.slide_mass, wall.slide_damping, wall.slide_speed, wall.slide_load, impulse, dt,
                    theta);
 }
 

@@ -101,7 +101,7 @@ void roll(const double friction, const double load, const double shear)
   std::cout << "wall on a disk, friction " << friction << ": acceleration over that of "
             << (rolling > sliding ? "rolling " : "sliding ")
             << walls[1].slide_speed / std::max(rolling, sliding) << ", energy off by "
-            << below(1e-10, books.error()) << '\n';
+            << below(1e-10, books.error()) << std::endl;
 }
 
 /// Disks of two sizes on a lattice of squares.
@@ -132,7 +132,7 @@ void cell(const std::string &what, const double shear)
   model.detect(walls);
   Books books(model);
   double mean[2] = {0., 0.}, width = 0., height = 0.;
-  const unsigned int n = 1600;
+  const unsigned int n = 800;
   for (unsigned int i = 0; i < n; ++i)
   {
     width = walls[3].point()[0] - walls[2].point()[0];
@@ -153,7 +153,7 @@ void cell(const std::string &what, const double shear)
   if (rate < 1e-3)
     std::cout << ", shear stress off by " << below(0.02, mean[0] / shear - 1.) << " and "
               << below(0.02, std::abs(mean[1]) / shear - 1.);
-  std::cout << '\n';
+  std::cout << std::endl;
 }
 } // namespace
 

