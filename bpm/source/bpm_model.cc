@@ -60,7 +60,10 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
-    wall.slide_speed = wall.demanded_slide(now, dt);
+    if (wall.slides_freely())
+      wall.shear(wall.demanded_shear(now, dt), pressed_length(moving_walls, w));
+    else
+      wall.slide_speed = wall.demanded_slide(now, dt);
     if (wall.prescribed())
       wall.speed = wall.demand(now, dt).velocity;
     else

@@ -65,13 +65,22 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
   cell = motion_of(walls);
   bodies.cell = contact::DiskCell();
   for (const Wall &wall : walls)
-    if (wall.repeats() && !wall.prescribed())
+    if (wall.repeats())
     {
-      const FreeWallStep step = free_wall_step(wall, dt, 1.);
-      cell->add_side(wall.normal(), (step.free_speed - wall.speed) * wall.normal());
       const unsigned int d = axis_of(wall.normal());
       const double length = cell->cell.length[d];
-      bodies.cell.inverse_mass[d][d] = 1. / (step.mass * length * length);
+      if (!wall.prescribed())
+      {
+        const FreeWallStep step = free_wall_step(wall, dt, 1.);
+        cell->add_side(wall.normal(), (step.free_speed - wall.speed) * wall.normal());
+        bodies.cell.inverse_mass[d][d] = 1. / (step.mass * length * length);
+      }
+      if (wall.slides_freely())
+      {
+        const FreeWallStep step = free_slide_step(wall, dt, 1.);
+        cell->add_side(wall.normal(), (step.free_speed - wall.slide_speed) * wall.tangent());
+        bodies.cell.inverse_mass[1 - d][d] = 1. / (step.mass * length * length);
+      }
     }
   for (unsigned int k = 0; k < 2; ++k)
     for (unsigned int l = 0; l < 2; ++l)

@@ -116,9 +116,10 @@ void Dynamics::prepare_bodies(const double dt,
     bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / step.mass;
     for (unsigned int d = 0; d < 2; ++d)
       bodies.velocity[n + w][d] = step.free_speed * wall.normal()[d];
-    if (wall.slide_speed != 0.)
+    const double slide = wall.slides_freely() ? free_slide_step(wall, dt, 1.).free_speed : wall.slide_speed;
+    if (slide != 0.)
       for (unsigned int d = 0; d < 2; ++d)
-        bodies.velocity[n + w][d] += wall.slide_speed * wall.tangent()[d];
+        bodies.velocity[n + w][d] += slide * wall.tangent()[d];
   }
   if (cell)
     prepare_cell(dt, walls);
@@ -129,6 +130,9 @@ void Dynamics::prepare_bodies(const double dt,
     bodies.inverse_inertia.assign(n_all, 0.);
     for (std::size_t i = 0; i < n; ++i)
       bodies.inverse_inertia[i] = 2. * inverse_mass[i] / (primaries.radius[i] * primaries.radius[i]);
+    for (std::size_t w = 0; w < walls.size(); ++w)
+      if (walls[w].slides_freely())
+        bodies.inverse_inertia[n + w] = 1. / free_slide_step(walls[w], dt, 1.).mass;
   }
 }
 
@@ -178,6 +182,22 @@ double Dynamics::kinetic_energy() const
   return 0.5 * sum;
 }
 
+void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, DynamicsReport &report) const
+{
+  const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
+  const double push = dt * (wall.force * wall.tangent());
+  const double before = wall.slide_speed, mass = wall.slide_mass;
+  const double after = wall.repeats() ? free_slide_step(wall, dt, 1., push).free_speed
+                                      : v[0] * wall.tangent()[0] + v[1] * wall.tangent()[1];
+  // The damping took what neither the load nor the primaries gave.
+  const double load = dt * wall.slide_load, damping = mass * (before - after) + load + push;
+  report.wall_work += load * 0.5 * (before + after);
+  report.damping_loss += damping * 0.5 * (before + after);
+  report.contact_loss +=
+      0.5 * mass * (before * before - after * after) + (load - damping) * 0.5 * (before + after);
+  wall.slide_speed = after;
+}
+
 void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsReport &report) const
 {
   const std::size_t n = primaries.size();
@@ -203,7 +223,9 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
       wall.give(given, dt);
       report.wall_impulse += given;
     }
-    if (wall.slide_speed != 0.)
+    if (wall.slides_freely())
+      let_slide(dt, w, wall, report);
+    else if (wall.slide_speed != 0.)
     {
       const double work = -dt * wall.slide_speed * (wall.force * wall.tangent());
       report.wall_work += work;

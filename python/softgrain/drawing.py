@@ -122,7 +122,11 @@ def draw_outlines(axes, rings, width, colour=INK):
 def draw_walls(axes, walls, thickness):
     """Hatched bars behind the walls' faces, the faces crisp."""
     ends = list(walls["ends_m"])
+    repeats = walls["repeats"] > 0 if "repeats" in walls else np.zeros(len(ends), dtype=bool)
     for number, ((begin, end), normal) in enumerate(zip(ends, walls["normal"])):
+        if repeats[number]:  # a side of a cell: bodies go through it
+            axes.plot([begin[0], end[0]], [begin[1], end[1]], color=INK, linewidth=1., linestyle=(0, (6, 4)), zorder=6)
+            continue
         along = (end - begin) / np.linalg.norm(end - begin)
         back = -thickness * normal
         # Where walls meet, those that lie take the corner.

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.collections import PathCollection
 
 from . import drawing, primaries
+from .cell import SpreadState, cell_of
 from .colouring import Scale, colour_map, find_field
 from .command import save_figure
 from .errors import InputError
@@ -105,7 +106,8 @@ class Picture:
 
     @staticmethod
     def places(state):
-        places = [state.outlines.points_m] if state.has("outlines") else []
+        # Of a cell that repeats what lies between its sides is shown.
+        places = [state.outlines.points_m] if state.has("outlines") and not cell_of(state) else []
         if state.has("walls"):
             places.append(state.walls["ends_m"].reshape(-1, 2))
         places += state.obstacle_lines
@@ -162,6 +164,10 @@ class Picture:
 
     def figure(self, state):
         """The picture of a state as a matplotlib figure."""
+        cell = cell_of(state)
+        if cell:
+            state = SpreadState(state, cell, self.low, self.high)
+        numbers = self.numbers[state.owner] if cell and self.numbers is not None else self.numbers
         with plt.rc_context(drawing.STYLE):
             figure, axes, bar_axes = self.make_axes()
             points_per_metre = 72 * figure.get_figwidth() * axes.get_position().width / (self.high[0] - self.low[0])
@@ -169,7 +175,7 @@ class Picture:
             if state.has("walls") and len(state.walls):
                 drawing.draw_walls(axes, state.walls, self.thickness)
             drawing.draw_obstacles(axes, state.obstacle_lines)
-            self.fill(axes, state, rings, points_per_metre)
+            self.fill(axes, state, rings, numbers, points_per_metre)
             if self.scale:
                 self.scale.draw_bar(figure, bar_axes)
             width = np.clip(9 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 0.6, 1.5)
@@ -217,16 +223,16 @@ class Picture:
                                         bar_height / total_height])
         return figure, axes, bar_axes
 
-    def fill(self, axes, state, rings, points_per_metre):
+    def fill(self, axes, state, rings, numbers, points_per_metre):
         """The insides of the bodies."""
         if self.scale:
             self.fill_by_scale(axes, state, rings)
-        elif self.numbers is not None:
+        elif numbers is not None:
             style = self.options.style or ("disks" if self.primaries else "smooth")
             if style == "disks" and state.has("points") or not rings:
-                primaries.draw_points_of_bodies(axes, state.points, self.numbers, self.colours, points_per_metre)
+                primaries.draw_points_of_bodies(axes, state.points, numbers, self.colours, points_per_metre)
             else:
-                primaries.draw_bodies(axes, rings, self.numbers, self.colours)
+                primaries.draw_bodies(axes, rings, numbers, self.colours)
         elif rings:
             paths = [drawing.outline_path(body_rings) for body_rings in rings.values()]
             axes.add_collection(PathCollection(paths, facecolors="#dfe6ee", linewidths=0, zorder=2))

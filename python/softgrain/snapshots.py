@@ -10,7 +10,7 @@ from .tables import Table
 
 NOBODY = 4294967295
 WIDTHS = {"position_m": 2, "velocity_m_per_s": 2, "center_m": 2, "place_m": 2, "normal": 2, "force_N_per_m": 2,
-          "point_m": 2, "points_m": 2, "pivot_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
+          "point_m": 2, "points_m": 2, "pivot_m": 2, "image_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
 OTHER_NAMES = {"size_m2": "area_m2"}  # the name that fields.pvd has
 
 

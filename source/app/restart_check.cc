@@ -138,9 +138,16 @@ void save_description(StateWriter &writer, const std::string &effective_paramete
 std::vector<std::string> changeable_in_every_model()
 {
   // doc/output.md lists the same. A packing may come from elsewhere: its bodies are compared one by one.
-  std::vector<std::string> patterns = {
-      "Output directory", "Threads",       "Additional shared libraries", "Output/",       "Stop/",
-      "Packing/",         "Walls/*/Drive", "Walls/*/Tangential velocity", "Stages/*/Stop/"};
+  std::vector<std::string> patterns = {"Output directory",
+                                       "Threads",
+                                       "Additional shared libraries",
+                                       "Output/",
+                                       "Stop/",
+                                       "Packing/",
+                                       "Walls/*/Drive",
+                                       "Walls/*/Tangential velocity",
+                                       "Walls/*/Shear stress",
+                                       "Stages/*/Stop/"};
   const Registry<WallDrive> &drives = Registry<WallDrive>::instance();
   for (const std::string &drive : drives.names())
   {

@@ -20,6 +20,33 @@ bool keeps_slide(const Wall &wall)
 {
   return wall.slide_speed != 0. || wall.offset != 0.;
 }
+
+FreeWallStep free_step(const double mass,
+                       const double damping,
+                       const double speed,
+                       const double load,
+                       const double impulse,
+                       const double dt,
+                       const double theta)
+{
+  // Damping acts on the velocity with which the wall moves, so a wall at rest bears its whole load, and any
+  // coefficient is stable.
+  FreeWallStep step;
+  step.mass = mass + theta * dt * damping;
+  step.free_speed = ((mass - (1. - theta) * dt * damping) * speed + dt * load + impulse) / step.mass;
+  return step;
+}
+
+/// Of a wall that moves along its tangent at all.
+bool goes_along(const WallDescription<2> &wall)
+{
+  return wall.drive->slides() || wall.drive->shears();
+}
+
+std::string tangential_key(const WallDescription<2> &wall)
+{
+  return wall.drive->shears() ? "Shear stress" : "Tangential velocity";
+}
 } // namespace
 
 WallState<2> Wall::state() const
@@ -47,15 +74,21 @@ void Wall::press(const double asked, const double length)
   damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)));
 }
 
+void Wall::shear(const double asked, const double length)
+{
+  slide_load = asked * length;
+  slide_damping = description.drive->inertia().damping.value_or(2. * std::sqrt(slide_mass * std::abs(asked)));
+}
+
 FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
 {
-  // Damping acts on the velocity with which the wall moves, so a wall at rest bears its whole load, and any
-  // coefficient is stable.
-  FreeWallStep step;
-  step.mass = wall.mass + theta * dt * wall.damping;
-  step.free_speed =
-      ((wall.mass - (1. - theta) * dt * wall.damping) * wall.speed + dt * wall.load + impulse) / step.mass;
-  return step;
+  return free_step(wall.mass, wall.damping, wall.speed, wall.load, impulse, dt, theta);
+}
+
+FreeWallStep free_slide_step(const Wall &wall, const double dt, const double theta, const double impulse)
+{
+  return free_step(wall.slide_mass, wall.slide_damping, wall.slide_speed, wall.slide_load, impulse, dt,
+                   theta);
 }
 
 std::vector<Wall> make_walls(const Scene<2> &scene)
@@ -72,6 +105,8 @@ std::vector<Wall> make_walls(const Scene<2> &scene)
     walls.back().usual_mass = 0.1 * mass;
     if (!walls.back().prescribed())
       walls.back().mass = description.drive->inertia().mass.value_or(0.1 * mass);
+    if (description.drive->shears())
+      walls.back().slide_mass = description.drive->inertia().mass.value_or(0.1 * mass);
   }
   return walls;
 }
@@ -107,6 +142,7 @@ double take_drives(std::vector<Wall> &walls,
     wall.drive_begin = time;
     wall.travel_before = wall.travel;
     wall.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.usual_mass);
+    wall.slide_mass = wall.slides_freely() ? drives[w]->inertia().mass.value_or(wall.usual_mass) : 0.;
     energy += wall.kinetic_energy();
   }
   return energy;
@@ -118,6 +154,9 @@ void check_free_walls(const Scene<2> &scene)
     if (!scene.walls[w].drive->prescribed() && length_between_neighbours_2d(scene.walls, w) <= 0.)
       throw InputError("'Walls/" + scene.walls[w].name + "/Drive' = '" + scene.walls[w].drive_name +
                        "' needs two walls beside it, at right angles, between which the pressure acts");
+    else if (scene.walls[w].drive->shears() && length_between_neighbours_2d(scene.walls, w) <= 0.)
+      throw InputError("'Walls/" + scene.walls[w].name +
+                       "/Shear stress' needs two walls beside it, at right angles, between which it acts");
   for (const WallDescription<2> &wall : scene.walls)
     for (const WallDescription<2> &other : scene.walls)
       if (wall.drive->looks_beside() && std::abs(wall.normal * other.normal) < 1e-12)
@@ -144,16 +183,19 @@ void check_sliding_walls(const Scene<2> &scene)
   for (const WallDescription<2> &wall : scene.walls)
   {
     const std::string at = "'Walls/" + wall.name + "/";
-    if (wall.drive->slides() && repeats(wall) && !(axis_of(wall.normal) == 1 && both[0]))
-      throw InputError(
-          at + "Tangential velocity' is not allowed with 'Type' = 'periodic' but at top and bottom of a "
-               "cell that repeats along x and y");
-    if (wall.drive->slides() && !repeats(wall) && wall.friction == 0.)
-      throw InputError(at + "Tangential velocity' has no effect without friction: set '" + at.substr(1) +
+    if (goes_along(wall) && repeats(wall) && !(axis_of(wall.normal) == 1 && both[0]))
+      throw InputError(at + tangential_key(wall) +
+                       "' is not allowed with 'Type' = 'periodic' but at top and bottom of a "
+                       "cell that repeats along x and y");
+    if (goes_along(wall) && !repeats(wall) && wall.friction == 0.)
+      throw InputError(at + tangential_key(wall) + "' has no effect without friction: set '" + at.substr(1) +
                        "Friction', or leave it out");
     for (const WallDescription<2> &other : scene.walls)
-      if (&wall != &other && repeats(wall) && repeats(other) && !wall.drive->prescribed() &&
-          !other.drive->prescribed() && axis_of(wall.normal) == axis_of(other.normal))
+      if (&wall != &other && repeats(wall) && repeats(other) && wall.drive->shears() && goes_along(other))
+        throw InputError(at + "Shear stress' is not allowed where 'Walls/" + other.name + "/" +
+                         tangential_key(other) + "' moves the side that faces it");
+      else if (&wall != &other && repeats(wall) && repeats(other) && !wall.drive->prescribed() &&
+               !other.drive->prescribed() && axis_of(wall.normal) == axis_of(other.normal))
         throw InputError(at + "Drive' = '" + wall.drive_name + "' is not allowed where 'Walls/" + other.name +
                          "/Drive' = '" + other.drive_name +
                          "' moves the side that faces it: of two periodic walls one may be free to move");

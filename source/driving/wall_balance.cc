@@ -9,12 +9,18 @@ namespace softgrain
 double unbalanced(const std::vector<Wall> &walls)
 {
   double largest = 0.;
+  const auto look = [&largest](const double load, const double force)
+  {
+    const double left_over = std::abs(load + force);
+    largest = std::max(largest, left_over > 0. ? left_over / std::abs(load) : 0.);
+  };
   for (const Wall &wall : walls)
+  {
     if (!wall.prescribed())
-    {
-      const double left_over = std::abs(wall.load + wall.force * wall.normal());
-      largest = std::max(largest, left_over > 0. ? left_over / std::abs(wall.load) : 0.);
-    }
+      look(wall.load, wall.force * wall.normal());
+    if (wall.slides_freely())
+      look(wall.slide_load, wall.force * wall.tangent());
+  }
   return largest;
 }
 } // namespace softgrain

@@ -7,6 +7,7 @@
 
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -162,8 +163,15 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
   file.add_cell_data("mean_pressure_Pa", 1, pressure);
 }
 
-void fill_contacts(VtuFile &file, const std::vector<ContactState<2>> &contacts)
+bool repeats(const Snapshot<2> &snapshot)
 {
+  return std::any_of(snapshot.walls.begin(), snapshot.walls.end(),
+                     [](const WallState<2> &wall) { return wall.repeats; });
+}
+
+void fill_contacts(VtuFile &file, const Snapshot<2> &snapshot)
+{
+  const std::vector<ContactState<2>> &contacts = snapshot.contacts;
   using Contact = ContactState<2>;
   std::vector<dealii::Point<2>> places;
   std::vector<std::int32_t> body_a, body_b, wall;
@@ -188,6 +196,8 @@ void fill_contacts(VtuFile &file, const std::vector<ContactState<2>> &contacts)
       floats(contacts, [](const Contact &c) { return c.force[0] * c.normal[1] - c.force[1] * c.normal[0]; }));
   file.add_point_data("gap_m", 1, floats(contacts, [](const Contact &c) { return c.gap; }));
   file.add_point_data("length_m", 1, floats(contacts, [](const Contact &c) { return c.length; }));
+  if (repeats(snapshot))
+    file.add_point_data("image_m", 3, vectors(contacts, [](const Contact &c) { return c.image; }));
 }
 
 void fill_walls(VtuFile &file, const Snapshot<2> &snapshot)
@@ -214,6 +224,10 @@ void fill_walls(VtuFile &file, const Snapshot<2> &snapshot)
   file.add_cell_data("normal_force_N_per_m", 1, doubles(drawn, [](const Wall &w) { return w.normal_force; }));
   file.add_cell_data("tangential_force_N_per_m", 1,
                      doubles(drawn, [](const Wall &w) { return w.tangential_force; }));
+  if (!repeats(snapshot))
+    return;
+  file.add_cell_data("repeats", 1, doubles(drawn, [](const Wall &w) { return w.repeats ? 1. : 0.; }));
+  file.add_cell_data("offset_m", 1, doubles(drawn, [](const Wall &w) { return w.offset; }));
 }
 
 void fill_obstacles(VtuFile &file, const std::vector<ObstacleState<2>> &obstacles)
@@ -298,7 +312,7 @@ void FieldWriter::write(const Snapshot<2> &snapshot)
   if (options.outlines)
     put("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
   if (options.contacts)
-    put("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot.contacts); });
+    put("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
   if (options.walls)
     put("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
   if (options.walls && !snapshot.obstacles.empty())

@@ -16,6 +16,7 @@ namespace
 {
 const std::string before = "as before";
 const char *const sliding = "Tangential velocity";
+const char *const shearing = "Shear stress";
 
 /// Inward normal of a wall of the usual box.
 std::string usual_normal(const std::string &name)
@@ -57,6 +58,12 @@ void WallParameters::declare_drive(dealii::ParameterHandler &prm, const bool as_
       "Velocity along the tangent, which is the normal turned by -90 degrees: towards +x at the "
       "bottom, -x at the top. Bodies feel it by friction, or, with 'Type = periodic', because "
       "their images move; a formula of t (doc/formulas.md). Units: m/s.");
+  prm.declare_entry(
+      shearing, "0", dealii::Patterns::Anything(),
+      "Stress along the tangent, on the length between the walls beside it: the wall is free to "
+      "move that way, with the mass of a free wall, and bodies resist it by friction, or, with "
+      "'Type = periodic', as images of each other. 0: it is not free. A formula of t "
+      "(doc/formulas.md). Units: Pa.");
 }
 
 std::shared_ptr<const WallDrive> WallParameters::parse_drive(const dealii::ParameterHandler &prm,
@@ -73,10 +80,17 @@ std::shared_ptr<const WallDrive> WallParameters::parse_drive(const dealii::Param
     own = parameters_of(chosen);
     if (prm.get(sliding) != "0")
       drive->slide(formula_of_time(prm.get(sliding), wall + "/" + sliding));
+    if (prm.get(shearing) != "0")
+      drive->shear(formula_of_time(prm.get(shearing), wall + "/" + shearing));
+    if (drive->slides() && drive->shears())
+      throw InputError("'" + wall + "/" + shearing + "' = '" + prm.get(shearing) +
+                       "' is not allowed beside '" + sliding + "': leave out one of them");
   }
-  else if (prm.get(sliding) != "0")
-    throw InputError("'" + wall + "/" + sliding + "' = '" + prm.get(sliding) +
-                     "' has no effect with 'Drive' = '" + before + "': choose a drive");
+  else
+    for (const char *const key : {sliding, shearing})
+      if (prm.get(key) != "0")
+        throw InputError("'" + wall + "/" + key + "' = '" + prm.get(key) +
+                         "' has no effect with 'Drive' = '" + before + "': choose a drive");
   for (const std::string &other : drives.names())
     for (const ParameterEntry &entry : parameters_of(other))
       if (prm.get(entry.name) != entry.default_value &&

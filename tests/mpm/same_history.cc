@@ -116,6 +116,12 @@ int main(int argc, char **argv)
           24);
   compare("ellipses", "gallery/thirty_ellipses_mpm.prm", {"Time/Scheme=moreau_jean", "Mesh/Cell size=5e-4"},
           12);
+  // Grids are renewed, so that bodies are brought into the cell while friction remembers.
+  compare("cell that repeats", "gallery/simple_shear_periodic.prm",
+          {"Stop/End time=1", "Mesh/Cell size=4e-4", "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5",
+           "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5", "Walls/top/Tangential velocity=-1.5",
+           "Material points/Grid update=every step"},
+          6);
   compare("small strain", "verification/patch_test.prm",
           {"Materials/gel/Law=linear_elastic", "Time/Time step=0.1"}, 8);
 }

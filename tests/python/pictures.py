@@ -15,7 +15,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 import softgrain
 from softgrain import film
+from softgrain.cell import SpreadState, cell_of
 from softgrain.picture import Options, Picture
+from softgrain.state import Outlines
+from softgrain.tables import Table
 from tool_runs import run
 
 PNG = ("--dpi", "50")
@@ -25,7 +28,42 @@ def shape(path):
     return matplotlib.image.imread(path).shape[:2]
 
 
+class OfCell:
+    """A disk in a corner and one in the middle of a cell of 2 x 1 whose copy above stands 0.5 to the right; they touch across a side."""
+    number, time, strain, obstacle_lines = 0, 0., None, ()
+
+    def __init__(self):
+        turn = np.linspace(0, 2 * np.pi, 25)[:-1]
+        circle = 0.3 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+        centers = np.array([[0.1, 0.1], [1.1, 0.5]])
+        self.outlines = Outlines({0: [circle + centers[0]], 1: [circle + centers[1]]})
+        self.bodies = Table({"body": np.array([0, 1]), "center_m": centers})
+        self.contacts = Table({"body_a": np.array([1]), "body_b": np.array([0]), "wall": np.array([-1]),
+                               "place_m": np.array([[0.85, 0.8]]), "image_m": np.array([[0.5, 1.]]),
+                               "normal": np.array([[0.83, -0.55]]), "force_N_per_m": np.array([[0.83, -0.55]])})
+        low, high = [0., 0.], [2., 1.]
+        self.walls = Table({"repeats": np.ones(4), "offset_m": np.full(4, 4.5),  # that of 0.5, two widths on
+                            "normal": np.array([[0., 1.], [0., -1.], [1., 0.], [-1., 0.]]),
+                            "ends_m": np.array([[low, [2., 0.]], [[0., 1.], high], [low, [0., 1.]], [[2., 0.], high]])})
+
+    def has(self, part):
+        return part in ("outlines", "bodies", "contacts", "walls")
+
+
 class Pictures(unittest.TestCase):
+    def test_images_of_a_cell(self):
+        state = OfCell()
+        spread = SpreadState(state, cell_of(state), (0., 0.), (2., 1.))
+        centers = {tuple(center.round(9)) for center, owner in zip(spread.bodies["center_m"], spread.owner) if owner == 0}
+        # The corner's images that reach into the cell: beside it, above, and above to the left.
+        self.assertLessEqual({(0.1, 0.1), (2.1, 0.1), (0.6, 1.1)}, centers)
+        for row in range(len(spread.contacts["body_a"])):
+            a, b = spread.contacts["body_a"][row], spread.contacts["body_b"][row]
+            way = spread.bodies["center_m"][b] - spread.bodies["center_m"][a]
+            self.assertTrue(np.allclose(way, [-0.5, 0.6]), way)  # always to the image it meets
+        self.assertEqual(len(state.contacts), 1)
+        self.assertGreater(len(spread.contacts), 1)
+
     def draw(self, tool, *arguments):
         code, printed, errors = run(tool, *arguments)
         self.assertEqual((code, errors), (0, ""), errors)

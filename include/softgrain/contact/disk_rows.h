@@ -82,7 +82,8 @@ struct DiskCompliance
  * @brief Kinematics of one contact and its exact solution.
  *
  * @tparam n as for DiskRow
- * @tparam wall b is a wall: impulses move it along the normal only
+ * @tparam wall b is a wall: impulses move it along the normal, and with inverse_inertia for an inverse mass
+ *              along the tangent; it does not turn
  */
 template <unsigned int n, bool wall>
 struct DiskContact
@@ -104,6 +105,8 @@ struct DiskContact
         W.rolling += b.inverse_inertia;
         W.coupling += row.arm_b * b.inverse_inertia;
       }
+      else
+        W.tangential += b.inverse_inertia;
     }
     return W;
   }
@@ -148,6 +151,11 @@ struct DiskContact
         if constexpr (n > 2)
           moment_b -= change[2];
         b.angular_velocity += b.inverse_inertia * moment_b;
+      }
+      else
+      {
+        b.velocity[0] += b.inverse_inertia * (row.normal[1] * change[1]);
+        b.velocity[1] -= b.inverse_inertia * (row.normal[0] * change[1]);
       }
     }
     for (unsigned int d = 0; d < 2; ++d)

@@ -38,8 +38,9 @@ struct DiskBodies
   std::vector<std::array<double, 2>> velocity; ///< [m/s]
   std::vector<double> inverse_mass;            ///< [m/kg]; 0: prescribed velocity
   std::vector<double> angular_velocity;        ///< [rad/s]; empty: rotations do not matter
-  std::vector<double> inverse_inertia;         ///< [1/(kg m)]; empty or one per body
-  DiskCell cell;                               ///< of contacts that know their branch
+  std::vector<double>
+      inverse_inertia; ///< [1/(kg m)]; empty or one per body; of walls [m/kg], along the tangent
+  DiskCell cell;       ///< of contacts that know their branch
 
   std::size_t size() const { return velocity.size(); }
   bool rotate() const { return !angular_velocity.empty(); }

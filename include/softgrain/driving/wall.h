@@ -34,7 +34,10 @@ struct Wall
   double usual_mass = 0;        ///< the same if none is given [kg/m]
   double drive_begin = 0;       ///< since when it is driven as it is [s]
   double travel_before = 0;     ///< until then [m]
-  double slide_speed = 0;       ///< along the tangent, mean over the last step [m/s]
+  double slide_speed = 0;       ///< along the tangent; when prescribed the mean over the last step [m/s]
+  double slide_load = 0;        ///< force along the tangent from outside, of a wall free to slide [N/m]
+  double slide_mass = 0;        ///< of a wall that is free to slide [kg/m]
+  double slide_damping = 0;     ///< of it, as damping [kg/(m s)]
   double offset = 0;            ///< of the cell above, of a side of a cell that repeats [m]
   double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
@@ -62,6 +65,14 @@ struct Wall
   bool repeats() const { return description.type == WallDescription<2>::Type::periodic; }
 
   bool prescribed() const { return description.drive->prescribed(); }
+  /// Whether its velocity along the tangent follows from a shear stress.
+  bool slides_freely() const { return description.drive->shears(); }
+  /// The part of its velocity that is given [m/s].
+  dealii::Tensor<1, 2> prescribed_velocity() const
+  {
+    return (prescribed() ? speed : 0.) * description.normal +
+           (slides_freely() ? 0. : slide_speed) * tangent();
+  }
 
   /**
    * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
@@ -71,7 +82,14 @@ struct Wall
    */
   void press(double asked, double length);
 
-  double kinetic_energy() const { return 0.5 * mass * speed * speed; } ///< [J/m]
+  /// Puts the stress along the tangent that is asked for on a wall that is free to slide.
+  void shear(double asked, double length);
+
+  /// [J/m]
+  double kinetic_energy() const
+  {
+    return 0.5 * (mass * speed * speed + slide_mass * slide_speed * slide_speed);
+  }
 
   /// What its drive asks of it in a step of @p dt from @p time on [s].
   WallDemand demand(const double time, const double dt, const double stress_beside = 0.) const
@@ -85,6 +103,12 @@ struct Wall
     return description.drive->slides()
                ? description.drive->slide_velocity({time - drive_begin, dt, travel - travel_before})
                : 0.;
+  }
+
+  /// Stress along the tangent that its drive asks of it in a step of @p dt from @p time on [Pa].
+  double demanded_shear(const double time, const double dt) const
+  {
+    return description.drive->shear_stress({time - drive_begin, dt, travel - travel_before});
   }
 
   /// Books an impulse that the wall has given to the bodies in a step of @p dt [s].
@@ -109,6 +133,9 @@ struct FreeWallStep
 /// @param theta   weight of the velocity at the end in the motion over the step and in the damping
 /// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
 FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double impulse = 0.);
+
+/// The same along the tangent of a wall that is free to slide.
+FreeWallStep free_slide_step(const Wall &wall, double dt, double theta, double impulse = 0.);
 
 /// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of
 /// all bodies.

@@ -77,8 +77,14 @@ public:
   /// Velocity along the tangent, mean over the step [m/s].
   double slide_velocity(const WallStep &step) const { return sliding ? (*sliding)({step.middle()}) : 0.; }
 
+  /// In its place: frees the wall to move along its tangent under a stress. @param formula of t [Pa]
+  void shear(const Expression &formula) { shearing = formula; }
+  bool shears() const { return shearing.has_value(); }
+  /// Along the tangent on the length of the wall, mean over the step [Pa].
+  double shear_stress(const WallStep &step) const { return shearing ? (*shearing)({step.middle()}) : 0.; }
+
 private:
-  std::optional<Expression> sliding;
+  std::optional<Expression> sliding, shearing;
 };
 
 template <>

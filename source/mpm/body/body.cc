@@ -30,6 +30,19 @@ dealii::Tensor<1, dim> Body<dim>::momentum() const
 }
 
 template <int dim>
+dealii::Point<dim> Body<dim>::center() const
+{
+  dealii::Tensor<1, dim> moment;
+  for (unsigned int i = 0; i < mass.size(); ++i)
+  {
+    const dealii::Point<dim> &at = field.position(field.node_of_independent(i));
+    for (unsigned int d = 0; d < dim; ++d)
+      moment[d] += mass[i] * (at[d] + displacement[dim * i + d]);
+  }
+  return dealii::Point<dim>(moment / mass.sum());
+}
+
+template <int dim>
 double Body<dim>::kinetic_energy() const
 {
   double sum = 0.;
@@ -37,6 +50,14 @@ double Body<dim>::kinetic_energy() const
     for (unsigned int d = 0; d < dim; ++d)
       sum += 0.5 * mass[i] * velocity[dim * i + d] * velocity[dim * i + d];
   return sum;
+}
+
+template <int dim>
+void Body<dim>::translate(const dealii::Tensor<1, dim> &way)
+{
+  for (unsigned int i = 0; i < field.n_independent(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
+      displacement[dim * i + d] += way[d];
 }
 
 template struct Boundary<2>;

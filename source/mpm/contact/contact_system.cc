@@ -139,7 +139,8 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
   {
     end = first + 1;
     while (end < rows.size() && rows[end].body == rows[first].body &&
-           rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall)
+           rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall &&
+           rows[end].image == rows[first].image)
       ++end;
     pairs.push_back({first, end});
     std::vector<unsigned int> pair;
@@ -147,7 +148,7 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
       if (b != ContactRow<dim>::none && !bodies[b].driven)
         pair.push_back(b);
     for (unsigned int k = 0; k < free_walls.list.size(); ++k)
-      if (rows[first].wall == free_walls.list[k].wall)
+      if (rows[first].wall == free_walls.list[k].wall || free_walls.list[k].length > 0.)
         pair.push_back(bodies.size() + k);
     color(pair, {first, end}, taken);
   }

@@ -6,15 +6,6 @@
 namespace softgrain::mpm
 {
 template <int dim>
-const FreeWall<dim> *FreeWalls<dim>::find(const unsigned int wall) const
-{
-  for (const FreeWall<dim> &one : list)
-    if (one.wall == wall)
-      return &one;
-  return nullptr;
-}
-
-template <int dim>
 void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsigned int components)
 {
   n_components = components;
@@ -24,11 +15,20 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
   for (unsigned int k = 0; k < list.size(); ++k)
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
-      if (rows[r].wall == list[k].wall)
+      if (list[k].length > 0.)
+        // The cell closes on all that is in it, in proportion.
+        for (unsigned int c = 0; c < components; ++c)
+        {
+          const double factor =
+              list[k].way * rows[r].direction(c) * (list[k].normal * rows[r].branch / list[k].length);
+          if (factor != 0.)
+            of_wall[k].push_back({r * components + c, factor});
+        }
+      else if (rows[r].wall == list[k].wall)
         for (unsigned int c = 0; c < components; ++c)
         {
           // Rows of a plane have its normal; those of a slab have that of its outline.
-          const double factor = list[k].normal * rows[r].direction(c);
+          const double factor = list[k].way * rows[r].direction(c);
           if (factor != 0.)
             of_wall[k].push_back({r * components + c, factor});
         }

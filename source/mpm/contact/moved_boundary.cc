@@ -98,14 +98,17 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
 void MovedBoundary::move_markers(const ContactScene<2> &scene)
 {
   const Point start_center = center - scene.share * travel;
+  const Vector taken = scene.cell != nullptr ? scene.dt * scene.cell->velocity(start) : Vector();
   double along = 0., across = 0.;
   displacement.reserve(position.size());
   for (unsigned int m = 0; m < position.size(); ++m)
   {
-    const Vector moved = body->driven ? scene.dt * body->drive
-                         : scene.increment == nullptr
-                             ? way_of_marker(*body, m, scene.dt)
-                             : at_marker(body->field.marker_weights(m), (*scene.increment)[body->index]);
+    Vector moved = body->driven ? scene.dt * body->drive
+                   : scene.increment == nullptr
+                       ? way_of_marker(*body, m, scene.dt)
+                       : at_marker(body->field.marker_weights(m), (*scene.increment)[body->index]);
+    if (scene.cell != nullptr)
+      moved += taken;
     displacement.push_back(moved);
     const Vector arm = position[m] - start_center, after = arm + moved - travel;
     along += arm * after;
@@ -143,7 +146,25 @@ void MovedBoundary::find_center(const ContactScene<2> &scene)
   }
   const double mass = body->mass.sum();
   travel = way / mass;
+  if (scene.cell != nullptr)
+  {
+    start = Point(moment / mass);
+    travel += scene.dt * scene.cell->velocity(start);
+  }
   center = Point(moment / mass + scene.share * travel);
+}
+
+void MovedBoundary::shift(const Vector &way, const Vector &moves, const double share)
+{
+  const Vector here = way + share * moves;
+  for (Point &x : position)
+    x += here;
+  for (Vector &u : displacement)
+    u += moves;
+  for (Point *x : {&lower, &upper, &center})
+    *x += here;
+  start += way;
+  travel += moves;
 }
 
 MovedBoundary::Point MovedBoundary::position_at(const unsigned int m, const double share) const

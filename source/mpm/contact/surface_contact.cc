@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
+#include <softgrain/mpm/contact/contact_tasks.h>
 #include <softgrain/mpm/contact/obstacle_contact.h>
 #include <softgrain/mpm/contact/seekers.h>
 #include <softgrain/mpm/contact/surface_contact.h>
-
-#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,26 +19,11 @@ using Vector = MovedBoundary::Vector;
 using Place = MovedBoundary::Place;
 using Row = ContactRow<2>;
 
-/// Gap up to which a row is needed where things come nearer by @p approach over the step: that way times
-/// ContactScene::foresight, and what the walls may add when they hit what was at rest.
-class Reach
+/// As the key of a partner: the low bits of its image take the place of the high ones of its number.
+unsigned int image_key(const Body<2> &partner, const PeriodicCell::Image &image)
 {
-public:
-  Reach(const ContactScene<2> &scene, const ObstacleContact &obstacles)
-      : rest(0.1 * scene.cell_size + scene.adhesion_reach), foresight(scene.foresight)
-  {
-    double way = obstacles.largest_way();
-    for (const WallMotion<2> &wall : scene.walls)
-      way = std::max(way, scene.dt * wall.fastest);
-    rest += foresight * way;
-  }
-
-  double operator()(const double approach) const { return rest + foresight * approach; }
-
-private:
-  double rest;
-  const double foresight;
-};
+  return (partner.index & 0x7ffff) | ((image[0] & 3) << 21) | ((image[1] & 3) << 19);
+}
 
 /// Share of the boundary around a seeker that faces what has @p normal: at a corner one side looks elsewhere
 /// and does not adhere.
@@ -65,7 +49,7 @@ NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
 }
 
 void find_wall_rows(const ContactScene<2> &scene,
-                    const Reach &reach,
+                    const ContactReach &reach,
                     const Body<2> &body,
                     const MovedBoundary &own,
                     std::vector<Row> &rows)
@@ -100,6 +84,8 @@ void find_wall_rows(const ContactScene<2> &scene,
                  if (row.adhesion > 0.)
                    row.adhesion *= facing_share(own, seeker, row.normal);
                  row.key = row_key(body.index, seeker.number, w, true);
+                 if (scene.cell != nullptr)
+                   row.branch = own.start - (at.position - scene.share * at.displacement);
                  rows.push_back(row);
                  return true;
                });
@@ -143,8 +129,9 @@ public:
              const Body<2> &body,
              const MovedBoundary &own,
              const Body<2> &partner,
-             const MovedBoundary &other)
-      : scene(scene), margin(margin), body(body), own(own), partner(partner), other(other)
+             const MovedBoundary &other,
+             const PeriodicCell::Image &image)
+      : scene(scene), margin(margin), body(body), own(own), partner(partner), other(other), image(image)
   {
     // Segments one cell further than the margin: the nearest point of a place within it lies on one of them.
     const double wide = margin + scene.cell_size;
@@ -238,6 +225,12 @@ private:
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
     row.key = row_key(body.index, seeker.number, partner.index, false);
+    if (scene.cell != nullptr)
+    {
+      row.branch = own.start - other.start;
+      row.image = image;
+      row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
+    }
     rows.push_back(row);
     return true;
   }
@@ -248,71 +241,16 @@ private:
   const MovedBoundary &own;
   const Body<2> &partner;
   const MovedBoundary &other;
+  const PeriodicCell::Image image; ///< of the partner, as ContactRow::image
   std::vector<unsigned int> segments;
 };
-
-/// What one of a pair of bodies does: the pair stands in the list of the one that looks.
-struct Task
-{
-  unsigned int partner;
-  bool corners_only;
-
-  bool operator<(const Task &task) const { return partner < task.partner; }
-};
-
-/// Who looks for contact with whom, by the body that looks.
-void share_out(const ContactScene<2> &scene,
-               const unsigned int a,
-               const unsigned int b,
-               std::vector<std::vector<Task>> &tasks)
-{
-  const auto smooth = [&](const unsigned int i) { return scene.bodies[i].boundary.smooth; };
-  const auto add = [&](const unsigned int i, const unsigned int partner, const bool corners_only)
-  {
-    // What is driven needs no rows of its own.
-    if (!scene.bodies[i].driven)
-      tasks[i].push_back({partner, corners_only});
-  };
-  if (scene.bodies[a].driven && scene.bodies[b].driven)
-    return;
-  // A smooth body looks at one with corners, which looks back with these; else the first looks, unless it is
-  // driven.
-  const bool second = scene.bodies[a].driven || (!scene.bodies[b].driven && smooth(b) && !smooth(a));
-  const unsigned int looks = second ? b : a, other = second ? a : b;
-  add(looks, other, false);
-  if (!smooth(other))
-    add(other, looks, true);
-}
-
-std::vector<std::vector<Task>>
-find_tasks(const ContactScene<2> &scene, const Reach &reach, const std::vector<MovedBoundary> &boundaries)
-{
-  // Grown by this each, boxes overlap whenever a row may be found.
-  std::vector<dealii::BoundingBox<2>> boxes;
-  for (const MovedBoundary &boundary : boundaries)
-  {
-    dealii::BoundingBox<2> box = boundary.box();
-    box.extend(0.5 * reach(2. * (boundary.travel.norm() + boundary.spread)));
-    boxes.push_back(box);
-  }
-  const auto tree = dealii::pack_rtree_of_indices(boxes);
-  std::vector<std::vector<Task>> tasks(boxes.size());
-  for (unsigned int b = 0; b < boxes.size(); ++b)
-    for (const std::size_t a :
-         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
-      if (a < b)
-        share_out(scene, a, b, tasks);
-  for (std::vector<Task> &list : tasks)
-    std::sort(list.begin(), list.end());
-  return tasks;
-}
 } // namespace
 
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
 {
   const std::size_t n = scene.bodies.size();
   const ObstacleContact obstacles(scene);
-  const Reach reach(scene, obstacles);
+  const ContactReach reach(scene, obstacles.largest_way());
   std::vector<MovedBoundary> boundaries(n);
   parallel_for(n, 8,
                [&](const std::size_t begin, const std::size_t end)
@@ -320,35 +258,48 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                  for (std::size_t b = begin; b < end; ++b)
                    boundaries[b] = MovedBoundary(scene.bodies[b], scene);
                });
-  const std::vector<std::vector<Task>> tasks = find_tasks(scene, reach, boundaries);
+  const std::vector<PeriodicCell::Image> folds = fold_into_cell(scene, boundaries);
+  const std::vector<std::vector<ContactTask>> tasks = find_tasks(scene, reach, boundaries);
   std::vector<std::vector<Row>> of_body(n);
-  parallel_for(n, 4,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                 {
-                   const Body<2> &body = scene.bodies[b];
-                   const MovedBoundary &own = boundaries[b];
-                   if (!body.driven)
-                   {
-                     find_wall_rows(scene, reach, body, own, of_body[b]);
-                     obstacles.find(body, own, reach(0.), of_body[b]);
-                   }
-                   for (const Task &task : tasks[b])
-                   {
-                     const MovedBoundary &other = boundaries[task.partner];
-                     const double margin =
-                         reach((own.travel - other.travel).norm() + own.spread + other.spread);
-                     if (!own.near(other, margin))
-                       continue;
-                     const PairSearch search(scene, margin, body, own, scene.bodies[task.partner], other);
-                     if (task.corners_only)
-                       search.look_with_corners(of_body[b]);
-                     else
-                       search.look_everywhere(of_body[b]);
-                   }
-                 }
-               });
+  parallel_for(
+      n, 4,
+      [&](const std::size_t begin, const std::size_t end)
+      {
+        for (std::size_t b = begin; b < end; ++b)
+        {
+          const Body<2> &body = scene.bodies[b];
+          const MovedBoundary &own = boundaries[b];
+          if (!body.driven)
+          {
+            find_wall_rows(scene, reach, body, own, of_body[b]);
+            obstacles.find(body, own, reach(0.), of_body[b]);
+          }
+          for (const ContactTask &task : tasks[b])
+          {
+            MovedBoundary away;
+            if (task.image != PeriodicCell::Image())
+              away = image_of(boundaries[task.partner], task.image, scene);
+            const MovedBoundary &other =
+                task.image != PeriodicCell::Image() ? away : boundaries[task.partner];
+            const double margin = reach((own.travel - other.travel).norm() + own.spread + other.spread);
+            if (!own.near(other, margin))
+              continue;
+            PeriodicCell::Image image{};
+            for (unsigned int d = 0; d < 2 && !folds.empty(); ++d)
+              image[d] = task.image[d] - folds[task.partner][d] + folds[b][d] + body.home[d] -
+                         scene.bodies[task.partner].home[d];
+            const PairSearch search(scene, margin, body, own, scene.bodies[task.partner], other, image);
+            if (task.corners_only)
+              search.look_with_corners(of_body[b]);
+            else
+              search.look_everywhere(of_body[b]);
+          }
+        }
+      });
+  for (unsigned int b = 0; b < folds.size(); ++b)
+    for (Row &row : of_body[b])
+      for (unsigned int d = 0; d < 2; ++d)
+        row.fold[d] = folds[b][d] + scene.bodies[b].home[d];
   rows.clear();
   for (std::vector<Row> &found : of_body)
     rows.insert(rows.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));

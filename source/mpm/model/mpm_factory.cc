@@ -82,17 +82,19 @@ private:
     }
   }
 
-  /// @throw InputError for walls that this model has not
-  static void check_walls(const Scene<2> &scene)
+  /// @throw InputError when a wall slides or a cell repeats and settings do not know that
+  static void check_cell(const Scene<2> &scene, const Settings &settings)
   {
     for (const WallDescription<2> &wall : scene.walls)
-    {
-      if (wall.type == WallDescription<2>::Type::periodic)
+      if ((wall.drive->slides() || wall.drive->shears()) &&
+          (!settings.scheme.implicit || settings.scheme.stored_acceleration))
         throw InputError("'Walls/" + wall.name +
-                         "/Type' = 'periodic' is not allowed with 'Model' = 'mpm': choose another");
-      if (wall.drive->slides())
-        throw InputError("'Walls/" + wall.name + "/Tangential velocity' is not allowed with 'Model' = 'mpm'");
-    }
+                         (wall.drive->shears() ? "/Shear stress" : "/Tangential velocity") +
+                         "' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static'");
+      else if (wall.type == WallDescription<2>::Type::periodic && !settings.rows_follow())
+        throw InputError("'Walls/" + wall.name +
+                         "/Type' = 'periodic' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static', "
+                         "'Contact/Geometry' = 'surface' and 'Contact/Solver' = 'condensed'");
   }
 
   /// @throw InputError when a scene with obstacles asks for what does not know them
@@ -115,10 +117,11 @@ private:
   {
     Settings settings;
     settings.parse_parameters(prm);
-    check_walls(scene);
     check_free_walls(scene);
+    check_sliding_walls(scene);
     check_wall_inertia(scene, settings);
     check_obstacles(scene, settings);
+    check_cell(scene, settings);
     Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {

@@ -319,10 +319,11 @@ void MpmModel::renew_grids()
   // state.
   std::vector<unsigned int> leaving;
   std::vector<std::vector<dealii::Point<2>>> places;
-  for (const Body<2> &body : world.bodies)
+  for (Body<2> &body : world.bodies)
     if (world.settings.grid_update == GridUpdate::every_step ||
         grid_distortion(body) >= world.settings.distortion_limit)
     {
+      world.bring_into_cell(body); // so that the mesh need not reach where it goes
       leaving.push_back(body.index);
       places.push_back(places_reached(body, *world.lattice));
     }

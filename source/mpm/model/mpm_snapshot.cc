@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/touching_pairs.h>
+#include <softgrain/driving/folded_bodies.h>
 #include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/polygon.h>
 #include <softgrain/mpm/body/body_builder.h>
@@ -111,7 +112,6 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
   state.area = outline_area(body);
   state.reference_area = body.rest_area;
   state.mass = body.mass.sum();
-  dealii::Tensor<1, 2> moment;
   const auto place = [&](const unsigned int i)
   {
     dealii::Point<2> x = body.field.position(body.field.node_of_independent(i));
@@ -119,9 +119,7 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
       x[d] += body.displacement[2 * i + d];
     return x;
   };
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    moment += body.mass[i] * (place(i) - dealii::Point<2>());
-  state.center = dealii::Point<2>(moment / state.mass);
+  state.center = body.center();
   state.velocity = body.momentum() / state.mass;
   for (unsigned int i = 0; i < body.mass.size() && body.velocity.size() > 0; ++i)
   {
@@ -158,8 +156,16 @@ Snapshot<2> MpmModel::snapshot() const
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();
+  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
+  // Rows count images from where bodies would be if none had ever been brought into the cell.
+  const auto here = [&](PeriodicCell::Image image, const unsigned int a, const unsigned int b)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      image[d] += (b == Row::none ? 0 : world.bodies[b].home[d]) - world.bodies[a].home[d];
+    return image;
+  };
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     if (!world.contact.carries_force(r) || last_dt == 0.)
@@ -178,6 +184,9 @@ Snapshot<2> MpmModel::snapshot() const
       // The impulse of newmark is half a step of the force at its end.
       contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
                        world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+    if (cell)
+      cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
+                 here(rows[r].image, rows[r].body, rows[r].partner));
     snapshot.contacts.push_back(contact);
   }
   return snapshot;

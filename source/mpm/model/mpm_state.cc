@@ -133,6 +133,8 @@ void MpmModel::save(StateWriter &out) const
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
     out.write(at + "nodes/acceleration", flat(body.acceleration));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
+    if (world.repeats())
+      out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
   }
 }
 
@@ -187,6 +189,11 @@ void MpmModel::load(StateReader &in)
     body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
     body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
     body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
+    if (world.repeats())
+    {
+      const std::vector<double> home = in.read_doubles(at + "home");
+      body.home = {{static_cast<int>(home.at(0)), static_cast<int>(home.at(1))}};
+    }
     if (world.settings.scheme.implicit && !body.driven)
       lay_out_stiffness(body.field, world.matrices[body.index]);
   }

@@ -41,15 +41,19 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
   for (const Wall &wall : walls)
   {
     const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(time, plan.dt).velocity;
-    motion.push_back(
-        {wall.point(), wall.normal(), velocity, wall.body == Wall::no_body, velocity, std::abs(velocity)});
+    motion.push_back({wall.point(), wall.normal(), velocity, wall.body == Wall::no_body && !wall.repeats(),
+                      velocity, std::abs(velocity),
+                      plan.held || wall.slides_freely() ? 0. : wall.demanded_slide(time, plan.dt)});
   }
   for (const FreeWall<2> &free : contact.free_walls.list)
-    motion[free.wall].fastest =
-        free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed));
+    if (!free.slides() || free.length > 0.)
+      motion[free.wall].fastest = std::max(
+          motion[free.wall].fastest,
+          free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].body != Wall::no_body)
-      bodies[walls[w].body].drive = motion[w].velocity * motion[w].normal;
+      bodies[walls[w].body].drive =
+          motion[w].velocity * motion[w].normal + motion[w].slide * motion[w].tangent();
   return motion;
 }
 
@@ -62,9 +66,11 @@ void World::find_rows(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
+  const std::optional<CellMotion> cell = cell_motion(motion);
   ContactScene<2> where{
       bodies, motion, pairs, dt, lattice->cell_size(), increment, share, places_are_free(), adhesion.reach()};
   where.obstacles = obstacles.empty() ? nullptr : &obstacles;
+  where.cell = cell ? &*cell : nullptr;
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
   geometry->find(where, rows);
@@ -90,10 +96,12 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
 {
   dealii::TimerOutput::Scope section(*timer, "contact search");
   std::vector<ContactRow<2>> rows;
+  const std::optional<CellMotion> cell = cell_motion(motion);
   ContactScene<2> where{
       bodies,          motion, pairs, dt, lattice->cell_size(), &increment, share, places_are_free(),
       adhesion.reach()};
   where.obstacles = obstacles.empty() ? nullptr : &obstacles;
+  where.cell = cell ? &*cell : nullptr;
   geometry->find(where, rows);
   GapsByRow gaps;
   gaps.reserve(rows.size());
@@ -154,9 +162,12 @@ std::vector<double> end_gaps(const World &world,
     rate[b] = increment[b] / dt;
   const std::vector<double> w = world.contact.relative_velocity(world.bodies, rate);
   std::vector<double> gap(rows.size());
+  const std::optional<CellMotion> cell = world.cell_motion(motion);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     gap[r] = rows[r].gap + dt * w[r * components];
+    if (cell)
+      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].normal;
     if (rows[r].obstacle)
       gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
     else if (rows[r].partner == ContactRow<2>::none)
@@ -197,9 +208,12 @@ void account_contacts(World &world,
     force_before.push_back(world.walls[w].force);
     world.walls[w].force = 0.;
     world.walls[w].speed = motion[w].rate;
+    world.walls[w].slide_speed = motion[w].slide;
   }
   for (Obstacle &obstacle : world.obstacles)
     obstacle.arrive();
+  const std::optional<CellMotion> cell = world.cell_motion(motion);
+  dealii::Tensor<2, 2> virial;
   // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
   // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
   // at its end.
@@ -210,8 +224,7 @@ void account_contacts(World &world,
   {
     wall.give(given, dt);
     world.balance.wall_impulse += given;
-    if (wall.prescribed() || balanced)
-      world.balance.wall_work += given * wall.velocity();
+    world.balance.wall_work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
   if (half)
     for (Wall &wall : world.walls)
@@ -265,12 +278,19 @@ void account_contacts(World &world,
         const WallMotion<2> &moves = motion[rows[r].wall];
         relative -= ((rows[r].partner == ContactRow<2>::none ? 0. : -moves.velocity) + moves.rate) *
                     (wall.normal() * rows[r].direction(c));
+        if (rows[r].partner == ContactRow<2>::none && moves.slide != 0.)
+          relative -= moves.slide * (moves.tangent() * rows[r].direction(c));
       }
       else if (rows[r].partner != ContactRow<2>::none && world.bodies[rows[r].partner].driven)
       {
         const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         world.balance.wall_impulse += given;
         world.balance.wall_work += given * world.bodies[rows[r].partner].drive;
+      }
+      if (cell)
+      {
+        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
+        relative += cell->gradient * rows[r].branch * rows[r].direction(c);
       }
       if (c == 0 && rows[r].pull > 0.)
       {
@@ -284,15 +304,27 @@ void account_contacts(World &world,
       if (c > 0 || !balanced)
         world.balance.contact_loss -= acting * relative;
     }
+  if (cell)
+  {
+    load_sides(world.walls, cell->cell, virial);
+    for (const Wall &wall : world.walls)
+      if (wall.repeats())
+        world.balance.wall_work -=
+            dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
+  }
   if (balanced)
     for (unsigned int w = 0; w < world.walls.size(); ++w)
     {
       const Wall &wall = world.walls[w];
       world.balance.wall_work +=
           0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+      if (wall.slide_speed != 0.)
+        world.balance.wall_work +=
+            0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
     }
   for (const FreeWall<2> &free : world.contact.free_walls.list)
-    account_free_wall(world, free, motion[free.wall].rate, dt, !half && world.settings.scheme.implicit);
+    account_free_wall(world, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate, dt,
+                      !half && world.settings.scheme.implicit);
 }
 
 /// Gives the points what the step has come to.
@@ -326,9 +358,7 @@ void accept_step(World &world,
   for (Body<2> &body : world.bodies)
     if (body.driven)
     {
-      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-          body.displacement[2 * i + d] += dt * body.drive[d];
+      body.translate(dt * body.drive);
       move_boundary(body);
     }
     else if (external[body.index].size() > 0)
@@ -340,6 +370,11 @@ void accept_step(World &world,
           load[d] += force[2 * i + d];
     }
   std::vector<double> law_loss(world.bodies.size(), 0.);
+  const std::optional<CellMotion> cell = world.cell_motion(motion);
+  std::vector<dealii::Point<2>> centers;
+  if (cell && cell->deforms())
+    for (const Body<2> &body : world.bodies)
+      centers.push_back(body.center());
   world.for_moving_bodies(
       [&](Body<2> &body)
       {
@@ -348,6 +383,8 @@ void accept_step(World &world,
           // (3.15), which is (3.16) as long as no position has been repaired.
           body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
         body.displacement += increment[body.index];
+        if (cell && cell->deforms())
+          body.translate(dt * cell->velocity(centers[body.index]));
         if (body.velocity.size() > 0)
           std::swap(body.velocity, v);
         move_boundary(body);
@@ -358,10 +395,16 @@ void accept_step(World &world,
       });
   for (const double loss : law_loss)
     world.balance.law_loss += loss;
+  if (cell && world.settings.scheme.inertia)
+    world.measure_against_cell(*cell, dt);
   world.balance.body_force_impulse += half ? 0.5 * dt * (load + world.balance.carried_load) : dt * load;
   world.balance.carried_load = load;
   for (unsigned int w = 0; w < world.walls.size(); ++w)
+  {
     world.walls[w].travel += dt * motion[w].velocity;
+    if (world.walls[w].repeats())
+      world.walls[w].offset = cell->offset_after(dt);
+  }
   if (!plan.held)
     world.time += dt;
   world.contact.remember(dt);

@@ -23,15 +23,47 @@ double softest(const World &world)
 
 /// Without inertia: the wall is resisted by a spring that starts from nothing in every step, as bodies are,
 /// and goes no further than the settings allow.
-void resist(const World &world, const StepPlan &plan, const Wall &wall, FreeWall<2> &free)
+void resist(const World &world, const StepPlan &plan, const double load, FreeWall<2> &free)
 {
   const Settings &settings = world.settings;
   const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(world);
   free.mass = stiffness * dt * dt;
-  free.free_speed = dt * wall.load / free.mass;
+  free.free_speed = dt * load / free.mass;
   free.start_speed = 0.;
   free.stop = settings.wall_motion * world.lattice->cell_size() / dt *
               std::min(1., settings.regularisation / plan.regularisation);
+}
+/// A wall of the step that is free along @p way.
+FreeWall<2> free_wall(const World &world, const unsigned int w, const dealii::Tensor<1, 2> &way)
+{
+  FreeWall<2> free;
+  free.wall = w;
+  free.normal = world.walls[w].normal();
+  free.way = way;
+  if (world.walls[w].repeats())
+    free.length = cell_of(world.walls).length[axis_of(free.normal)];
+  return free;
+}
+
+/// Puts its shear stress on a wall that is free to slide.
+void shear_wall(World &world, const StepPlan &plan, const unsigned int w)
+{
+  Wall &wall = world.walls[w];
+  const bool inertia = world.settings.scheme.inertia;
+  const double time = world.time + (inertia || plan.held ? 0. : plan.dt);
+  wall.shear(wall.demanded_shear(time, inertia ? plan.dt : 0.), pressed_length(world.walls, w));
+  FreeWall<2> free = free_wall(world, w, wall.tangent());
+  if (inertia)
+  {
+    const FreeWallStep step = free_slide_step(wall, plan.dt, world.settings.scheme.theta);
+    free.mass = step.mass;
+    free.free_speed = step.free_speed;
+    free.start_speed = wall.slide_speed;
+  }
+  else
+    resist(world, plan, wall.slide_load, free);
+  free.speed = free.start_speed;
+  world.contact.free_walls.list.push_back(free);
 }
 } // namespace
 
@@ -44,6 +76,8 @@ void press_walls(World &world, const StepPlan &plan)
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
     Wall &wall = world.walls[w];
+    if (wall.slides_freely())
+      shear_wall(world, plan, w);
     if (wall.prescribed())
       continue;
     // Balance is at the end of a step, motion takes the mean.
@@ -51,9 +85,7 @@ void press_walls(World &world, const StepPlan &plan)
                              ? asked_pressure(world.walls, w, world.time, dt)
                              : asked_pressure(world.walls, w, world.time + (plan.held ? 0. : dt), 0.);
     wall.press(asked, pressed_length(world.walls, w));
-    FreeWall<2> free;
-    free.wall = w;
-    free.normal = wall.normal();
+    FreeWall<2> free = free_wall(world, w, wall.normal());
     if (scheme.inertia)
     {
       // newmark: the forces at the start act for the first half.
@@ -65,7 +97,7 @@ void press_walls(World &world, const StepPlan &plan)
       free.start_speed = wall.speed;
     }
     else
-      resist(world, plan, wall, free);
+      resist(world, plan, wall.load, free);
     free.speed = free.start_speed;
     list.push_back(free);
   }
@@ -77,6 +109,11 @@ void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion)
   for (const FreeWall<2> &free : world.contact.free_walls.list)
   {
     WallMotion<2> &here = motion[free.wall];
+    if (free.slides())
+    {
+      here.slide = (1. - scheme.theta) * free.start_speed + scheme.theta * free.speed;
+      continue;
+    }
     here.velocity = (1. - scheme.theta) * free.start_speed + scheme.theta * free.speed;
     // The impulses of an explicit step act between the velocities before and after.
     here.rate = scheme.implicit ? here.velocity : 0.5 * (free.start_speed + free.speed);
@@ -88,23 +125,28 @@ void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion)
   follow_free_walls(world, motion);
   for (const FreeWall<2> &free : world.contact.free_walls.list)
     if (world.walls[free.wall].body != Wall::no_body)
-      world.bodies[world.walls[free.wall].body].drive = motion[free.wall].velocity * free.normal;
+      world.bodies[world.walls[free.wall].body].drive =
+          motion[free.wall].velocity * free.normal +
+          motion[free.wall].slide * world.walls[free.wall].tangent();
 }
 
 void account_free_wall(
     World &world, const FreeWall<2> &free, const double rate, const double dt, const bool scheme_damping)
 {
   Wall &wall = world.walls[free.wall];
-  wall.speed = world.settings.scheme.inertia ? free.speed : rate;
+  const bool slides = free.slides();
+  (slides ? wall.slide_speed : wall.speed) = world.settings.scheme.inertia ? free.speed : rate;
   if (!world.settings.scheme.inertia)
     return;
+  const double load = slides ? wall.slide_load : wall.load, mass = slides ? wall.slide_mass : wall.mass,
+               damping = slides ? wall.slide_damping : wall.damping;
   const double theta = world.settings.scheme.theta;
   const double moving = (1. - theta) * free.start_speed + theta * free.speed;
-  world.balance.wall_work += dt * wall.load * rate;
-  world.balance.wall_damping_loss += dt * wall.damping * moving * rate;
+  world.balance.wall_work += dt * load * rate;
+  world.balance.wall_damping_loss += dt * damping * moving * rate;
   const double change = free.speed - free.start_speed;
   if (scheme_damping)
-    world.balance.scheme_damping += (theta - 0.5) * wall.mass * change * change;
+    world.balance.scheme_damping += (theta - 0.5) * mass * change * change;
 }
 
 double unbalanced_walls(const World &world)
@@ -114,6 +156,11 @@ double unbalanced_walls(const World &world)
   for (unsigned int w = 0; w < world.walls.size(); ++w)
   {
     const Wall &wall = world.walls[w];
+    if (wall.slides_freely())
+    {
+      const double load = wall.demanded_shear(world.time, 0.) * pressed_length(world.walls, w);
+      worst = std::max(worst, std::abs(wall.force * wall.tangent() + load) / std::max(std::abs(load), floor));
+    }
     if (wall.prescribed())
       continue;
     // Walls beside it have moved: length and stress are others.
@@ -132,9 +179,26 @@ bool walls_are_on_their_way(const World &world)
                      { return free.stop > 0. && std::abs(free.speed) > 0.9 * free.stop; });
 }
 
-void check_room_of_walls(const World &world)
+double slid_on_their_way(const World &world, const double dt)
+{
+  double way = 0.;
+  for (const FreeWall<2> &free : world.contact.free_walls.list)
+    if (free.slides() && std::abs(free.speed) > 0.9 * free.stop)
+      way = std::max(way, dt * std::abs(free.speed));
+  return way;
+}
+
+void check_room_of_walls(const World &world, const double slid)
 {
   const double room = world.settings.mesh_lower.distance(world.settings.mesh_upper);
+  for (const Wall &wall : world.walls)
+    if (wall.slides_freely() && slid > room)
+    {
+      std::ostringstream message;
+      message << "at time " << world.time << " s nothing bears the shear stress of wall '"
+              << wall.description.name << "': it has slid " << slid << " m";
+      throw ComputationError(message.str());
+    }
   for (unsigned int w = 0; w < world.walls.size(); ++w)
     if (!world.walls[w].prescribed() &&
         (pressed_length(world.walls, w) <= 0. || std::abs(world.walls[w].travel) > room))

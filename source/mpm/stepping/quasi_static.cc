@@ -104,6 +104,7 @@ StepOutcome make_held_steps(World &world, const double dt)
   StepPlan held{dt, true, settings.regularisation};
   std::vector<Eigen::VectorXd> place = displacements(world), last_way;
   StepOutcome step;
+  double slid = 0.;
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
   for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
@@ -133,10 +134,12 @@ StepOutcome make_held_steps(World &world, const double dt)
     const double turn = last_way.empty() ? 0. : cosine(place, last_way);
     last_way.swap(place);
     place.swap(now);
-    held.guess = turn > 0.5 ? &last_way : nullptr;
+    // In a cell they also go where it takes them, which is no guess for what they do beside that.
+    held.guess = turn > 0.5 && !world.repeats() ? &last_way : nullptr;
     if (walls_are_on_their_way(world))
     {
-      check_room_of_walls(world);
+      slid += slid_on_their_way(world, dt);
+      check_room_of_walls(world, slid);
       near_balance = 0;
       continue;
     }
@@ -168,7 +171,7 @@ double unbalanced_force(World &world, const double dt)
   const auto &rows = world.contact.contact_rows();
   const unsigned int components = world.contact.n_components();
   std::vector<Vector> net(world.bodies.size());
-  std::map<std::tuple<unsigned int, unsigned int, unsigned int>, Vector> pairs;
+  std::map<std::tuple<unsigned int, unsigned int, unsigned int, PeriodicCell::Image>, Vector> pairs;
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     Vector force;
@@ -180,8 +183,9 @@ double unbalanced_force(World &world, const double dt)
     if (rows[r].partner != ContactRow<2>::none)
       net[rows[r].partner] -= force;
     const bool swapped = rows[r].partner < rows[r].body;
-    pairs[{std::min(rows[r].body, rows[r].partner), std::max(rows[r].body, rows[r].partner), rows[r].wall}] +=
-        swapped ? -force : force;
+    const PeriodicCell::Image &n = rows[r].image;
+    pairs[{std::min(rows[r].body, rows[r].partner), std::max(rows[r].body, rows[r].partner), rows[r].wall,
+           swapped ? PeriodicCell::Image{{-n[0], -n[1]}} : n}] += swapped ? -force : force;
   }
   double mean = 0., worst = 0., floor = 0.;
   for (const auto &pair : pairs)

@@ -113,6 +113,27 @@ safe_from_bodies(const World &world, const std::vector<Flight> &flights, const d
     }
   return step;
 }
+/// The same in a cell that repeats, where every body may be near any other.
+double safe_in_cell(const World &world, const std::vector<Flight> &flights, const double dt)
+{
+  double fastest = 0., narrowest = std::numeric_limits<double>::max(), widest = 0.;
+  for (const Flight &flight : flights)
+  {
+    fastest = std::max(fastest, flight.velocity.norm() + flight.spread);
+    narrowest = std::min(narrowest, flight.width);
+    widest = std::max(widest, flight.lower.distance(flight.upper));
+  }
+  CellMotion cell;
+  cell.cell = cell_of(world.walls);
+  for (const Wall &wall : world.walls)
+    if (wall.repeats())
+      cell.add_side(wall.normal(),
+                    (wall.prescribed() ? wall.demand(world.time, dt).velocity : wall.speed) * wall.normal() +
+                        (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(world.time, dt)) *
+                            wall.tangent());
+  return std::min(dt, time_of_way(0.25 * narrowest, 2. * fastest + cell.gradient.norm() * widest,
+                                  world.scene.gravity.norm()));
+}
 } // namespace
 
 double safe_step(const World &world, const double dt)
@@ -126,6 +147,8 @@ double safe_step(const World &world, const double dt)
   std::vector<Flight> flights;
   for (const Body<2> &body : world.bodies)
     flights.push_back(flight_of(body));
+  if (world.repeats())
+    return safe_in_cell(world, flights, dt);
   double step = safe_from_bodies(world, flights, reach, dt);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)

@@ -207,6 +207,7 @@ private:
   }
   void remember();
   void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report) const;
+  void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
   void
   account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
 

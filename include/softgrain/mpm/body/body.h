@@ -4,6 +4,7 @@
 
 #include <softgrain/base/expression.h>
 #include <softgrain/constitutive/law.h>
+#include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/mpm/body/body_points.h>
 #include <softgrain/mpm/field/body_field.h>
 #include <softgrain/scene/scene.h>
@@ -96,12 +97,19 @@ struct Body
   Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
   Eigen::VectorXd internal_force;     ///< end of the last step [N]
 
+  /// Copy of the cell that repeats from which it has been brought to where it is.
+  PeriodicCell::Image home{};
+
   bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
 
   bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
   /// Momentum of the nodal field, zero where it has no velocity [kg m/s].
   dealii::Tensor<1, dim> momentum() const;
+  /// Of its mass [m].
+  dealii::Point<dim> center() const;
   double kinetic_energy() const;
+  /// Takes it along as a whole, but for its boundary [m].
+  void translate(const dealii::Tensor<1, dim> &way);
 };
 } // namespace softgrain::mpm
 

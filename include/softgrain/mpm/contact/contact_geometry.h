@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_contact_geometry_h
 #define softgrain_mpm_contact_contact_geometry_h
 
+#include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
@@ -31,6 +32,7 @@ struct ContactScene
   /// over the step. A search that is followed by others for what comes out needs less.
   double foresight = 2.;
   const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
+  const CellMotion *cell = nullptr;                 ///< null: nothing repeats
 };
 
 /// Gives a row what the two that meet there do to each other.

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_contact_rows_h
 #define softgrain_mpm_contact_contact_rows_h
 
+#include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/mpm/field/body_field.h>
 
 #include <deal.II/base/point.h>
@@ -37,6 +38,11 @@ struct ContactRow
   double pull = 0;     ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
+  /// In a cell that repeats: to the centre of the body from that of the image it meets, or from the wall, at
+  /// the start of the step; the cell moves them apart at gradient * branch [m].
+  dealii::Tensor<1, dim> branch;
+  PeriodicCell::Image image{}; ///< of the partner, that the body meets
+  PeriodicCell::Image fold{};  ///< of the body: `place` is where it is in the cell itself
 
   /// Tangent of a 2D row: the normal turned by -90 degrees.
   dealii::Tensor<1, dim> direction(const unsigned int component) const
@@ -73,9 +79,12 @@ struct WallMotion
   dealii::Point<dim> point;      ///< at the start of the step [m]
   dealii::Tensor<1, dim> normal; ///< unit, into the domain
   double velocity;    ///< mean over the step, along the normal; of a free wall as far as known [m/s]
-  bool plane = true;  ///< false: it is made of material points
+  bool plane = true;  ///< false: it is made of material points, or a side of a cell
   double rate = 0;    ///< velocity with which its impulses do work [m/s]
   double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]
+  double slide = 0;   ///< along the tangent, which is the normal turned by -90 degrees [m/s]
+
+  dealii::Tensor<1, dim> tangent() const { return dealii::Tensor<1, dim>({normal[1], -normal[0]}); }
 };
 } // namespace softgrain::mpm
 

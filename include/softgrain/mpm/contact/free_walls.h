@@ -7,22 +7,28 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
 #include <vector>
 
 namespace softgrain::mpm
 {
-/// A wall that a load moves, as one unknown of a step: its velocity at the end is free_speed - (the impulses
-/// it gives) / mass.
+/// A wall that a load moves along its normal or its tangent, as one unknown of a step: its velocity at the
+/// end is free_speed - (the impulses it gives) / mass.
 template <int dim>
 struct FreeWall
 {
   unsigned int wall = 0;         ///< index among all walls
   dealii::Tensor<1, dim> normal; ///< of the wall, unit
+  dealii::Tensor<1, dim> way;    ///< unit, along which it is free: the normal or the tangent
   double mass = 0;               ///< [kg/m in 2D]
-  double start_speed = 0;        ///< along the normal at the start of the step [m/s]
+  double start_speed = 0;        ///< that way at the start of the step [m/s]
   double free_speed = 0;         ///< at its end without contact [m/s]
+  double length = 0;             ///< of the cell across it, of a side of one that repeats [m]
   double stop = 0;               ///< largest speed at the end, either way; 0: any [m/s]
   double speed = 0;              ///< at the end under the impulses of the last solve [m/s]
+
+  /// Whether it is free along the tangent.
+  bool slides() const { return std::abs(way * normal) < 0.5; }
 };
 
 /**
@@ -37,9 +43,6 @@ class FreeWalls
 {
 public:
   std::vector<FreeWall<dim>> list;
-
-  /// The free wall that is wall @p wall, or null.
-  const FreeWall<dim> *find(unsigned int wall) const;
 
   /// Takes the rows of the contacts.
   void reinit(const std::vector<ContactRow<dim>> &rows, unsigned int n_components);

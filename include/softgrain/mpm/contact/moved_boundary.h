@@ -75,12 +75,17 @@ public:
     return near_box(other.lower, other.upper, margin);
   }
 
+  /// Becomes its image that lies @p way from it at the start of the step and moves against it by @p moves
+  /// over the step [m]. @param share where in the step it is
+  void shift(const Vector &way, const Vector &moves, double share);
+
   /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].
   double distance_from(const Point &point, const Vector &normal) const;
 
   /// Whether places that look for contact may stand in space: round, smooth, and ContactScene::free_places.
   bool is_free = false;
   Point center;      ///< of mass [m]
+  Point start;       ///< where that is at the start of the step, in a cell that repeats [m]
   Vector travel;     ///< of the centre over the whole step [m]
   double spread = 0; ///< largest displacement of a contact marker against that of the centre [m]
 

@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
+#include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/linear/linear_solver.h>
@@ -22,6 +23,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,6 +104,19 @@ struct World
 
   /// How walls move in a step, slabs among them; obstacles plan their way.
   std::vector<WallMotion<2>> wall_motion(const StepPlan &plan);
+
+  /// Whether it is a cell that repeats.
+  bool repeats() const;
+
+  /// How the cell deforms in a step; nothing when it does not repeat.
+  std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
+
+  /// After a step of @p dt in which the cell deformed: velocities are those beside that of the cell as it is
+  /// now, so that its copies stay alike (CellMotion); books what that does.
+  void measure_against_cell(const CellMotion &cell, double dt);
+
+  /// A body that has come to another copy of the cell that repeats is the same there.
+  void bring_into_cell(Body<2> &body) const;
 
   /// Finds the contact rows of a step.
   /// @param increment displacement of the nodes over the step as far as it is known, null: by their

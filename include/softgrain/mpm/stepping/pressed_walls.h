@@ -28,8 +28,12 @@ double unbalanced_walls(const World &world);
 /// Whether a free wall went as far as its stop in the last step.
 bool walls_are_on_their_way(const World &world);
 
+/// How far walls that slide freely went in the last step as far as their stop [m].
+double slid_on_their_way(const World &world, double dt);
+
+/// @param slid the sum of slid_on_their_way() since balance was lost [m]
 /// @throw ComputationError when a free wall has left the room in which it could meet anything
-void check_room_of_walls(const World &world);
+void check_room_of_walls(const World &world, double slid);
 } // namespace softgrain::mpm
 
 #endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/contact/contact_tasks.h>
+#include <softgrain/mpm/contact/image_pairs.h>
+
+#include <deal.II/numerics/rtree.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+PeriodicCell::Image opposite(const PeriodicCell::Image &image)
+{
+  return {{-image[0], -image[1]}};
+}
+
+/// Who looks for contact with whom, by the body that looks. @param image of @p b, that @p a meets
+void share_out(const ContactScene<2> &scene,
+               const unsigned int a,
+               const unsigned int b,
+               const PeriodicCell::Image &image,
+               std::vector<std::vector<ContactTask>> &tasks)
+{
+  const auto smooth = [&](const unsigned int i) { return scene.bodies[i].boundary.smooth; };
+  const auto add = [&](const unsigned int i, const unsigned int partner, const bool corners_only)
+  {
+    // What is driven needs no rows of its own.
+    if (!scene.bodies[i].driven)
+      tasks[i].push_back({partner, corners_only, i == a ? image : opposite(image)});
+  };
+  if (scene.bodies[a].driven && scene.bodies[b].driven)
+    return;
+  // A smooth body looks at one with corners, which looks back with these; else the first looks, unless it is
+  // driven.
+  const bool second = scene.bodies[a].driven || (!scene.bodies[b].driven && smooth(b) && !smooth(a));
+  const unsigned int looks = second ? b : a, other = second ? a : b;
+  add(looks, other, false);
+  if (!smooth(other))
+    add(other, looks, true);
+}
+} // namespace
+
+std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
+                                                 const ContactReach &reach,
+                                                 const std::vector<MovedBoundary> &boundaries)
+{
+  // Grown by this each, boxes overlap whenever a row may be found.
+  std::vector<dealii::BoundingBox<2>> boxes;
+  for (const MovedBoundary &boundary : boundaries)
+  {
+    dealii::BoundingBox<2> box = boundary.box();
+    box.extend(0.5 * reach(2. * (boundary.travel.norm() + boundary.spread)));
+    boxes.push_back(box);
+  }
+  const auto tree = dealii::pack_rtree_of_indices(boxes);
+  std::vector<std::vector<ContactTask>> tasks(boxes.size());
+  for (unsigned int b = 0; b < boxes.size(); ++b)
+    for (const std::size_t a :
+         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
+      if (a < b)
+        share_out(scene, a, b, {}, tasks);
+  if (scene.cell != nullptr)
+    for (const ImagePair &pair : pairs_across(boxes, scene.cell->cell))
+    {
+      if (pair.a == pair.b)
+        throw ComputationError("the cell that repeats has become too small: body '" +
+                               scene.bodies[pair.a].name + "' meets itself");
+      // As for those inside: who looks does not depend on where the sides are.
+      if (pair.a < pair.b)
+        share_out(scene, pair.a, pair.b, pair.image, tasks);
+      else
+        share_out(scene, pair.b, pair.a, opposite(pair.image), tasks);
+    }
+  for (std::vector<ContactTask> &list : tasks)
+    std::sort(list.begin(), list.end());
+  return tasks;
+}
+
+MovedBoundary
+image_of(const MovedBoundary &boundary, const PeriodicCell::Image &image, const ContactScene<2> &scene)
+{
+  const dealii::Tensor<1, 2> way = scene.cell->cell.shift(image);
+  MovedBoundary moved = boundary;
+  moved.shift(way, scene.dt * (scene.cell->gradient * way), scene.share);
+  return moved;
+}
+
+/// Brings bodies into the cell. @return the copy of the cell each was in; empty when nothing repeats
+std::vector<PeriodicCell::Image> fold_into_cell(const ContactScene<2> &scene,
+                                                std::vector<MovedBoundary> &boundaries)
+{
+  std::vector<PeriodicCell::Image> folds;
+  if (scene.cell == nullptr)
+    return folds;
+  for (MovedBoundary &boundary : boundaries)
+  {
+    folds.push_back(scene.cell->cell.image_of(boundary.start));
+    if (folds.back() != PeriodicCell::Image())
+      boundary = image_of(boundary, opposite(folds.back()), scene);
+  }
+  return folds;
+}
+} // namespace softgrain::mpm
