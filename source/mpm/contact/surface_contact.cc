@@ -100,7 +100,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  if (row.adhesion > 0.)
                    row.adhesion *= facing_share(own, seeker, row.normal);
                  row.key = row_key(body.index, seeker.number, w, true);
-                 rows.push_back(row);
+                 rows.push_back(std::move(row));
                  return true;
                });
   }
@@ -238,7 +238,7 @@ private:
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
     row.key = row_key(body.index, seeker.number, partner.index, false);
-    rows.push_back(row);
+    rows.push_back(std::move(row));
     return true;
   }
 

@@ -96,17 +96,6 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
   return gaps;
 }
 
-void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
-{
-  parallel_for(bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!bodies[b].driven)
-                     work(bodies[b]);
-               });
-}
-
 std::string World::why_not(const unsigned int body, const StressOutcome &outcome) const
 {
   std::ostringstream text;

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_world_h
 #define softgrain_mpm_model_world_h
 
+#include <softgrain/base/parallel.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
 #include <softgrain/driving/obstacle.h>
@@ -20,7 +21,6 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/timer.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -118,7 +118,17 @@ struct World
 
   /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
   /// body's.
-  void for_moving_bodies(const std::function<void(Body<2> &)> &work);
+  template <class Work>
+  void for_moving_bodies(const Work &work)
+  {
+    parallel_for(bodies.size(), 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     if (!bodies[b].driven)
+                       work(bodies[b]);
+                 });
+  }
 
   /// Why a step is no good in which the points of body @p body came out as @p outcome tells.
   std::string why_not(unsigned int body, const StressOutcome &outcome) const;
