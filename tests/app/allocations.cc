@@ -88,8 +88,8 @@ void disk_sweeps(const double friction, const double rolling)
             << (friction < 0.  ? 1
                 : rolling < 0. ? 2
                                : 3)
-            << ": " << second.first - first.first << " more ask "
-            << below(10., static_cast<double>(second.second - first.second)) << " times\n";
+            << ": " << (second.first > first.first ? "more" : "as many") << " sweeps ask "
+            << below(10., static_cast<double>(second.second - first.second)) << " times more\n";
 }
 
 void loops_of_a_body(const std::string &f_bar)
@@ -148,7 +148,7 @@ void steps(const std::string &name,
             << " points " << of_large << '\n';
   std::cout << name << ": " << (large->n_points() > 3 * small->n_points() ? "more" : "as many")
             << " points, allocations of a step " << below(150., static_cast<double>(of_small)) << ", more "
-            << below(20., static_cast<double>(of_large) - static_cast<double>(of_small)) << '\n';
+            << below(10., static_cast<double>(of_large) - static_cast<double>(of_small)) << '\n';
 }
 } // namespace
 
