@@ -35,7 +35,8 @@ double n_primaries(const BodyGroup &body, const PrimarySettings &primaries)
   if (primaries.number > 0)
     return primaries.number;
   const double x = std::sqrt(primaries.sizes.mean_area() / body.area);
-  const double share = std::min(0.82, std::pow(std::max(0.2, 1.013 - 2.77 * x), 2));
+  // Fitted to hundreds of primaries in a body, and to a few.
+  const double share = std::min(0.82, std::pow(std::max({0.2, 1.013 - 2.77 * x, 0.893 - x}), 2));
   return std::max(1., share / (x * x));
 }
 

@@ -181,7 +181,8 @@ void Dynamics::detect(const std::vector<Wall> &walls)
     parallel_for(list.colour_start()[colour + 1] - first, 1,
                  [&](const std::size_t begin, const std::size_t end)
                  {
-                   Scratch scratch;
+                   // Buffers alone: attract_and_find() clears what another tile or model has left.
+                   static thread_local Scratch scratch;
                    for (std::size_t tile = first + begin; tile < first + end; ++tile)
                      attract_and_find(tile, scratch);
                  });

@@ -240,7 +240,12 @@ bool CommandLine::run() const
   const std::unique_ptr<Model<2>> created = input.create_model(state.get());
   Simulation simulation(input, *created, lock, std::cout);
   if (forecast)
-    simulation.expect(cost_report(*outline, *forecast));
+  {
+    SizeReport expected = cost_report(*outline, *forecast);
+    for (const std::string &warning : forecast->warnings)
+      expected.emplace_back("warning", warning);
+    simulation.expect(expected);
+  }
   if (restart)
     simulation.restart(*state, state_file, changes);
   return simulation.run() == "completed";

@@ -2,6 +2,7 @@
 #include <softgrain/app/outlook.h>
 #include <softgrain/app/stage_path.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/geometry/box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,7 @@ public:
 
   StepReport advance(const double dt) override
   {
+    const std::optional<Box> before = box_of(walls());
     for (Wall &wall : moving)
     {
       wall.speed = wall.prescribed() ? wall.demand(now, dt).velocity : 0.;
@@ -43,6 +45,8 @@ public:
       fastest = std::max(fastest, std::abs(wall.speed));
       pressed = pressed || !wall.prescribed();
     }
+    if (before)
+      give_way(before->area());
     now += dt;
     return {};
   }
@@ -72,6 +76,19 @@ public:
   bool pressed = false;
 
 private:
+  /// What the walls that are driven take from the box, those under pressure leave it: soft bodies are hardly
+  /// compressible.
+  void give_way(const double area_before)
+  {
+    const std::optional<Box> box = box_of(walls());
+    const auto yields = [](const Wall &wall) { return !wall.prescribed() && !wall.repeats(); };
+    const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
+    const double lost = box ? area_before - box->area() : 0.;
+    for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)
+      if (const double length = yields(moving[w]) ? pressed_length(moving, w) : 0.; length > 0.)
+        moving[w].travel -= lost / (n * length);
+  }
+
   double area;
   double now = 0.;
   std::vector<Wall> moving;

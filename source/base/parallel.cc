@@ -20,14 +20,16 @@ void set_n_threads(const unsigned int n)
   dealii::MultithreadInfo::set_thread_limit(n == 0 ? dealii::MultithreadInfo::n_cores() : n);
 }
 
-void parallel_for(const std::size_t n,
-                  const std::size_t grain,
-                  const std::function<void(std::size_t, std::size_t)> &work)
+void internal::run_pieces(const std::size_t n,
+                          const std::size_t grain,
+                          void (*const call)(const void *, std::size_t, std::size_t),
+                          const void *const work)
 {
   // The same pieces whatever the number of threads: what is vectorised may round differently in the
   // remainder of a piece, so other cuts could change the last bit.
   const std::size_t n_pieces = (n + grain - 1) / grain;
-  const auto run = [&](const std::size_t piece) { work(piece * grain, std::min(n, (piece + 1) * grain)); };
+  const auto run = [&](const std::size_t piece)
+  { call(work, piece * grain, std::min(n, (piece + 1) * grain)); };
   if (n_pieces <= 1 || n_threads() == 1)
   {
     for (std::size_t piece = 0; piece < n_pieces; ++piece)

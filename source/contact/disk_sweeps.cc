@@ -71,6 +71,7 @@ void DiskSweeps<n, in_cell>::make_ranges()
   }
   ranges.push_back({tiles.back(), std::uint32_t(contacts.size())});
   sums.resize(ranges.size());
+  approach.resize(ranges.size());
 
   // Walls are numbered as they appear; there are few.
   std::vector<std::uint32_t> walls;
@@ -383,7 +384,6 @@ void DiskSweeps<n, in_cell>::restore_impulses()
 template <unsigned int n, bool in_cell>
 typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
 {
-  std::vector<double> approach(ranges.size());
   for_ranges_at_once(
       [&](const Range range, const bool wall, const std::uint32_t index)
       {

@@ -123,14 +123,14 @@ double solve_range(const Sweep<Operator> &on, const unsigned int first, const un
 }
 
 /// One sweep over all contacts, colour by colour; returns what solve_range() does.
+/// @param of_piece scratch
 template <unsigned int n, class Operator>
-double sweep(const Sweep<Operator> &on, ThreadTeam *team)
+double sweep(const Sweep<Operator> &on, ThreadTeam *team, std::vector<double> &of_piece)
 {
   if (on.problem.colors.empty())
     return solve_range<n>(on, 0, on.problem.n_contacts());
   constexpr std::size_t piece = 8; // ranges to an item: some microseconds of work
   double largest = 0.;
-  std::vector<double> of_piece;
   const std::size_t n_colors = on.problem.colors.size();
   for (std::size_t k = 0; k < n_colors; ++k)
   {
@@ -231,7 +231,7 @@ private:
   {
     ++report.sweeps;
     return sweep<n>(Sweep<Operator>{op, problem, blocks, compliance, relaxation, impulses, backwards},
-                    team.get());
+                    team.get(), of_piece);
   }
 
   /// A sweep from ahead of the last impulses, or, both ways, a sweep and the same backwards; returns the
@@ -327,6 +327,7 @@ private:
   std::vector<double> &impulses, &velocities;
   std::vector<double> blocks, compliance;
   std::vector<double> before, start, best; ///< impulses: a step ago, sweeps went from, lowest residual
+  std::vector<double> of_piece;            ///< scratch of a sweep
   std::unique_ptr<ThreadTeam> team;
   Momentum momentum;
   SolverReport report;

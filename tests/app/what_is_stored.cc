@@ -2,39 +2,18 @@
 // What points, nodes, primaries and contacts carry, one scene per feature: without friction no tangent and no
 // spin, without inertia no velocity. With the argument "table" also memory, allocations of a step, and where
 // time goes.
+#include "count_allocations.h"
+
 #include <softgrain/app/input.h>
 #include <softgrain/model/state_file.h>
 
 #include <malloc.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <new>
-
-namespace
-{
-std::atomic<unsigned long> n_allocations{0};
-}
-
-void *operator new(const std::size_t size)
-{
-  ++n_allocations;
-  if (void *memory = std::malloc(size > 0 ? size : 1))
-    return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void *memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void *memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 using namespace softgrain;
 

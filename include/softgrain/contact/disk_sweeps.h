@@ -120,7 +120,7 @@ private:
   std::vector<std::uint32_t> colour_end;  ///< ranges before the end of each colour
   std::vector<std::uint32_t> wall_of;     ///< per contact with a wall, in the order of the rows
   unsigned int n_walls = 0;
-  std::vector<double> sums; ///< one per range
+  std::vector<double> sums, approach; ///< one per range
   std::vector<std::array<double, n>> saved;
 };
 

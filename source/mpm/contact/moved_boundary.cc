@@ -48,8 +48,6 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
 NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
 {
   NodeWeights result;
-  result.node.reserve(a.node.size() + b.node.size());
-  result.weight.reserve(a.node.size() + b.node.size());
   for (unsigned int i = 0, j = 0; i < a.node.size() || j < b.node.size();)
   {
     const unsigned int node =

@@ -86,7 +86,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.key = row_key(body.index, seeker.number, w, true);
                  if (scene.cell != nullptr)
                    row.branch = own.start - (at.position - scene.share * at.displacement);
-                 rows.push_back(row);
+                 rows.push_back(std::move(row));
                  return true;
                });
   }
@@ -231,7 +231,7 @@ private:
       row.image = image;
       row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
     }
-    rows.push_back(row);
+    rows.push_back(std::move(row));
     return true;
   }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace softgrain::mpm
 {
@@ -278,17 +277,22 @@ template <int dim>
 NodeWeights
 BodyField<dim>::combine(const unsigned int *nodes, const double *weights, const unsigned int n) const
 {
-  std::map<unsigned int, double> sum;
+  NodeWeights result;
+  const auto add = [&](const unsigned int node, const double weight)
+  {
+    const auto place = std::lower_bound(result.node.begin(), result.node.end(), node);
+    const auto weight_place = result.weight.begin() + (place - result.node.begin());
+    if (place != result.node.end() && *place == node)
+      *weight_place += weight;
+    else
+    {
+      result.node.insert(place, node);
+      result.weight.insert(weight_place, weight);
+    }
+  };
   for (unsigned int k = 0; k < n; ++k)
     if (weights[k] != 0.)
-      for_entries(nodes[k],
-                  [&](const unsigned int j, const double weight) { sum[j] += weights[k] * weight; });
-  NodeWeights result;
-  for (const auto &[node, weight] : sum)
-  {
-    result.node.push_back(node);
-    result.weight.push_back(weight);
-  }
+      for_entries(nodes[k], [&](const unsigned int j, const double weight) { add(j, weights[k] * weight); });
   return result;
 }
 

@@ -29,6 +29,9 @@ constexpr double preparation_seconds = 2e-5; ///< of a point
 constexpr double packing_seconds = 4e-3;     ///< of a grain
 constexpr double friction_factor = 1.25;     ///< on the time of a step in which waves are resolved
 constexpr double slow_friction_factor = 2.3; ///< without them
+constexpr double obstacle_factor = 2.2;      ///< the same, one body at obstacles
+constexpr double pressed_factor = 1.6;       ///< the same, walls under pressure
+constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
 } // namespace fitted
 
@@ -76,6 +79,18 @@ double n_iterations(const Settings &settings, const RunOutline &run, const doubl
   return n_bodies < 1.5 ? 2. : 2.6 + 0.6 * std::min(dt / cfl, 10.);
 }
 
+/// What is left of a step @p dt where bodies fall onto each other: half of the time they are faster than at
+/// half the height of the mesh.
+double cut_by_falls(const Scene<2> &scene, const Settings &settings, const RunOutline &run, const double dt)
+{
+  const double g = scene.gravity.norm(), height = (settings.mesh_upper - settings.mesh_lower).norm();
+  if (g == 0. || run.crowd.n_bodies() < 1.5 || !settings.scheme.inertia)
+    return dt;
+  const double longest = run.duration > 0. ? run.duration : std::numeric_limits<double>::max();
+  const double speed = 0.5 * std::min(g * longest, std::sqrt(2. * g * height));
+  return std::min(dt, fitted::falling_way * settings.cell_size / speed);
+}
+
 std::string text(const double value, const std::string &unit)
 {
   std::ostringstream s;
@@ -84,10 +99,32 @@ std::string text(const double value, const std::string &unit)
   return s.str();
 }
 
-/// What doc/results/trade.md says of such cells and steps.
-std::vector<std::string>
-warnings(const Settings &settings, const RunOutline &run, const bool walls, const double dt, const double cfl)
+/// Largest difference of velocities with which bodies start, walls at rest among them [m/s].
+double fastest_approach(const Scene<2> &scene)
 {
+  dealii::Tensor<1, 2> least, most;
+  bool first = scene.walls.empty();
+  for (const BodyDescription<2> &body : scene.bodies)
+  {
+    if (body.velocity.empty())
+      continue;
+    const std::vector<Expression> velocity = vector_expression(body.velocity, {"x", "y"});
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const double speed = velocity[d]({body.center[0], body.center[1]});
+      least[d] = first ? speed : std::min(least[d], speed);
+      most[d] = first ? speed : std::max(most[d], speed);
+    }
+    first = false;
+  }
+  return (most - least).norm();
+}
+
+/// What doc/results/trade.md says of such cells and steps.
+std::vector<std::string> warnings(
+    const Scene<2> &scene, const Settings &settings, const RunOutline &run, const double dt, const double cfl)
+{
+  const bool walls = !scene.walls.empty();
   std::vector<std::string> list;
   const double h = settings.cell_size;
   for (const BodyGroup &body : run.crowd.groups)
@@ -117,6 +154,10 @@ warnings(const Settings &settings, const RunOutline &run, const bool walls, cons
   if (settings.scheme.inertia && run.fastest_wall > 0.1 * h / cfl)
     list.push_back("a wall moves at " + text(run.fastest_wall, " m/s") + ", waves at " +
                    text(h / cfl, " m/s") + ": bodies are crushed where they meet it");
+  const double approach = settings.scheme.inertia ? fastest_approach(scene) : 0.;
+  if (approach > 0.3 * h / cfl)
+    list.push_back("bodies start with velocities that differ by " + text(approach, " m/s") +
+                   ", waves run at " + text(h / cfl, " m/s") + ": what meets is crushed");
   return list;
 }
 
@@ -166,7 +207,7 @@ Forecast forecast(const Scene<2> &scene,
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
     result.step = std::min(settings.wall_way * settings.cell_size / run.fastest_wall,
                            settings.step.wanted(std::numeric_limits<double>::max()));
-  result.n_steps = run.n_steps(result.step);
+  result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
   const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
   const double iterations = n_iterations(settings, run, result.step, cfl);
@@ -175,6 +216,10 @@ Forecast forecast(const Scene<2> &scene,
                                             : fitted::explicit_seconds * points;
   if (friction && run.crowd.n_bodies() > 1.5)
     seconds *= slow ? fitted::slow_friction_factor : fitted::friction_factor;
+  if (slow && !scene.obstacles.empty() && run.crowd.n_bodies() < 1.5)
+    seconds *= fitted::obstacle_factor;
+  if (slow && run.pressed && run.crowd.n_bodies() > 1.5)
+    seconds *= fitted::pressed_factor;
   if (settings.grid_update == GridUpdate::every_step)
     seconds += fitted::grid_seconds * points;
   seconds += fitted::history_seconds * points / run.history_every;
@@ -184,7 +229,7 @@ Forecast forecast(const Scene<2> &scene,
   result.preparation = fitted::preparation_seconds * points +
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
-  result.warnings = warnings(settings, run, !scene.walls.empty(), result.step, cfl);
+  result.warnings = warnings(scene, settings, run, result.step, cfl);
   const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.cell_size *
                               (1. - 1e-9)),
                ny = std::ceil((settings.mesh_upper[1] - settings.mesh_lower[1]) / settings.cell_size *

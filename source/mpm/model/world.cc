@@ -23,11 +23,6 @@ void World::sort_points()
     bodies[b].points.renew(std::move(lists[b]));
 }
 
-bool World::places_are_free() const
-{
-  return slippery() || (!settings.scheme.inertia && !adhesion.remembers());
-}
-
 SubgridCompliance World::subgrid() const
 {
   return {settings.subgrid_compliance() && places_are_free() && !pairs.adhere(), lattice->cell_size()};
@@ -108,17 +103,6 @@ GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
   for (const ContactRow<2> &row : rows)
     gaps[row.key] = row.gap_where_found;
   return gaps;
-}
-
-void World::for_moving_bodies(const std::function<void(Body<2> &)> &work)
-{
-  parallel_for(bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!bodies[b].driven)
-                     work(bodies[b]);
-               });
 }
 
 std::string World::why_not(const unsigned int body, const StressOutcome &outcome) const

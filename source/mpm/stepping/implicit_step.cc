@@ -337,8 +337,7 @@ private:
     return at_end >= -0.5 * work;
   }
 
-  /// Why the step may not end as it does: bodies are deeper in each other than is allowed, and deeper than
-  /// they were; empty when they are not.
+  /// Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.
   std::string too_deep()
   {
     outcome.max_penetration = rows.penetration(equations.increment);

@@ -22,12 +22,12 @@ dealii::SymmetricTensor<2, dim> strain_of(const dealii::Tensor<1, dim> &slope, c
 template <int dim>
 void add_dilatation_terms(const Body<dim> &body,
                           const unsigned int cell,
-                          const std::vector<dealii::Tensor<1, dim>> &mean,
+                          const CellSlopes<dim> &mean,
                           const double total,
                           Eigen::MatrixXd &local)
 {
   const unsigned int n = mean.size();
-  std::vector<dealii::Tensor<1, dim>> slopes;
+  CellSlopes<dim> slopes;
   double pressure_sum = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
     pressure_sum += body.step.volume[p] * trace(body.step.stress[p]) / dim;
@@ -64,9 +64,7 @@ void add_dilatation_terms(const Body<dim> &body,
 
 /// ∫ p (div a div b - grad a : gradᵀ b) of one point for @p pressure times its volume.
 template <int dim>
-void add_following_pressure(const double pressure,
-                            const std::vector<dealii::Tensor<1, dim>> &slopes,
-                            Eigen::MatrixXd &local)
+void add_following_pressure(const double pressure, const CellSlopes<dim> &slopes, Eigen::MatrixXd &local)
 {
   for (unsigned int i = 0; i < slopes.size(); ++i)
     for (unsigned int j = 0; j < slopes.size(); ++j)
@@ -76,20 +74,27 @@ void add_following_pressure(const double pressure,
               pressure * (slopes[i][d] * slopes[j][e] - slopes[i][e] * slopes[j][d]);
 }
 
-/// Calls make_work() once on every thread that takes a piece, and what it returns for the cells of the piece;
-/// cells at the same time share no node.
-template <int dim, class MakeWork>
-void for_cells(const Body<dim> &body, const MakeWork &make_work)
+/// Calls work(cell) for all cells; those at the same time share no node.
+template <int dim, class Work>
+void for_cells(const Body<dim> &body, const Work &work)
 {
   for (const std::vector<unsigned int> &color : body.field.colors())
     parallel_for(color.size(), 8,
                  [&](const std::size_t begin, const std::size_t end)
                  {
-                   auto work = make_work();
                    for (std::size_t i = begin; i < end; ++i)
                      work(color[i]);
                  });
 }
+
+/// Strain and stress over the displacements of a cell's nodes.
+template <int dim>
+using StrainMatrix = Eigen::Matrix<double,
+                                   dealii::SymmetricTensor<2, dim>::n_independent_components,
+                                   Eigen::Dynamic,
+                                   0,
+                                   dealii::SymmetricTensor<2, dim>::n_independent_components,
+                                   dim * power(ShapeFunction::max_nodes, dim)>;
 
 /// Stiffness of one cell over its own nodes.
 template <int dim>
@@ -100,8 +105,8 @@ void cell_stiffness(const Body<dim> &body,
 {
   constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = body.field.nodes_per_cell();
-  std::vector<dealii::Tensor<1, dim>> slopes, mean;
-  Eigen::Matrix<double, n_strain, Eigen::Dynamic> B(n_strain, dim * n), CB(n_strain, dim * n);
+  CellSlopes<dim> slopes, mean;
+  StrainMatrix<dim> B(n_strain, dim * n), CB(n_strain, dim * n);
   Eigen::Matrix<double, n_strain, n_strain> C;
   local.setZero(dim * n, dim * n);
   double total = 0.;
@@ -146,19 +151,37 @@ void cell_stiffness(const Body<dim> &body,
     add_dilatation_terms(body, cell, mean, total, local);
 }
 
+/// Memory of a matrix whose size changes from cell to cell: one of Eigen would ask for it anew.
+class Buffer
+{
+public:
+  using Matrix = Eigen::Map<Eigen::MatrixXd, Eigen::AlignedMax>;
+
+  Matrix sized(const Eigen::Index n_rows, const Eigen::Index n_columns)
+  {
+    const std::size_t size = n_rows * n_columns;
+    if (memory.size() < size)
+      memory.resize(size);
+    return {memory.data(), n_rows, n_columns};
+  }
+
+private:
+  std::vector<double, Eigen::aligned_allocator<double>> memory;
+};
+
 /// Stiffness of one cell of the plane over its independent nodes, without F-bar. What is on the rim
 /// is extended point by point, before the products: a cell there has few points.
 class PlaneCell
 {
 public:
   /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
-  const Eigen::MatrixXd &stiffness(const Body<2> &body, const unsigned int cell, const bool pressure_follows)
+  Buffer::Matrix stiffness(const Body<2> &body, const unsigned int cell, const bool pressure_follows)
   {
     const unsigned int first = body.field.first_point(cell);
     const unsigned int n_points = body.field.first_point(cell + 1) - first;
-    find_slopes(body, first, n_points, body.field.cell_extension(cell));
+    const Buffer::Matrix slopes = find_slopes(body, first, n_points, body.field.cell_extension(cell));
     const Eigen::Index m = slopes.rows();
-    response.resize(3 * m, 2 * n_points);
+    Buffer::Matrix response = of_response.sized(3 * m, 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
     {
       const auto gx = slopes.col(2 * q), gy = slopes.col(2 * q + 1);
@@ -179,33 +202,36 @@ public:
       with_gx.tail(m) = (C(2, 2) + txx) * gx + (C(2, 1) + txy) * gy;
       with_gy.tail(m) = (C(1, 2) + txy) * gx + (C(1, 1) + tyy) * gy;
     }
+    Buffer::Matrix blocks = of_blocks.sized(m, 3 * m);
     blocks.noalias() = slopes * response.transpose();
     return blocks;
   }
 
 private:
   /// Derivatives along x and y of the independent nodes' functions, two columns per point.
-  void find_slopes(const Body<2> &body,
-                   const unsigned int first,
-                   const unsigned int n_points,
-                   const Eigen::MatrixXd &extension)
+  Buffer::Matrix find_slopes(const Body<2> &body,
+                             const unsigned int first,
+                             const unsigned int n_points,
+                             const Eigen::MatrixXd &extension)
   {
     const unsigned int n = body.field.nodes_per_cell();
-    Eigen::MatrixXd &own = extension.size() == 0 ? slopes : nodal;
-    own.resize(n, 2 * n_points);
+    Buffer::Matrix nodal = of_nodes.sized(n, 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
     {
       current_slopes(body, first + q, of_point);
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int d = 0; d < 2; ++d)
-          own(k, 2 * q + d) = of_point[k][d];
+          nodal(k, 2 * q + d) = of_point[k][d];
     }
-    if (extension.size() > 0)
-      slopes.noalias() = extension.transpose() * nodal;
+    if (extension.size() == 0)
+      return nodal;
+    Buffer::Matrix slopes = of_independent.sized(extension.cols(), 2 * n_points);
+    slopes.noalias() = extension.transpose() * nodal;
+    return slopes;
   }
 
-  std::vector<dealii::Tensor<1, 2>> of_point;
-  Eigen::MatrixXd nodal, slopes, response, blocks;
+  CellSlopes<2> of_point;
+  Buffer of_nodes, of_independent, of_response, of_blocks;
 };
 
 /// Adds the cells by PlaneCell.
@@ -214,21 +240,20 @@ void add_plane_stiffness(const Body<2> &body,
                          const bool pressure_follows,
                          SystemMatrix &matrix)
 {
-  const auto make_work = [&]
+  const auto work = [&](const unsigned int c)
   {
-    return [&, plane = PlaneCell()](const unsigned int c) mutable
-    {
-      const Eigen::MatrixXd &blocks = plane.stiffness(body, c, pressure_follows);
-      const Eigen::Index m = blocks.rows();
-      matrix.add_cell<2>(
-          c,
-          [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
-          // What is left of the diagonal of a block y x stands right of it in the block x y.
-          { return e >= d ? (e == d ? blocks(a, 2 * d * m + b) : blocks(b, m + a)) : blocks(a, m + b); },
-          factor);
-    };
+    // Buffers alone: nothing is read that this cell has not written.
+    static thread_local PlaneCell plane;
+    const Buffer::Matrix blocks = plane.stiffness(body, c, pressure_follows);
+    const Eigen::Index m = blocks.rows();
+    matrix.add_cell<2>(
+        c,
+        [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
+        // What is left of the diagonal of a block y x stands right of it in the block x y.
+        { return e >= d ? (e == d ? blocks(a, 2 * d * m + b) : blocks(b, m + a)) : blocks(a, m + b); },
+        factor);
   };
-  for_cells(body, make_work);
+  for_cells(body, work);
 }
 
 /// Adds the cells by cell_stiffness().
@@ -238,7 +263,7 @@ void add_general_stiffness(const Body<dim> &body,
                            const bool pressure_follows,
                            SystemMatrix &matrix)
 {
-  const auto add = [&](const unsigned int cell, const Eigen::MatrixXd &of_cell)
+  const auto add = [&](const unsigned int cell, const auto &of_cell)
   {
     matrix.add_cell<dim>(
         cell,
@@ -246,29 +271,32 @@ void add_general_stiffness(const Body<dim> &body,
         { return of_cell(dim * a + e, dim * b + d); },
         factor);
   };
-  const auto make_work = [&]
+  const auto work = [&](const unsigned int c)
   {
-    return [&, local = Eigen::MatrixXd(), reduced = Eigen::MatrixXd()](const unsigned int c) mutable
+    // Buffers alone: nothing is read that this cell has not written.
+    static thread_local Eigen::MatrixXd local;
+    static thread_local Buffer of_wide, of_product, of_reduced;
+    cell_stiffness(body, c, pressure_follows, local);
+    const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+    if (extension.size() == 0)
     {
-      cell_stiffness(body, c, pressure_follows, local);
-      const Eigen::MatrixXd &extension = body.field.cell_extension(c);
-      if (extension.size() == 0)
-      {
-        add(c, local);
-        return;
-      }
-      // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
-      const unsigned int m = extension.cols(), n = extension.rows();
-      Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(dim * n, dim * m);
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int b = 0; b < m; ++b)
-          for (unsigned int d = 0; d < dim; ++d)
-            wide(dim * a + d, dim * b + d) = extension(a, b);
-      reduced.noalias() = wide.transpose() * (local * wide);
-      add(c, reduced);
-    };
+      add(c, local);
+      return;
+    }
+    // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
+    const unsigned int m = extension.cols(), n = extension.rows();
+    Buffer::Matrix wide = of_wide.sized(dim * n, dim * m), product = of_product.sized(dim * n, dim * m),
+                   reduced = of_reduced.sized(dim * m, dim * m);
+    wide.setZero();
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b < m; ++b)
+        for (unsigned int d = 0; d < dim; ++d)
+          wide(dim * a + d, dim * b + d) = extension(a, b);
+    product.noalias() = local * wide;
+    reduced.noalias() = wide.transpose() * product;
+    add(c, reduced);
   };
-  for_cells(body, make_work);
+  for_cells(body, work);
 }
 } // namespace
 

@@ -291,7 +291,7 @@ void internal_force(Body<dim> &body, Eigen::VectorXd &force)
   parallel_for(body.field.n_cells(), cell_grain,
                [&](const std::size_t begin, const std::size_t end)
                {
-                 std::vector<dealii::Tensor<1, dim>> mean;
+                 CellSlopes<dim> mean;
                  for (std::size_t c = begin; c < end; ++c)
                  {
                    double *f = &s.of_cells[c * n * dim];

@@ -11,6 +11,8 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -19,11 +21,12 @@
 
 namespace softgrain::mpm
 {
-/// Weights by which independent nodes give the value at one place: value = sum of weight * node value.
+/// Weights by which independent nodes give the value at one place: value = sum of weight * node value. In the
+/// plane there are seldom more than 16: searches for contact make thousands of these.
 struct NodeWeights
 {
-  std::vector<unsigned int> node;
-  std::vector<double> weight;
+  boost::container::small_vector<unsigned int, 16> node; ///< in ascending order
+  boost::container::small_vector<double, 16> weight;
 };
 
 /**

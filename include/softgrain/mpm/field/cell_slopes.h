@@ -3,15 +3,22 @@
 #define softgrain_mpm_field_cell_slopes_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/field/lattice_box.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
-#include <vector>
 
 namespace softgrain::mpm
 {
+/// One slope per node of a cell, in place: the loops over points make one after the other.
+template <int dim>
+using CellSlopes =
+    boost::container::static_vector<dealii::Tensor<1, dim>, power(ShapeFunction::max_nodes, dim)>;
+
 /// Slopes in the trial configuration at point @p p; small-strain laws stay with those of the grid.
 template <int dim>
-void current_slopes(const Body<dim> &body, const unsigned int p, std::vector<dealii::Tensor<1, dim>> &slopes)
+void current_slopes(const Body<dim> &body, const unsigned int p, CellSlopes<dim> &slopes)
 {
   const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
   slopes.resize(body.field.nodes_per_cell());
@@ -27,10 +34,10 @@ void current_slopes(const Body<dim> &body, const unsigned int p, std::vector<dea
 
 /// Mean over a cell of the current slopes, weighted with current volume, and that volume: F-bar's dilatation.
 template <int dim>
-double mean_slopes(const Body<dim> &body, const unsigned int cell, std::vector<dealii::Tensor<1, dim>> &mean)
+double mean_slopes(const Body<dim> &body, const unsigned int cell, CellSlopes<dim> &mean)
 {
   mean.assign(body.field.nodes_per_cell(), dealii::Tensor<1, dim>());
-  std::vector<dealii::Tensor<1, dim>> slopes;
+  CellSlopes<dim> slopes;
   double total = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_world_h
 #define softgrain_mpm_model_world_h
 
+#include <softgrain/base/parallel.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/balance.h>
 #include <softgrain/driving/cell_motion.h>
@@ -21,7 +22,6 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/timer.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,7 +97,7 @@ struct World
 
   /// Whether places that look for contact stand in space, so that round bodies touch where their outlines do:
   /// without friction, and without inertia, where a step holds what is at a place now to what was opposite.
-  bool places_are_free() const;
+  bool places_are_free() const { return slippery() || (!settings.scheme.inertia && !adhesion.remembers()); }
 
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
   bool slippery() const { return pairs.frictionless() && !adhesion.remembers() && !rough(scene.obstacles); }
@@ -146,7 +146,17 @@ struct World
 
   /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
   /// body's.
-  void for_moving_bodies(const std::function<void(Body<2> &)> &work);
+  template <class Work>
+  void for_moving_bodies(const Work &work)
+  {
+    parallel_for(bodies.size(), 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     if (!bodies[b].driven)
+                       work(bodies[b]);
+                 });
+  }
 
   /// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
   void heed_laws(const std::vector<StressOutcome> &stress, StepOutcome &outcome) const;
