@@ -58,7 +58,7 @@ end
 void statics()
 {
   const auto model = scene_of_text(block, {"Time/Scheme=quasi_static", "Time/Time step=1e-4"});
-  StepReport report = model->advance(1.);
+  model->advance(1.);
   const auto walls = model->walls();
   const double length = walls[3].position - walls[2].position;
   // The tangent of the lid points to -x, that of the floor to +x.
