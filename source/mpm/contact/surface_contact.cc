@@ -45,7 +45,8 @@ double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector
 
 NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
 {
-  return boundary.place(parameter, true).weights;
+  const Place at = boundary.place(parameter, true);
+  return at.weights;
 }
 
 void find_wall_rows(const ContactScene<2> &scene,
