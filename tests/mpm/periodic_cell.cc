@@ -2,7 +2,8 @@
 // A cell that repeats. Two disks that meet across its edges are two disks in its middle; momentum is kept.
 // Thirty grains pressed by the sides: the stress is the pressure, the same from the contacts and from the
 // material points, and its work is the energy of the grains. Sheared by a lattice that slides, their stress
-// is symmetric, and nothing changes when all of them are moved by a vector of the lattice.
+// is symmetric.
+#include "gel.h"
 #include "scene_of.h"
 
 #include <iostream>
@@ -19,18 +20,7 @@ subsection Mesh
   set Upper     = 30e-3, 30e-3
   set Cell size = 1e-3
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 990
-    subsection Neo-Hookean
-      set Young's modulus = 10e6
-      set Poisson's ratio = 0.45
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.45") + R"(subsection Bodies
   set Names = one, two
   subsection one
     set Radius = 4e-3

@@ -3,6 +3,7 @@
 // every state of quasi_static and in the mean of dynamic schemes, for planes and slabs, with every solver,
 // whatever mass, damping and the largest way of the wall are. Thirty grains under four walls: the stresses on
 // all of them are the pressure.
+#include "gel.h"
 #include "scene_of.h"
 
 #include <softgrain/output/checkpoint.h>
@@ -21,18 +22,7 @@ subsection Mesh
   set Upper     = 12e-3, 15e-3
   set Cell size = 1e-3
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 990
-    subsection Neo-Hookean
-      set Young's modulus = 10e6
-      set Poisson's ratio = 0.45
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.45") + R"(subsection Bodies
   set Names = disk
   subsection disk
     set Center = 0, 5e-3

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Walls under a shear stress. In balance a block between two plates passes on to the floor exactly what the
 // lid bears, along both directions; a lid that slides obeys Newton's law.
+#include "gel.h"
 #include "scene_of.h"
 
 #include <iostream>
@@ -15,18 +16,7 @@ subsection Mesh
   set Upper     = 12e-3, 6e-3
   set Cell size = 5e-4
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 990
-    subsection Neo-Hookean
-      set Young's modulus = 10e6
-      set Poisson's ratio = 0.3
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.3") + R"(subsection Bodies
   set Names = block
   subsection block
     set Shape  = rectangle

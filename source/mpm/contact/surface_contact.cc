@@ -45,7 +45,7 @@ double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector
 
 NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
 {
-  const Place at = boundary.place(parameter, true);
+  const Place at = boundary.place(parameter, true); // moved out of a temporary, GCC 12 warns
   return at.weights;
 }
 

@@ -52,59 +52,6 @@ std::vector<WallMotion<2>> World::wall_motion(const StepPlan &plan)
   return motion;
 }
 
-void World::find_rows(const std::vector<WallMotion<2>> &motion,
-                      const double dt,
-                      const std::vector<Eigen::VectorXd> *increment,
-                      const double share,
-                      const bool again,
-                      const GapsByRow *start_gaps)
-{
-  dealii::TimerOutput::Scope section(*timer, "contact search");
-  std::vector<ContactRow<2>> rows;
-  const std::optional<CellMotion> cell = cell_motion(motion);
-  ContactScene<2> where{
-      bodies, motion, pairs, dt, lattice->cell_size(), increment, share, places_are_free(), adhesion.reach()};
-  where.obstacles = obstacles.empty() ? nullptr : &obstacles;
-  where.cell = cell ? &*cell : nullptr;
-  if (again)
-    where.foresight = 0.5; // the next search sees what this one leaves out
-  geometry->find(where, rows);
-  if (start_gaps != nullptr)
-    for (ContactRow<2> &row : rows)
-    {
-      const auto gap = start_gaps->find(row.key);
-      if (gap != start_gaps->end())
-        row.gap = gap->second;
-    }
-  if (pairs.adhere())
-    for (ContactRow<2> &row : rows)
-      // The impulse of newmark is half a step of the force at its end.
-      row.pull = (settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
-                 (row.adhesion > 0. ? adhesion.share(row.key, row.gap) : 0.);
-  contact.reinit(std::move(rows), bodies, dt, again);
-}
-
-GapsByRow World::true_gaps(const std::vector<WallMotion<2>> &motion,
-                           const double dt,
-                           const std::vector<Eigen::VectorXd> &increment,
-                           const double share) const
-{
-  dealii::TimerOutput::Scope section(*timer, "contact search");
-  std::vector<ContactRow<2>> rows;
-  const std::optional<CellMotion> cell = cell_motion(motion);
-  ContactScene<2> where{
-      bodies,          motion, pairs, dt, lattice->cell_size(), &increment, share, places_are_free(),
-      adhesion.reach()};
-  where.obstacles = obstacles.empty() ? nullptr : &obstacles;
-  where.cell = cell ? &*cell : nullptr;
-  geometry->find(where, rows);
-  GapsByRow gaps;
-  gaps.reserve(rows.size());
-  for (const ContactRow<2> &row : rows)
-    gaps[row.key] = row.gap_where_found;
-  return gaps;
-}
-
 std::string World::why_not(const unsigned int body, const StressOutcome &outcome) const
 {
   std::ostringstream text;
