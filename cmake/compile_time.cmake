@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# What keeps a clean build on two cores under six minutes (doc/results/compile-time.md). Parsing deal.II's headers is most of
+# What keeps compiling short (doc/results/compile-time.md has the figures). Parsing deal.II's headers is most of
 # the time a source takes, so they are parsed once for many; debug information and linking are most of the rest.
 
 option(SOFTGRAIN_PRECOMPILE_HEADERS "parse deal.II's headers once for all sources and tests" ON)
