@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# What keeps a clean build on two cores under five minutes. Parsing deal.II's headers is most of the time a source
-# takes, so they are parsed once for everything; debug information and linking are most of the rest.
+# What keeps compiling short (doc/results/compile-time.md has the figures). Parsing deal.II's headers is most of
+# the time a source takes, so they are parsed once for many; debug information and linking are most of the rest.
 
 option(SOFTGRAIN_PRECOMPILE_HEADERS "parse deal.II's headers once for all sources and tests" ON)
 option(SOFTGRAIN_FAST_LINKER "link with lld where it is installed" ON)
@@ -32,22 +32,37 @@ if(SOFTGRAIN_FAST_LINKER)
   endif()
 endif()
 
-# One precompiled header for every target with the same flags: CMake's target_precompile_headers alone would parse it,
-# and store hundreds of megabytes, once per target.
+# Open MPI's own C++ classes, which nobody uses and MPI has dropped, are a second of every source.
+set(SOFTGRAIN_COMPILE_DEFINITIONS OMPI_SKIP_MPICXX=1)
+
+# A precompiled header for many targets with the same flags: CMake's target_precompile_headers alone would parse it, and
+# store hundreds of megabytes, once per target. There are three, because loading what a source does not need takes time, too.
+set(SOFTGRAIN_PRECOMPILED algebra base mesh)
+
 function(softgrain_add_precompiled_headers)
   if(SOFTGRAIN_PRECOMPILE_HEADERS)
-    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cc CONTENT "// carries the precompiled header\n")
-    add_library(softgrain_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
-    softgrain_setup_target(softgrain_precompiled)
-    target_precompile_headers(softgrain_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    foreach(kind ${SOFTGRAIN_PRECOMPILED})
+      file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled_${kind}.cc CONTENT "// carries the precompiled header\n")
+      add_library(softgrain_precompiled_${kind} OBJECT ${PROJECT_BINARY_DIR}/precompiled_${kind}.cc)
+      softgrain_setup_target(softgrain_precompiled_${kind})
+      target_precompile_headers(softgrain_precompiled_${kind}
+        PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled/${kind}.h)
+    endforeach()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       target_compile_options(softgrain_options INTERFACE -fpch-preprocess) # for ccache
     endif()
   endif()
 endfunction()
 
-function(softgrain_use_precompiled_headers target)
+# The one that serves a part, or what uses it.
+function(softgrain_use_precompiled_headers target part)
+  set(kind base)
+  if(part STREQUAL "mpm")
+    set(kind mesh)
+  elseif(part MATCHES "^(base|contact)$")
+    set(kind algebra) # mostly free of deal.II
+  endif()
   if(SOFTGRAIN_PRECOMPILE_HEADERS)
-    target_precompile_headers(${target} REUSE_FROM softgrain_precompiled)
+    target_precompile_headers(${target} REUSE_FROM softgrain_precompiled_${kind})
   endif()
 endfunction()

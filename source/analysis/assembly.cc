@@ -98,10 +98,10 @@ Assembly::Assembly(const Snapshot<2> &snapshot, const MeasureContext &context)
   for (const auto &group : groups)
     contacts.push_back(merged(group.second));
 
-  const std::optional<Box> size = box_of(snapshot.walls);
+  const std::optional<Box<2>> size = box_of(snapshot.walls);
   const auto velocity = [&snapshot](const std::string &name)
   { return find_wall(snapshot.walls, name)->velocity; };
-  if (size && size->height > 0. && size->width > 0.)
+  if (size && size->height() > 0. && size->width() > 0.)
     // Wall velocities count along the normal, inwards.
     box = {*size, -velocity("left") - velocity("right"), -velocity("bottom") - velocity("top"),
            -find_wall(snapshot.walls, "bottom")->slide_velocity -

@@ -18,27 +18,27 @@ std::optional<double> axial_strain(const std::vector<WallState<2>> &start,
 std::optional<BoxStrain> box_strain(const std::vector<WallState<2>> &start,
                                     const std::vector<WallState<2>> &now)
 {
-  const std::optional<Box> before = box_of(start), after = box_of(now);
+  const std::optional<Box<2>> before = box_of(start), after = box_of(now);
   if (!before || !after)
     return std::nullopt;
-  return BoxStrain{std::log(before->height / after->height), std::log(before->width / after->width)};
+  return BoxStrain{std::log(before->height() / after->height()), std::log(before->width() / after->width())};
 }
 
 std::optional<BoxStress> box_stress(const std::vector<WallState<2>> &walls)
 {
-  const std::optional<Box> box = box_of(walls);
+  const std::optional<Box<2>> box = box_of(walls);
   if (!box)
     return std::nullopt;
   const auto mean = [&walls](const std::string &a, const std::string &b)
   { return 0.5 * (find_wall(walls, a)->normal_force + find_wall(walls, b)->normal_force); };
-  return BoxStress{mean("bottom", "top") / box->width, mean("left", "right") / box->height};
+  return BoxStress{mean("bottom", "top") / box->width(), mean("left", "right") / box->height()};
 }
 
 std::optional<double> packing_fraction(const std::vector<WallState<2>> &walls, const double solid_area)
 {
-  const std::optional<Box> box = box_of(walls);
+  const std::optional<Box<2>> box = box_of(walls);
   if (!box)
     return std::nullopt;
-  return solid_area / box->area();
+  return solid_area / box->volume();
 }
 } // namespace softgrain

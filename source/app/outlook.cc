@@ -37,7 +37,7 @@ public:
 
   StepReport advance(const double dt) override
   {
-    const std::optional<Box> before = box_of(walls());
+    const std::optional<Box<2>> before = box_of(walls());
     for (Wall &wall : moving)
     {
       wall.speed = wall.prescribed() ? wall.demand(now, dt).velocity : 0.;
@@ -46,7 +46,7 @@ public:
       pressed = pressed || !wall.prescribed();
     }
     if (before)
-      give_way(before->area());
+      give_way(before->volume());
     now += dt;
     return {};
   }
@@ -80,10 +80,10 @@ private:
   /// compressible.
   void give_way(const double area_before)
   {
-    const std::optional<Box> box = box_of(walls());
+    const std::optional<Box<2>> box = box_of(walls());
     const auto yields = [](const Wall &wall) { return !wall.prescribed() && !wall.repeats(); };
     const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
-    const double lost = box ? area_before - box->area() : 0.;
+    const double lost = box ? area_before - box->volume() : 0.;
     for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)
       if (const double length = yields(moving[w]) ? pressed_length(moving, w) : 0.; length > 0.)
         moving[w].travel -= lost / (n * length);

@@ -96,7 +96,8 @@ void loops_of_a_body(const std::string &f_bar)
 {
   const auto model = shipped_scene("verification/four_plates.prm",
                                    {"Material points/F-bar=" + f_bar, "Mesh/Cell size=6e-4"});
-  mpm::Body<2> body = model->bodies()[0];
+  const mpm::Body<2> &body = model->bodies()[0];
+  mpm::StepState<2> at;
   SystemMatrix matrix;
   lay_out_stiffness(body.field, matrix);
   BandedSolver solver;
@@ -105,10 +106,10 @@ void loops_of_a_body(const std::string &f_bar)
   std::map<std::string, unsigned long> asked;
   for (unsigned int round = 0; round < 3; ++round) // the first lays out
   {
-    asked["stress"] = allocations_of([&] { mpm::evaluate_stress(body, u, u, {0., true, 0.}); });
-    asked["forces"] = allocations_of([&] { mpm::internal_force(body, force); });
+    asked["stress"] = allocations_of([&] { mpm::evaluate_stress(body, u, u, {0., true, 0.}, at); });
+    asked["forces"] = allocations_of([&] { mpm::internal_force(body, at, force); });
     matrix.set_zero();
-    asked["stiffness"] = allocations_of([&] { mpm::add_stiffness(body, 1., matrix); });
+    asked["stiffness"] = allocations_of([&] { mpm::add_stiffness(body, at, 1., matrix); });
     matrix.add_mass<2>(mass, 1.);
     asked["factors"] = allocations_of([&] { solver.factorize(matrix); });
   }

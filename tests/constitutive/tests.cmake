@@ -5,6 +5,8 @@ foreach(copy custom_law custom_law_twice)
   set_target_properties(test_constitutive_module_${copy} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)
   softgrain_setup_target(test_constitutive_module_${copy})
+  set_target_properties(test_constitutive_module_${copy} PROPERTIES DEFINE_SYMBOL "") # which precompiled headers do not know
+  softgrain_use_precompiled_headers(test_constitutive_module_${copy} constitutive)
   target_link_libraries(test_constitutive_module_${copy} softgrain)
   add_dependencies(test_constitutive_custom_law test_constitutive_module_${copy})
 endforeach()
@@ -19,6 +21,8 @@ foreach(law overflowing dissipative energy_only)
   set_target_properties(test_constitutive_module_${law} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)
   softgrain_setup_target(test_constitutive_module_${law})
+  set_target_properties(test_constitutive_module_${law} PROPERTIES DEFINE_SYMBOL "") # which precompiled headers do not know
+  softgrain_use_precompiled_headers(test_constitutive_module_${law} constitutive)
   target_link_libraries(test_constitutive_module_${law} softgrain)
   add_dependencies(softgrain_law_tester test_constitutive_module_${law})
   add_test(NAME constitutive/${law}_law
@@ -43,6 +47,7 @@ set_tests_properties(constitutive/custom_law_alone PROPERTIES LABELS "full;const
 # Cost of a law per point; fails only when far above what it should be, because machines are shared.
 add_executable(test_constitutive_law_cost ${CMAKE_CURRENT_SOURCE_DIR}/constitutive/performance/law_cost.cc)
 softgrain_setup_target(test_constitutive_law_cost)
+softgrain_use_precompiled_headers(test_constitutive_law_cost constitutive)
 target_link_libraries(test_constitutive_law_cost softgrain)
 set_target_properties(test_constitutive_law_cost PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/constitutive)

@@ -7,6 +7,8 @@ foreach(module ${modules})
   add_library(test_extensions_${name} MODULE ${module})
   set_target_properties(test_extensions_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/extensions)
   softgrain_setup_target(test_extensions_${name})
+  set_target_properties(test_extensions_${name} PROPERTIES DEFINE_SYMBOL "") # which precompiled headers do not know
+  softgrain_use_precompiled_headers(test_extensions_${name} mpm)
   target_link_libraries(test_extensions_${name} softgrain)
   list(APPEND libraries $<TARGET_FILE:test_extensions_${name}>)
 endforeach()

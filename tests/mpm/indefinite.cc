@@ -32,10 +32,10 @@ struct Squeezed
       for (unsigned int d = 0; d < 2; ++d)
         u[2 * i + d] = -0.005 * body.field.position(body.field.node_of_independent(i))[d];
     body.displacement = u;
-    mpm::evaluate_stress(body, u, u, {0., true, 0.});
+    mpm::evaluate_stress(body, u, u, {0., true, 0.}, points);
     lay_out_stiffness(body.field, matrix);
     matrix.set_zero();
-    mpm::add_stiffness(body, 1., matrix);
+    mpm::add_stiffness(body, points, 1., matrix);
     matrix.add_mass<2>(body.mass, 1e-3 * body.law->young_modulus() / body.mass.sum());
     rotation = mpm::whole_rotation(body);
   }
@@ -48,6 +48,7 @@ struct Squeezed
 
   std::unique_ptr<mpm::MpmModel> model;
   mpm::Body<2> body;
+  mpm::StepState<2> points;
   SystemMatrix matrix;
   Eigen::VectorXd rotation;
 };
@@ -56,7 +57,7 @@ template <class Solver>
 void check(const std::string &name)
 {
   Squeezed at;
-  const double k = mpm::rotation_stiffness(at.body);
+  const double k = mpm::rotation_stiffness(at.body, at.points);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> bare(at.dense(0.)), held(at.dense(k));
   RankOneSolver solver(std::make_unique<Solver>());
   solver.set_update(at.rotation, k);

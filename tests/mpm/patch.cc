@@ -33,13 +33,14 @@ double exact_stress()
 /// Condition of the scaled M + dt^2 K for a step of 20 CFL, as Jacobi scaling leaves it.
 double condition(const mpm::MpmModel &model)
 {
-  mpm::Body<2> body = model.bodies()[0];
+  const mpm::Body<2> &body = model.bodies()[0];
   SystemMatrix matrix;
   lay_out_stiffness(body.field, matrix);
   matrix.set_zero();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(body.field.n_dofs());
-  mpm::evaluate_stress(body, zero, zero, {0., true, 0.});
-  mpm::add_stiffness(body, std::pow(20. * model.cfl_step(), 2), matrix);
+  mpm::StepState<2> at;
+  mpm::evaluate_stress(body, zero, zero, {0., true, 0.}, at);
+  mpm::add_stiffness(body, at, std::pow(20. * model.cfl_step(), 2), matrix);
   matrix.add_mass<2>(body.mass, 1.);
   Eigen::MatrixXd A = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
   const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();

@@ -27,7 +27,7 @@ struct BodyContact
 };
 
 /// The box, and how fast it changes.
-struct MovingBox : Box
+struct MovingBox : Box<2>
 {
   double width_rate = 0;  ///< [m/s]
   double height_rate = 0; ///< [m/s]

@@ -6,6 +6,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -34,23 +35,38 @@ wall_distance(const std::vector<Wall> &walls, const std::string &from, const std
   return (second->point - first->point) * first->normal;
 }
 
-/// The rectangle between the walls bottom, top, left and right.
+/// The box between the walls left and right, bottom and top, and in space back and front.
+template <int dim>
 struct Box
 {
-  double width = 0;  ///< [m]
-  double height = 0; ///< [m]
+  std::array<double, dim> edge{}; ///< along x, y and z [m]
 
-  double area() const { return width * height; } ///< [m^2]
+  double width() const { return edge[0]; }  ///< [m]
+  double height() const { return edge[1]; } ///< [m]
+
+  /// [m^dim]
+  double volume() const
+  {
+    double product = edge[0];
+    for (int d = 1; d < dim; ++d)
+      product *= edge[d];
+    return product;
+  }
 };
 
-/// The box of @p walls; nothing unless bottom, top, left and right are there.
+/// The box of @p walls; nothing unless all its sides are there.
 template <typename Wall>
-std::optional<Box> box_of(const std::vector<Wall> &walls)
+auto box_of(const std::vector<Wall> &walls)
 {
-  const auto height = wall_distance(walls, "bottom", "top"), width = wall_distance(walls, "left", "right");
-  if (!height || !width)
-    return std::nullopt;
-  return Box{*width, *height};
+  constexpr int dim = decltype(Wall::normal)::dimension;
+  constexpr std::array<const char *, 6> sides = {{"left", "right", "bottom", "top", "back", "front"}};
+  std::optional<Box<dim>> box{Box<dim>{}};
+  for (int d = 0; d < dim && box; ++d)
+    if (const auto edge = wall_distance(walls, sides[2 * d], sides[2 * d + 1]))
+      box->edge[d] = *edge;
+    else
+      box.reset();
+  return box;
 }
 
 /// Length of wall @p w (2D) between the two walls that stand beside it at right angles; 0 without them [m].

@@ -18,7 +18,7 @@ public:
     double solid = 0.;
     for (const BodyState<2> &body : assembly.snapshot.bodies)
       solid += body.area;
-    const double fraction = solid / assembly.box->area();
+    const double fraction = solid / assembly.box->volume();
     return {fraction, 1. / fraction - 1.};
   }
 };

@@ -38,7 +38,7 @@ public:
         moment -= outer_product(contact.force,
                                 contact.place - snapshot.bodies[contact.body_b].center - contact.image);
     }
-    const dealii::SymmetricTensor<2, 2> stress = symmetrize(moment) / assembly.box->area();
+    const dealii::SymmetricTensor<2, 2> stress = symmetrize(moment) / assembly.box->volume();
     const double p = -0.5 * trace(stress), q = 0.5 * eigenvalue_difference(stress);
     result[0] = stress[0][0];
     result[1] = stress[1][1];
@@ -48,7 +48,7 @@ public:
     for (const WallState<2> &wall : snapshot.walls)
       for (unsigned int w = 0; w < 4; ++w)
         if (columns()[6 + w] == wall.name + "_pressure_Pa")
-          result[6 + w] = wall.normal_force / (w < 2 ? assembly.box->width : assembly.box->height);
+          result[6 + w] = wall.normal_force / (w < 2 ? assembly.box->width() : assembly.box->height());
     if (p > 0.)
     {
       result[5] = q / p;
@@ -72,8 +72,8 @@ private:
     }
     const MovingBox &box = *assembly.box;
     const double rate =
-        std::max({std::abs(box.height_rate) / box.height, std::abs(box.width_rate) / box.width,
-                  std::abs(box.slide_rate) / box.height});
+        std::max({std::abs(box.height_rate) / box.height(), std::abs(box.width_rate) / box.width(),
+                  std::abs(box.slide_rate) / box.height()});
     return rate * diameter * std::sqrt(mass / area / p);
   }
 };

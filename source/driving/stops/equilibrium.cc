@@ -41,7 +41,7 @@ double energy_scale(const Model<2> &model, const double elastic)
     return elastic;
   const std::vector<WallState<2>> walls = model.walls();
   const std::optional<BoxStress> stress = box_stress(walls);
-  return stress ? std::abs(stress->mean()) * box_of(walls)->area() : 0.;
+  return stress ? std::abs(stress->mean()) * box_of(walls)->volume() : 0.;
 }
 
 /// Mean force on a body that its contacts and gravity leave over, over the mean force of a contact.

@@ -43,7 +43,7 @@ public:
     double solid = 0.;
     for (const BodyDescription<2> &body : scene.bodies)
       solid += body.shape->area();
-    const double fraction = solid / std::abs(box_of(scene.walls)->area());
+    const double fraction = solid / std::abs(box_of(scene.walls)->volume());
     if (fraction >= limit)
       throw InputError("'Stop/" + key() + "' = '" + number_in_words(limit) +
                        "' is already reached: the bodies fill " + number_in_words(fraction) +

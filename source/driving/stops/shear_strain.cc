@@ -32,10 +32,11 @@ public:
 
   double fraction_done(const RunState &state, const double limit) const override
   {
-    const std::optional<Box> start = box_of(state.walls_at_start), now = box_of(state.model.walls());
+    const std::optional<Box<2>> start = box_of(state.walls_at_start), now = box_of(state.model.walls());
     if (!start || !now)
       return 0.;
-    return std::abs(std::log(start->height / now->height) - std::log(start->width / now->width)) / limit;
+    return std::abs(std::log(start->height() / now->height()) - std::log(start->width() / now->width())) /
+           limit;
   }
 };
 

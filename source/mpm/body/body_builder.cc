@@ -12,13 +12,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-dealii::Tensor<2, 2> unit()
-{
-  dealii::Tensor<2, 2> one;
-  one[0][0] = one[1][1] = 1.;
-  return one;
-}
-
 void make_points(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   const GeneratedPoints<2> generated =
@@ -38,7 +31,7 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
     point.half_extent() = 0.5 * std::sqrt(volume);
     if (store.layout().has(PointSlot::volume))
       point.volume() = volume;
-    point.gradient() = unit();
+    point.gradient() = dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}});
     if (body.law->n_history() > 0)
       body.law->initial_history(point.history());
     body.rest_area += volume;
@@ -101,192 +94,7 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
       boundary.smooth &&
       is_circle(Polygon(boundary.position.begin(), boundary.position.begin() + boundary.loop_start[1]));
 }
-
-/// Mass, velocity and acceleration of the nodes; false when an independent node is left without mass, or
-/// without positive mass where @p positive ones are asked for.
-bool points_to_nodes(Body<2> &body, const bool positive)
-{
-  const BodyField<2> &field = body.field;
-  const bool moving = body.points.layout().has(PointSlot::velocity),
-             accelerated = body.points.layout().has(PointSlot::acceleration),
-             affine = body.points.layout().has(PointSlot::affine);
-  const unsigned int n = field.nodes_per_cell();
-  std::vector<double> mass(field.n_nodes(), 0.);
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes()), force = momentum;
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-  {
-    const auto point = body.points[p];
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      const unsigned int i = field.point_nodes(p)[k];
-      const double m = point.mass() * field.values(p)[k];
-      mass[i] += m;
-      dealii::Tensor<1, 2> v;
-      if (moving)
-        v = point.velocity();
-      if (affine)
-        v += point.affine() * (field.position(i) - point.position());
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        momentum[2 * i + d] += m * v[d];
-        if (accelerated)
-          force[2 * i + d] += m * point.acceleration()[d];
-      }
-    }
-  }
-  body.mass = field.restrict_scalar(mass);
-  if (body.mass.size() == 0 || !((positive ? body.mass.minCoeff() : body.mass.cwiseAbs().minCoeff()) > 0.))
-    return false;
-  const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result)
-  {
-    field.restrict(all, result);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      result.segment<2>(2 * i) /= body.mass[i];
-  };
-  if (moving)
-    divide(momentum, body.velocity);
-  if (accelerated)
-    divide(force, body.acceleration);
-  return true;
-}
 } // namespace
-
-void lay_grid(Body<2> &body, const BuildContext &context)
-{
-  const std::size_t n = body.points.size();
-  std::vector<dealii::Point<2>> position(n);
-  std::vector<double> volume(n), half_extent(n);
-  for (unsigned int p = 0; p < n; ++p)
-  {
-    const auto point = body.points[p];
-    position[p] = point.position();
-    half_extent[p] = point.half_extent();
-    volume[p] = body.small_strain() ? point.volume() : point.rest_volume() * determinant(point.gradient());
-  }
-  // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
-  // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
-  // and masses are positive. Functions that are negative in places are for schemes without inertia, where
-  // masses are no more than weights.
-  for (double limit = context.settings.fill_limit;; limit *= 0.5)
-  {
-    body.field.build(context.lattice, context.shape,
-                     {position, volume, half_extent, body.boundary.grid_position}, limit);
-    if (points_to_nodes(body, context.shape.nowhere_negative()))
-      break;
-    if (limit < 1e-4)
-      throw ComputationError("body '" + body.name +
-                             "': a node has no positive mass; refine 'Mesh/Cell size'");
-  }
-  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
-  body.velocity_of_points = body.velocity;
-}
-
-std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice)
-{
-  Eigen::VectorXd u;
-  body.field.prolongate(body.displacement, u);
-  std::vector<dealii::Point<2>> places(body.points.size());
-  for (unsigned int p = 0; p < places.size(); ++p)
-  {
-    places[p] = body.points[p].position();
-    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        places[p][d] += body.field.values(p)[k] * u[2 * body.field.point_nodes(p)[k] + d];
-    lattice.check_inside(places[p], "material point of body '" + body.name + "'");
-  }
-  for (const dealii::Point<2> &x : body.boundary.position)
-    lattice.check_inside(x, "boundary marker of body '" + body.name + "'");
-  return places;
-}
-
-void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context)
-{
-  const BodyField<2> &field = body.field;
-  const bool moving = body.points.layout().has(PointSlot::velocity),
-             accelerated = body.points.layout().has(PointSlot::acceleration),
-             affine = moving && body.points.layout().has(PointSlot::affine);
-  const double pic = context.settings.pic_fraction, h = context.lattice.cell_size();
-  const unsigned int n = field.nodes_per_cell();
-  Eigen::VectorXd u, v, before, a;
-  field.prolongate(body.displacement, u);
-  if (moving)
-  {
-    field.prolongate(body.velocity, v);
-    field.prolongate(body.velocity_of_points, before);
-  }
-  if (accelerated)
-    field.prolongate(body.acceleration, a);
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-  {
-    auto point = body.points[p];
-    const unsigned int *nodes = field.point_nodes(p);
-    const double *value = field.values(p);
-    const auto *slope = field.slopes(p);
-    dealii::Tensor<1, 2> interpolated, increment, acceleration;
-    dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      const dealii::Tensor<1, 2> uk({u[2 * nodes[k]], u[2 * nodes[k] + 1]});
-      gradient += outer_product(uk, slope[k]);
-      if (!moving)
-        continue;
-      const dealii::Tensor<1, 2> vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]}),
-          bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
-      const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - point.position();
-      interpolated += value[k] * vk;
-      increment += value[k] * (vk - bk);
-      rate += outer_product(vk, slope[k]);
-      moment += value[k] * outer_product(vk, arm);
-      spread += value[k] * outer_product(arm, arm);
-      if (accelerated)
-        acceleration += value[k] * dealii::Tensor<1, 2>({a[2 * nodes[k]], a[2 * nodes[k] + 1]});
-    }
-    point.move_to(context.lattice.off_faces(places[p]));
-    point.gradient() = gradient * point.gradient();
-    if (body.small_strain() && !body.driven) // what is driven is never stressed
-      point.volume() = body.step.volume[p];
-    if (moving)
-      point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
-    if (accelerated)
-      point.acceleration() = acceleration;
-    if (affine)
-    {
-      // APIC's B D^-1; hats lose D at a node, where B D^-1 is the velocity gradient anyway (Jiang et al.
-      // 2015).
-      point.velocity() = interpolated;
-      point.affine() = context.shape.degree() > 1 && determinant(spread) > 1e-8 * std::pow(h, 4)
-                           ? moment * invert(spread)
-                           : rate;
-    }
-  }
-  body.boundary.grid_position = body.boundary.position;
-}
-
-void move_boundary(Body<2> &body)
-{
-  for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
-  {
-    const NodeWeights &weights = body.field.marker_weights(m);
-    dealii::Tensor<1, 2> moved;
-    for (unsigned int k = 0; k < weights.node.size(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        moved[d] += weights.weight[k] * body.displacement[2 * weights.node[k] + d];
-    body.boundary.position[m] = body.boundary.grid_position[m] + moved;
-  }
-}
-
-double grid_distortion(const Body<2> &body)
-{
-  double worst = 1.;
-  for (const dealii::Tensor<2, 2> &G : body.step.grid_gradient)
-  {
-    // Singular values of a 2x2 matrix from its norm and determinant.
-    const double sum = G.norm_square(), product = std::abs(determinant(G));
-    const double root = std::sqrt(std::max(0., sum * sum - 4. * product * product));
-    worst = std::max(worst, std::sqrt((sum + root) / std::max(sum - root, 1e-300)));
-  }
-  return worst;
-}
 
 Body<2> make_body(const BodyDescription<2> &description,
                   const unsigned int index,

@@ -99,11 +99,11 @@ void turn_along_circles(const Body<2> &body,
   }
 }
 
-double rotation_stiffness(const Body<2> &body)
+double rotation_stiffness(const Body<2> &body, const StepState<2> &s)
 {
   double pressure_area = 0.;
   for (unsigned int p = 0; p < body.points.size(); ++p)
-    pressure_area -= 0.5 * body.step.volume[p] * trace(body.step.stress[p]);
+    pressure_area -= 0.5 * s.volume[p] * trace(s.stress[p]);
   return 2.5 * std::max(0., pressure_area);
 }
 

@@ -40,14 +40,15 @@ template <int dim>
 void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                                 const std::vector<Body<dim>> &bodies,
                                 const double dt,
-                                const bool again)
+                                const ContactMemory<dim> *before)
 {
-  const Memory now = again ? memory_of_now() : Memory();
+  const bool again = before == nullptr;
+  const ContactMemory<dim> now = again ? memory(dt) : ContactMemory<dim>();
   const std::vector<double> stop_impulses(
       impulse.begin() + std::min<std::size_t>(impulse.size(), rows.size() * problem.n_components),
       impulse.end());
-  const Memory &first_guess = again ? now : remembered;
-  const double scale = again || memory_step == 0. ? 1. : dt / memory_step;
+  const auto &first_guess = again ? now.impulses : before->impulses;
+  const double scale = again || before->step == 0. ? 1. : dt / before->step;
   rows = std::move(new_rows);
   const bool friction =
       std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
@@ -159,29 +160,24 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 }
 
 template <int dim>
-typename ContactSystem<dim>::Memory ContactSystem<dim>::memory_of_now() const
+ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
 {
-  Memory now;
+  ContactMemory<dim> now;
+  now.step = dt;
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (carries_force(r))
     {
       std::array<double, dim> value{};
       for (unsigned int c = 0; c < n_components(); ++c)
         value[c] = impulse[r * n_components() + c];
-      now[rows[r].key] = value;
+      now.impulses[rows[r].key] = value;
     }
   return now;
 }
 
 template <int dim>
-void ContactSystem<dim>::remember(const double dt)
-{
-  remembered = memory_of_now();
-  memory_step = dt;
-}
-
-template <int dim>
 std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>> &bodies,
+                                                          const std::vector<dealii::Tensor<1, dim>> &drive,
                                                           const std::vector<Eigen::VectorXd> &nodal) const
 {
   std::vector<double> w(rows.size() * n_components(), 0.);
@@ -195,7 +191,7 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
       for (unsigned int c = 0; c < n_components(); ++c)
-        w[r * n_components() + c] -= bodies[rows[r].partner].drive * rows[r].direction(c);
+        w[r * n_components() + c] -= drive[rows[r].partner] * rows[r].direction(c);
   return w;
 }
 

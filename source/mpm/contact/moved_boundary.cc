@@ -101,7 +101,7 @@ void MovedBoundary::move_markers(const ContactScene<2> &scene)
   displacement.reserve(position.size());
   for (unsigned int m = 0; m < position.size(); ++m)
   {
-    Vector moved = body->driven ? scene.dt * body->drive
+    Vector moved = body->driven ? scene.dt * scene.drive[body->index]
                    : scene.increment == nullptr
                        ? way_of_marker(*body, m, scene.dt)
                        : at_marker(body->field.marker_weights(m), (*scene.increment)[body->index]);
@@ -126,7 +126,7 @@ void MovedBoundary::find_center(const ContactScene<2> &scene)
 {
   if (body->driven)
   {
-    travel = scene.dt * body->drive;
+    travel = scene.dt * scene.drive[body->index];
     return; // nobody asks where the centre of such a body is
   }
   Vector moment, way;

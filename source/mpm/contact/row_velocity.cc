@@ -3,7 +3,8 @@
 
 namespace softgrain::mpm
 {
-std::vector<double> row_velocity(const World &world,
+std::vector<double> row_velocity(const State &state,
+                                 const Workspace &work,
                                  const std::vector<Eigen::VectorXd> &v,
                                  const std::vector<WallMotion<2>> &motion,
                                  const std::vector<double> &start_relative,
@@ -12,16 +13,16 @@ std::vector<double> row_velocity(const World &world,
                                  const bool reopen,
                                  const bool with_impulses)
 {
-  const auto &rows = world.contact.contact_rows();
-  const unsigned int components = world.contact.n_components();
-  std::vector<double> q = world.contact.relative_velocity(world.bodies, v);
-  const std::optional<CellMotion> cell = world.cell_motion(motion);
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
+  std::vector<double> q = work.contact.relative_velocity(state.bodies, work.drive, v);
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
   dealii::Tensor<2, 2> at_start, at_end;
   if (cell)
   {
     CellMotion first = *cell, last = *cell;
-    for (const FreeWall<2> &free : world.contact.free_walls.list)
-      if (world.walls[free.wall].repeats())
+    for (const FreeWall<2> &free : work.contact.free_walls.list)
+      if (state.walls[free.wall].repeats())
       {
         const double mean = free.slides() ? motion[free.wall].slide : motion[free.wall].velocity;
         first.add_side(free.normal, (free.start_speed - mean) * free.way);
@@ -41,11 +42,11 @@ std::vector<double> row_velocity(const World &world,
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] -= rows[r].partner_velocity * rows[r].direction(c);
     }
-    if (plane && motion[rows[r].wall].slide != 0. && !world.walls[rows[r].wall].slides_freely())
+    if (plane && motion[rows[r].wall].slide != 0. && !state.walls[rows[r].wall].slides_freely())
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] -=
             motion[rows[r].wall].slide * (motion[rows[r].wall].tangent() * rows[r].direction(c));
-    for (const FreeWall<2> &free : world.contact.free_walls.list)
+    for (const FreeWall<2> &free : work.contact.free_walls.list)
       if (free.wall == rows[r].wall)
       {
         const double moves = with_impulses ? free.speed : free.free_speed;

@@ -23,7 +23,7 @@ std::string scheme_in_words(const TimeScheme &scheme)
 dealii::Tensor<1, 2> MpmModel::momentum() const
 {
   dealii::Tensor<1, 2> sum;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (!body.driven)
       sum += body.momentum();
   return sum;
@@ -31,37 +31,37 @@ dealii::Tensor<1, 2> MpmModel::momentum() const
 
 double MpmModel::momentum_error() const
 {
-  return world.settings.scheme.inertia ? world.balance.momentum_error(momentum()) : 0.;
+  return problem.settings.scheme.inertia ? state.balance.momentum_error(momentum()) : 0.;
 }
 
 Energies MpmModel::energies() const
 {
   Energies energies;
-  if (world.settings.scheme.inertia)
+  if (problem.settings.scheme.inertia)
   {
-    for (const Body<2> &body : world.bodies)
+    for (const Body<2> &body : state.bodies)
       if (!body.driven)
         energies.kinetic += body.kinetic_energy();
-    for (const Wall &wall : world.walls)
+    for (const Wall &wall : state.walls)
       energies.kinetic += wall.kinetic_energy();
   }
-  energies.elastic = stored_energy(world);
-  energies.dissipated = world.balance.dissipated();
-  energies.external_work = world.balance.external_work();
+  energies.elastic = stored_energy(state);
+  energies.dissipated = state.balance.dissipated();
+  energies.external_work = state.balance.external_work();
   return energies;
 }
 
 std::size_t MpmModel::n_points() const
 {
   std::size_t sum = 0;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     sum += body.points.size();
   return sum;
 }
 
 std::size_t MpmModel::n_bodies() const
 {
-  return world.scene.bodies.size();
+  return problem.scene.bodies.size();
 }
 
 SizeReport MpmModel::size_report() const
@@ -74,16 +74,16 @@ SizeReport MpmModel::size_report() const
     return s.str();
   };
   std::size_t dofs = 0;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     dofs += body.driven ? 0 : body.field.n_dofs();
-  const auto &cells = world.lattice->n_cells();
+  const auto &cells = problem.lattice->n_cells();
   return {{"bodies", std::to_string(n_bodies())},
           {"material points", std::to_string(n_points())},
           {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
-                                  text(world.lattice->cell_size(), " m")},
+                                  text(problem.lattice->cell_size(), " m")},
           {"unknowns", std::to_string(dofs)},
-          {"shape functions", world.settings.shape},
-          {"time scheme", scheme_in_words(world.settings.scheme)},
+          {"shape functions", problem.settings.shape},
+          {"time scheme", scheme_in_words(problem.settings.scheme)},
           {"CFL step", text(cfl_step(), " s")},
           {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
 }

@@ -143,32 +143,32 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
 Snapshot<2> MpmModel::snapshot() const
 {
   Snapshot<2> snapshot;
-  snapshot.time = world.time;
+  snapshot.time = state.time;
   snapshot.step = steps;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
   {
     if (body.wall != Row::none)
       continue; // a slab is shown as the wall it stands for
     add_points(body, snapshot.points);
     snapshot.bodies.push_back(body_state(body));
   }
-  add_history(world.bodies, snapshot.points);
+  add_history(state.bodies, snapshot.points);
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();
   const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
-  const auto &rows = world.contact.contact_rows();
-  const unsigned int components = world.contact.n_components();
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
   // Rows count images from where bodies would be if none had ever been brought into the cell.
   const auto here = [&](PeriodicCell::Image image, const unsigned int a, const unsigned int b)
   {
     for (unsigned int d = 0; d < 2; ++d)
-      image[d] += (b == Row::none ? 0 : world.bodies[b].home[d]) - world.bodies[a].home[d];
+      image[d] += (b == Row::none ? 0 : state.bodies[b].home[d]) - state.bodies[a].home[d];
     return image;
   };
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    if (!world.contact.carries_force(r) || last_dt == 0.)
+    if (!work.contact.carries_force(r) || last_dt == 0.)
       continue;
     ContactState<2> contact;
     contact.body_a = rows[r].body;
@@ -182,8 +182,8 @@ Snapshot<2> MpmModel::snapshot() const
     contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
       // The impulse of newmark is half a step of the force at its end.
-      contact.force += (world.settings.scheme.stored_acceleration ? 2. : 1.) *
-                       world.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+      contact.force += (problem.settings.scheme.stored_acceleration ? 2. : 1.) *
+                       work.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     if (cell)
       cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
                  here(rows[r].image, rows[r].body, rows[r].partner));
@@ -194,23 +194,23 @@ Snapshot<2> MpmModel::snapshot() const
 
 double MpmModel::unbalanced_walls() const
 {
-  return unbalanced(world.walls);
+  return unbalanced(state.walls);
 }
 
 std::vector<WallState<2>> MpmModel::walls() const
 {
-  return states_of(world.walls);
+  return states_of(state.walls);
 }
 
 std::vector<ObstacleState<2>> MpmModel::obstacles() const
 {
-  return states_of(world.obstacles);
+  return states_of(state.obstacles);
 }
 
 double MpmModel::solid_area() const
 {
   double area = 0.;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (body.wall == Row::none)
       area += outline_area(body);
   return area;
@@ -219,29 +219,29 @@ double MpmModel::solid_area() const
 double MpmModel::coordination() const
 {
   TouchingPairs touching;
-  const auto &rows = world.contact.contact_rows();
+  const auto &rows = work.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (world.contact.carries_force(r))
+    if (work.contact.carries_force(r))
     {
       if (rows[r].wall != Row::none)
         touching.add_wall(rows[r].body, rows[r].wall);
       else
         touching.add_bodies(rows[r].body, rows[r].partner);
     }
-  return touching.coordination(world.scene.bodies.size());
+  return touching.coordination(problem.scene.bodies.size());
 }
 
 bool MpmModel::laws_limit_step() const
 {
-  return std::any_of(world.bodies.begin(), world.bodies.end(),
+  return std::any_of(state.bodies.begin(), state.bodies.end(),
                      [](const Body<2> &body) { return body.law->limits_step(); });
 }
 
 double MpmModel::rotational_energy() const
 {
   double energy = 0.;
-  if (world.settings.scheme.inertia)
-    for (const Body<2> &body : world.bodies)
+  if (problem.settings.scheme.inertia)
+    for (const Body<2> &body : state.bodies)
       if (!body.driven)
       {
         const Eigen::VectorXd r = whole_rotation(body);
@@ -253,26 +253,26 @@ double MpmModel::rotational_energy() const
 
 std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
 {
-  const Balance &balance = world.balance;
+  const Balance &balance = state.balance;
   std::vector<std::pair<std::string, double>> columns = {
-      {"plain_solves", world.contact.plain_solves},
+      {"plain_solves", work.contact.plain_solves},
       {"contact_loss_J_per_m", balance.contact_loss},
       {"rotational_energy_J_per_m", rotational_energy()},
       {"scheme_damping_J_per_m", balance.scheme_damping},
       {"regularisation_work_J_per_m", balance.regularisation_work}};
-  if (world.pairs.adhere())
+  if (problem.pairs.adhere())
     columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
-  if (!world.settings.scheme.inertia)
+  if (!problem.settings.scheme.inertia)
     columns.insert(columns.end(),
                    {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});
   if (laws_limit_step())
     columns.emplace_back("law_cuts", law_cuts);
-  if (world.settings.contact_on_boundaries)
+  if (problem.settings.contact_on_boundaries)
     columns.emplace_back("unbalanced_force", last_unbalanced);
-  if (world.scene.bodies.size() != 1)
+  if (problem.scene.bodies.size() != 1)
     return columns;
   double lower = std::numeric_limits<double>::max(), upper = -lower;
-  for (const auto &x : world.bodies[0].boundary.position)
+  for (const auto &x : state.bodies[0].boundary.position)
   {
     lower = std::min(lower, x[0]);
     upper = std::max(upper, x[0]);

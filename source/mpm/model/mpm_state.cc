@@ -92,10 +92,10 @@ void load_points(PointStore<2> &store, const StateReader &in)
 
 void MpmModel::save(StateWriter &out) const
 {
-  const Balance &b = world.balance;
-  out.write("mpm/scalars", std::vector<double>{world.time, step_control.scale, last_dt,
-                                               world.contact.memory_step, last_unbalanced});
-  std::vector<std::uint64_t> counts{steps, world.contact.plain_solves, held_steps};
+  const Balance &b = state.balance;
+  out.write("mpm/scalars",
+            std::vector<double>{state.time, step_control.scale, last_dt, state.memory.step, last_unbalanced});
+  std::vector<std::uint64_t> counts{steps, work.contact.plain_solves, held_steps};
   if (laws_limit_step())
     counts.push_back(law_cuts);
   out.write("mpm/step", counts);
@@ -103,16 +103,16 @@ void MpmModel::save(StateWriter &out) const
   out.write("mpm/balance/own",
             std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
                                 b.carried_load[0], b.carried_load[1], b.released_energy});
-  save_walls(out, "mpm/walls", world.walls);
-  save_obstacles(out, "mpm/obstacles", world.obstacles);
+  save_walls(out, "mpm/walls", state.walls);
+  save_obstacles(out, "mpm/obstacles", state.obstacles);
 
   // Sorted by key, so that equal states give equal files.
-  std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(world.contact.memory().begin(),
-                                                                      world.contact.memory().end());
+  std::vector<std::pair<std::uint64_t, std::array<double, 2>>> memory(state.memory.impulses.begin(),
+                                                                      state.memory.impulses.end());
   std::sort(memory.begin(), memory.end());
   std::vector<std::uint64_t> keys;
   std::vector<double> impulses;
-  const std::ptrdiff_t components = world.slippery() ? 1 : 2;
+  const std::ptrdiff_t components = problem.slippery() ? 1 : 2;
   for (const auto &[key, impulse] : memory)
   {
     keys.push_back(key);
@@ -120,10 +120,10 @@ void MpmModel::save(StateWriter &out) const
   }
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
-  world.adhesion.save(out, "mpm/contact/adhesion");
+  state.adhesion.save(out, "mpm/contact/adhesion");
 
-  save_points(*world.points, out);
-  for (const Body<2> &body : world.bodies)
+  save_points(*state.points, out);
+  for (const Body<2> &body : state.bodies)
   {
     const std::string at = "mpm/bodies/" + body.name + "/";
     out.write(at + "boundary_grid_position", flat(body.boundary.grid_position));
@@ -133,7 +133,7 @@ void MpmModel::save(StateWriter &out) const
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
     out.write(at + "nodes/acceleration", flat(body.acceleration));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
-    if (world.repeats())
+    if (state.repeats())
       out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
   }
 }
@@ -141,22 +141,22 @@ void MpmModel::save(StateWriter &out) const
 void MpmModel::load(StateReader &in)
 {
   const std::vector<double> scalars = in.read_doubles("mpm/scalars");
-  load_walls(in, "mpm/walls", world.walls);
-  world.time = scalars.at(0);
-  load_obstacles(in, "mpm/obstacles", world.time, world.obstacles);
+  load_walls(in, "mpm/walls", state.walls);
+  state.time = scalars.at(0);
+  load_obstacles(in, "mpm/obstacles", state.time, state.obstacles);
   step_control.scale = scalars.at(1);
   last_dt = scalars.at(2);
-  world.contact.memory_step = scalars.at(3);
+  state.memory.step = scalars.at(3);
   last_unbalanced = scalars.at(4);
   const std::vector<std::uint64_t> counts = in.read_integers("mpm/step");
   steps = counts.at(0);
-  world.contact.plain_solves = counts.at(1);
+  work.contact.plain_solves = counts.at(1);
   held_steps = counts.at(2);
   if (laws_limit_step())
     law_cuts = counts.at(3);
   settled_step = 0; // what comes is another step, of whatever number
   const std::vector<double> own = in.read_doubles("mpm/balance/own");
-  Balance &b = world.balance;
+  Balance &b = state.balance;
   b.load(in, "mpm/balance/common");
   b.law_loss = own.at(0);
   b.scheme_damping = own.at(1);
@@ -167,18 +167,18 @@ void MpmModel::load(StateReader &in)
   const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
   const bool frictionless = impulses.size() == keys.size();
-  world.contact.memory().clear();
+  state.memory.impulses.clear();
   for (std::size_t k = 0; k < keys.size(); ++k)
-    world.contact.memory()[keys[k]] =
+    state.memory.impulses[keys[k]] =
         frictionless ? std::array<double, 2>{{impulses[k], 0.}}
                      : std::array<double, 2>{{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
-  world.adhesion.load(in, "mpm/contact/adhesion");
+  state.adhesion.load(in, "mpm/contact/adhesion");
 
-  load_points(*world.points, in);
-  world.sort_points();
-  const BuildContext context{*world.lattice, *world.shape, world.settings, *world.points};
-  for (Body<2> &body : world.bodies)
+  load_points(*state.points, in);
+  state.sort_points();
+  const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
+  for (Body<2> &body : state.bodies)
   {
     const std::string at = "mpm/bodies/" + body.name + "/";
     unflat(in.read_doubles(at + "boundary_grid_position"), body.boundary.grid_position);
@@ -189,13 +189,13 @@ void MpmModel::load(StateReader &in)
     body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
     body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
     body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
-    if (world.repeats())
+    if (state.repeats())
     {
       const std::vector<double> home = in.read_doubles(at + "home");
       body.home = {{static_cast<int>(home.at(0)), static_cast<int>(home.at(1))}};
     }
-    if (world.settings.scheme.implicit && !body.driven)
-      lay_out_stiffness(body.field, world.matrices[body.index]);
+    if (problem.settings.scheme.implicit && !body.driven)
+      lay_out_stiffness(body.field, work.matrices[body.index]);
   }
 }
 } // namespace softgrain::mpm

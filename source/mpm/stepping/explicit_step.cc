@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/row_velocity.h>
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/accept_step.h>
+#include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
@@ -15,16 +18,21 @@ namespace
 using Vectors = std::vector<Eigen::VectorXd>;
 
 /// Contact impulses on the free velocities @p v; they become the velocities at the end of the step.
-void solve_contacts(
-    World &world, const double dt, const std::vector<WallMotion<2>> &motion, Vectors &v, StepOutcome &outcome)
+void solve_contacts(const Problem &problem,
+                    const State &state,
+                    Workspace &work,
+                    const double dt,
+                    const std::vector<WallMotion<2>> &motion,
+                    Vectors &v,
+                    StepOutcome &outcome)
 {
-  if (world.contact.empty())
+  if (work.contact.empty())
     return;
-  dealii::TimerOutput::Scope section(*world.timer, "contact solve");
-  world.contact.lump(world.bodies);
+  dealii::TimerOutput::Scope section(*work.timer, "contact solve");
+  work.contact.lump(state.bodies);
   // An open gap may close, but no further; a closed one holds at velocity level.
-  const contact::SolverReport report =
-      world.contact.solve(row_velocity(world, v, motion, {}, 1., dt, false), world.settings.contact_solver);
+  const contact::SolverReport report = work.contact.solve(
+      row_velocity(state, work, v, motion, {}, 1., dt, false), problem.settings.contact_solver);
   outcome.contact_sweeps = report.sweeps;
   outcome.contact_residual = report.residual;
   if (!report.converged)
@@ -35,33 +43,32 @@ void solve_contacts(
     outcome.reason = text.str();
     return;
   }
-  world.for_moving_bodies(
+  state.for_moving_bodies(
       [&](const Body<2> &body)
       {
         Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
-        world.contact.add_impulses(body.index, world.contact.impulses(), impulse);
+        work.contact.add_impulses(body.index, work.contact.impulses(), impulse);
         for (unsigned int i = 0; i < body.mass.size(); ++i)
           v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
       });
 }
 } // namespace
 
-StepOutcome explicit_step(World &world, const double dt)
+StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   StepOutcome outcome;
   const StepPlan plan{dt, false, 0.};
-  press_walls(world, plan);
-  std::vector<WallMotion<2>> motion = world.wall_motion(plan);
-  world.find_rows(motion, dt, nullptr, 0.5, false);
-  const unsigned int n_bodies = world.bodies.size();
+  std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
+  find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);
+  const unsigned int n_bodies = state.bodies.size();
   Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     v[body.index] = body.velocity;
-  world.for_moving_bodies(
-      [&](Body<2> &body)
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
       {
         Eigen::VectorXd &load = external[body.index];
-        if (!external_force(body, world.scene.gravity, world.time, load))
+        if (!external_force(body, problem.scene.gravity, state.time, load))
           load.resize(0);
         for (unsigned int i = 0; i < body.mass.size(); ++i)
         {
@@ -71,47 +78,45 @@ StepOutcome explicit_step(World &world, const double dt)
             velocity += dt / body.mass[i] * load.segment<2>(2 * i);
         }
       });
-  solve_contacts(world, dt, motion, v, outcome);
+  solve_contacts(problem, state, work, dt, motion, v, outcome);
   if (!outcome.reason.empty())
     return outcome;
-  settle_free_walls(world, motion);
+  settle_free_walls(problem, state, work, motion);
 
-  dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
+  dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
   Vectors forces(n_bodies);
   std::vector<StressOutcome> stress(n_bodies);
-  const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+  const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
   for (unsigned int b = 0; b < n_bodies; ++b)
     increment[b] = dt * v[b];
-  world.for_moving_bodies(
-      [&](Body<2> &body)
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, false, 0., dt, world.time + dt});
+                                    {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
         if (stress[b].good())
-          internal_force(body, forces[b]);
+          internal_force(body, work.trial[b], forces[b]);
       });
   for (unsigned int b = 0; b < n_bodies; ++b)
     if (!stress[b].good())
     {
-      outcome.reason = world.why_not(b, stress[b]);
+      outcome.reason = why_not(state.bodies[b], stress[b]);
       return outcome;
     }
-  world.heed_laws(stress, outcome);
+  heed_laws(state.bodies, stress, outcome);
   if (outcome.law_asks)
     return outcome;
-  for (unsigned int b = 0; b < n_bodies; ++b)
-    if (!world.bodies[b].driven)
-      std::swap(world.bodies[b].internal_force, forces[b]);
-  if (!world.contact.empty())
-    for (const double g : end_gaps(world, increment, motion, dt))
+  if (!work.contact.empty())
+    for (const double g : end_gaps(state, work, increment, motion, dt))
       outcome.max_penetration = std::max(outcome.max_penetration, -g);
   // Impulses act between the velocities before and after: their work is that of the mean, which makes the
   // energy balance of symplectic Euler exact up to the stored energy.
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
-    rate[b] = 0.5 * (world.bodies[b].velocity + v[b]);
-  accept_step(world, plan, v, increment, rate, motion, external);
+    rate[b] = 0.5 * (state.bodies[b].velocity + v[b]);
+  FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0.};
+  accept_step(problem, state, work, found);
   outcome.accepted = true;
   return outcome;
 }

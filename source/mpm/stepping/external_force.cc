@@ -4,7 +4,7 @@
 namespace softgrain::mpm
 {
 template <int dim>
-bool external_force(Body<dim> &body,
+bool external_force(const Body<dim> &body,
                     const dealii::Tensor<1, dim> &gravity,
                     const double time,
                     Eigen::VectorXd &force)
@@ -46,6 +46,6 @@ bool external_force(Body<dim> &body,
   return true;
 }
 
-template bool external_force<2>(Body<2> &, const dealii::Tensor<1, 2> &, double, Eigen::VectorXd &);
-template bool external_force<3>(Body<3> &, const dealii::Tensor<1, 3> &, double, Eigen::VectorXd &);
+template bool external_force<2>(const Body<2> &, const dealii::Tensor<1, 2> &, double, Eigen::VectorXd &);
+template bool external_force<3>(const Body<3> &, const dealii::Tensor<1, 3> &, double, Eigen::VectorXd &);
 } // namespace softgrain::mpm

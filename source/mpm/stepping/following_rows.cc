@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/following_rows.h>
+#include <softgrain/mpm/stepping/step_rows.h>
 
 #include <algorithm>
 
@@ -23,25 +24,30 @@ double deepest(const GapsByRow &gaps)
 }
 } // namespace
 
-FollowingRows::FollowingRows(World &world, const double dt, const std::vector<WallMotion<2>> &motion)
-    : world(world), dt(dt), motion(motion)
+FollowingRows::FollowingRows(const Problem &problem,
+                             const State &state,
+                             Workspace &work,
+                             const double dt,
+                             const std::vector<WallMotion<2>> &motion)
+    : problem(problem), state(state), work(work), dt(dt), motion(motion)
 {
 }
 
 void FollowingRows::find(const Vectors &increment, const bool again)
 {
   n_searches += again;
-  const bool follow = world.settings.rows_follow() && world.settings.scheme.inertia;
+  const bool follow = problem.settings.rows_follow() && problem.settings.scheme.inertia;
   if (!again && follow)
-    start_gaps = world.true_gaps(motion, dt, increment, 0.);
+    start_gaps = true_gaps(problem, state, work, motion, dt, increment, 0.);
   place = increment;
-  world.find_rows(motion, dt, &place, world.settings.scheme.row_share, again, follow ? &start_gaps : nullptr);
+  find_rows(problem, state, work, motion, dt, &place, problem.settings.scheme.row_share, again,
+            follow ? &start_gaps : nullptr);
 }
 
 double FollowingRows::way(const Vectors &increment, const Vectors *from) const
 {
   double way = 0.;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (!body.driven)
     {
       const Eigen::VectorXd &u = increment[body.index];
@@ -52,13 +58,13 @@ double FollowingRows::way(const Vectors &increment, const Vectors *from) const
 
 bool FollowingRows::settled(const Vectors &increment) const
 {
-  return !world.settings.rows_follow() ||
-         way(increment, &place) <= row_tolerance * world.lattice->cell_size();
+  return !problem.settings.rows_follow() ||
+         way(increment, &place) <= row_tolerance * problem.lattice->cell_size();
 }
 
 bool FollowingRows::mix(Vectors &increment)
 {
-  const double now = way(increment, &place), range = mixing_range * world.lattice->cell_size();
+  const double now = way(increment, &place), range = mixing_range * problem.lattice->cell_size();
   if (now > range || now > 2. * last_way)
     mixing.restart();
   last_way = now;
@@ -75,14 +81,14 @@ double FollowingRows::penetration_at_start() const
 
 double FollowingRows::penetration(const Vectors &increment) const
 {
-  if (world.contact.empty())
+  if (work.contact.empty())
     return 0.;
-  if (world.settings.rows_follow() && world.settings.scheme.inertia &&
-      way(increment, nullptr) > short_way * world.lattice->cell_size())
-    return deepest(world.true_gaps(motion, dt, increment, 1.));
+  if (problem.settings.rows_follow() && problem.settings.scheme.inertia &&
+      way(increment, nullptr) > short_way * problem.lattice->cell_size())
+    return deepest(true_gaps(problem, state, work, motion, dt, increment, 1.));
   double worst = 0.;
-  const std::vector<double> gaps = end_gaps(world, increment, motion, dt),
-                            dents = world.contact.subgrid_overlap(dt);
+  const std::vector<double> gaps = end_gaps(state, work, increment, motion, dt),
+                            dents = work.contact.subgrid_overlap(dt);
   for (unsigned int r = 0; r < gaps.size(); ++r)
     worst = std::max(worst, -gaps[r] - dents[r]);
   return worst;

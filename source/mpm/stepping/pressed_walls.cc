@@ -12,10 +12,10 @@ namespace softgrain::mpm
 namespace
 {
 /// The smallest of all bodies [Pa].
-double softest(const World &world)
+double softest(const State &state)
 {
   double modulus = std::numeric_limits<double>::max();
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (!body.driven)
       modulus = std::min(modulus, body.law->young_modulus());
   return modulus;
@@ -23,69 +23,71 @@ double softest(const World &world)
 
 /// Without inertia: the wall is resisted by a spring that starts from nothing in every step, as bodies are,
 /// and goes no further than the settings allow.
-void resist(const World &world, const StepPlan &plan, const double load, FreeWall<2> &free)
+void resist(
+    const Problem &problem, const State &state, const StepPlan &plan, const double load, FreeWall<2> &free)
 {
-  const Settings &settings = world.settings;
-  const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(world);
+  const Settings &settings = problem.settings;
+  const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(state);
   free.mass = stiffness * dt * dt;
   free.free_speed = dt * load / free.mass;
   free.start_speed = 0.;
-  free.stop = settings.wall_motion * world.lattice->cell_size() / dt *
+  free.stop = settings.wall_motion * problem.lattice->cell_size() / dt *
               std::min(1., settings.regularisation / plan.regularisation);
 }
 /// A wall of the step that is free along @p way.
-FreeWall<2> free_wall(const World &world, const unsigned int w, const dealii::Tensor<1, 2> &way)
+FreeWall<2> free_wall(const State &state, const unsigned int w, const dealii::Tensor<1, 2> &way)
 {
   FreeWall<2> free;
   free.wall = w;
-  free.normal = world.walls[w].normal();
+  free.normal = state.walls[w].normal();
   free.way = way;
-  if (world.walls[w].repeats())
-    free.length = cell_of(world.walls).length[axis_of(free.normal)];
+  if (state.walls[w].repeats())
+    free.length = cell_of(state.walls).length[axis_of(free.normal)];
   return free;
 }
 
 /// Puts its shear stress on a wall that is free to slide.
-void shear_wall(World &world, const StepPlan &plan, const unsigned int w)
+void shear_wall(
+    const Problem &problem, State &state, Workspace &work, const StepPlan &plan, const unsigned int w)
 {
-  Wall &wall = world.walls[w];
-  const bool inertia = world.settings.scheme.inertia;
-  const double time = world.time + (inertia || plan.held ? 0. : plan.dt);
-  wall.shear(wall.demanded_shear(time, inertia ? plan.dt : 0.), pressed_length(world.walls, w));
-  FreeWall<2> free = free_wall(world, w, wall.tangent());
+  Wall &wall = state.walls[w];
+  const bool inertia = problem.settings.scheme.inertia;
+  const double time = state.time + (inertia || plan.held ? 0. : plan.dt);
+  wall.shear(wall.demanded_shear(time, inertia ? plan.dt : 0.), pressed_length(state.walls, w));
+  FreeWall<2> free = free_wall(state, w, wall.tangent());
   if (inertia)
   {
-    const FreeWallStep step = free_slide_step(wall, plan.dt, world.settings.scheme.theta);
+    const FreeWallStep step = free_slide_step(wall, plan.dt, problem.settings.scheme.theta);
     free.mass = step.mass;
     free.free_speed = step.free_speed;
     free.start_speed = wall.slide_speed;
   }
   else
-    resist(world, plan, wall.slide_load, free);
+    resist(problem, state, plan, wall.slide_load, free);
   free.speed = free.start_speed;
-  world.contact.free_walls.list.push_back(free);
+  work.contact.free_walls.list.push_back(free);
 }
 } // namespace
 
-void press_walls(World &world, const StepPlan &plan)
+void press_walls(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
-  const TimeScheme &scheme = world.settings.scheme;
+  const TimeScheme &scheme = problem.settings.scheme;
   const double dt = plan.dt;
-  std::vector<FreeWall<2>> &list = world.contact.free_walls.list;
+  std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
   list.clear();
-  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    Wall &wall = world.walls[w];
+    Wall &wall = state.walls[w];
     if (wall.slides_freely())
-      shear_wall(world, plan, w);
+      shear_wall(problem, state, work, plan, w);
     if (wall.prescribed())
       continue;
     // Balance is at the end of a step, motion takes the mean.
     const double asked = scheme.inertia
-                             ? asked_pressure(world.walls, w, world.time, dt)
-                             : asked_pressure(world.walls, w, world.time + (plan.held ? 0. : dt), 0.);
-    wall.press(asked, pressed_length(world.walls, w));
-    FreeWall<2> free = free_wall(world, w, wall.normal());
+                             ? asked_pressure(state.walls, w, state.time, dt)
+                             : asked_pressure(state.walls, w, state.time + (plan.held ? 0. : dt), 0.);
+    wall.press(asked, pressed_length(state.walls, w));
+    FreeWall<2> free = free_wall(state, w, wall.normal());
     if (scheme.inertia)
     {
       // newmark: the forces at the start act for the first half.
@@ -97,16 +99,16 @@ void press_walls(World &world, const StepPlan &plan)
       free.start_speed = wall.speed;
     }
     else
-      resist(world, plan, wall.load, free);
+      resist(problem, state, plan, wall.load, free);
     free.speed = free.start_speed;
     list.push_back(free);
   }
 }
 
-void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion)
+void follow_free_walls(const Problem &problem, const Workspace &work, std::vector<WallMotion<2>> &motion)
 {
-  const TimeScheme &scheme = world.settings.scheme;
-  for (const FreeWall<2> &free : world.contact.free_walls.list)
+  const TimeScheme &scheme = problem.settings.scheme;
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
     WallMotion<2> &here = motion[free.wall];
     if (free.slides())
@@ -120,92 +122,98 @@ void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion)
   }
 }
 
-void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion)
+void settle_free_walls(const Problem &problem,
+                       const State &state,
+                       Workspace &work,
+                       std::vector<WallMotion<2>> &motion)
 {
-  follow_free_walls(world, motion);
-  for (const FreeWall<2> &free : world.contact.free_walls.list)
-    if (world.walls[free.wall].body != Wall::no_body)
-      world.bodies[world.walls[free.wall].body].drive =
-          motion[free.wall].velocity * free.normal +
-          motion[free.wall].slide * world.walls[free.wall].tangent();
+  follow_free_walls(problem, work, motion);
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+    if (state.walls[free.wall].body != Wall::no_body)
+      work.drive[state.walls[free.wall].body] = motion[free.wall].velocity * free.normal +
+                                                motion[free.wall].slide * state.walls[free.wall].tangent();
 }
 
-void account_free_wall(
-    World &world, const FreeWall<2> &free, const double rate, const double dt, const bool scheme_damping)
+void account_free_wall(const Problem &problem,
+                       State &state,
+                       const FreeWall<2> &free,
+                       const double rate,
+                       const double dt,
+                       const bool scheme_damping)
 {
-  Wall &wall = world.walls[free.wall];
+  Wall &wall = state.walls[free.wall];
   const bool slides = free.slides();
-  (slides ? wall.slide_speed : wall.speed) = world.settings.scheme.inertia ? free.speed : rate;
-  if (!world.settings.scheme.inertia)
+  (slides ? wall.slide_speed : wall.speed) = problem.settings.scheme.inertia ? free.speed : rate;
+  if (!problem.settings.scheme.inertia)
     return;
   const double load = slides ? wall.slide_load : wall.load, mass = slides ? wall.slide_mass : wall.mass,
                damping = slides ? wall.slide_damping : wall.damping;
-  const double theta = world.settings.scheme.theta;
+  const double theta = problem.settings.scheme.theta;
   const double moving = (1. - theta) * free.start_speed + theta * free.speed;
-  world.balance.wall_work += dt * load * rate;
-  world.balance.wall_damping_loss += dt * damping * moving * rate;
+  state.balance.wall_work += dt * load * rate;
+  state.balance.wall_damping_loss += dt * damping * moving * rate;
   const double change = free.speed - free.start_speed;
   if (scheme_damping)
-    world.balance.scheme_damping += (theta - 0.5) * mass * change * change;
+    state.balance.scheme_damping += (theta - 0.5) * mass * change * change;
 }
 
-double unbalanced_walls(const World &world)
+double unbalanced_walls(const Problem &problem, const State &state)
 {
   double worst = 0.;
-  const double floor = 1e-6 * softest(world) * world.lattice->cell_size();
-  for (unsigned int w = 0; w < world.walls.size(); ++w)
+  const double floor = 1e-6 * softest(state) * problem.lattice->cell_size();
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    const Wall &wall = world.walls[w];
+    const Wall &wall = state.walls[w];
     if (wall.slides_freely())
     {
-      const double load = wall.demanded_shear(world.time, 0.) * pressed_length(world.walls, w);
+      const double load = wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w);
       worst = std::max(worst, std::abs(wall.force * wall.tangent() + load) / std::max(std::abs(load), floor));
     }
     if (wall.prescribed())
       continue;
     // Walls beside it have moved: length and stress are others.
     const double force = -1. * (wall.force * wall.normal()),
-                 load = asked_pressure(world.walls, w, world.time, 0.) * pressed_length(world.walls, w);
+                 load = asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w);
     worst = std::max(worst, std::abs(force - load) / std::max(std::abs(load), floor));
   }
   return worst;
 }
 
-bool walls_are_on_their_way(const World &world)
+bool walls_are_on_their_way(const Workspace &work)
 {
-  const auto &list = world.contact.free_walls.list;
+  const auto &list = work.contact.free_walls.list;
   return std::any_of(list.begin(), list.end(),
                      [](const FreeWall<2> &free)
                      { return free.stop > 0. && std::abs(free.speed) > 0.9 * free.stop; });
 }
 
-double slid_on_their_way(const World &world, const double dt)
+double slid_on_their_way(const Workspace &work, const double dt)
 {
   double way = 0.;
-  for (const FreeWall<2> &free : world.contact.free_walls.list)
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
     if (free.slides() && std::abs(free.speed) > 0.9 * free.stop)
       way = std::max(way, dt * std::abs(free.speed));
   return way;
 }
 
-void check_room_of_walls(const World &world, const double slid)
+void check_room_of_walls(const Problem &problem, const State &state, const double slid)
 {
-  const double room = world.settings.mesh_lower.distance(world.settings.mesh_upper);
-  for (const Wall &wall : world.walls)
+  const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
+  for (const Wall &wall : state.walls)
     if (wall.slides_freely() && slid > room)
     {
       std::ostringstream message;
-      message << "at time " << world.time << " s nothing bears the shear stress of wall '"
+      message << "at time " << state.time << " s nothing bears the shear stress of wall '"
               << wall.description.name << "': it has slid " << slid << " m";
       throw ComputationError(message.str());
     }
-  for (unsigned int w = 0; w < world.walls.size(); ++w)
-    if (!world.walls[w].prescribed() &&
-        (pressed_length(world.walls, w) <= 0. || std::abs(world.walls[w].travel) > room))
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
+    if (!state.walls[w].prescribed() &&
+        (pressed_length(state.walls, w) <= 0. || std::abs(state.walls[w].travel) > room))
     {
       std::ostringstream message;
-      message << "at time " << world.time << " s nothing bears the pressure of wall '"
-              << world.walls[w].description.name << "': it has gone " << world.walls[w].travel << " m";
+      message << "at time " << state.time << " s nothing bears the pressure of wall '"
+              << state.walls[w].description.name << "': it has gone " << state.walls[w].travel << " m";
       throw ComputationError(message.str());
     }
 }

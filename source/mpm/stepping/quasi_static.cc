@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <algorithm>
@@ -28,10 +30,10 @@ void add(const StepOutcome &step, StepOutcome &sum)
 }
 
 /// Of the nodes of all bodies [m].
-std::vector<Eigen::VectorXd> displacements(const World &world)
+std::vector<Eigen::VectorXd> displacements(const State &state)
 {
   std::vector<Eigen::VectorXd> all;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     all.push_back(body.displacement);
   return all;
 }
@@ -53,62 +55,54 @@ double cosine(const std::vector<Eigen::VectorXd> &a, const std::vector<Eigen::Ve
 class DrivesAtRest
 {
 public:
-  explicit DrivesAtRest(World &world) : world(world)
+  explicit DrivesAtRest(Workspace &work) : work(work), drives(work.drive)
   {
-    for (Body<2> &body : world.bodies)
-    {
-      drives.push_back(body.drive);
-      body.drive = 0.;
-    }
+    work.drive.assign(drives.size(), Vector());
   }
-  ~DrivesAtRest()
-  {
-    for (Body<2> &body : world.bodies)
-      body.drive = drives[body.index];
-  }
+  ~DrivesAtRest() { work.drive = drives; }
   DrivesAtRest(const DrivesAtRest &) = delete;
 
 private:
-  World &world;
-  std::vector<dealii::Tensor<1, 2>> drives;
+  Workspace &work;
+  const std::vector<Vector> drives;
 };
 
-StepOutcome held_step(World &world, const StepPlan &plan)
+StepOutcome held_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
-  const DrivesAtRest rest(world);
-  return implicit_step(world, plan);
+  const DrivesAtRest rest(work);
+  return implicit_step(problem, state, work, plan);
 }
 
 /// Energy that no column of the balance explains [J/m].
-double not_booked(const World &world)
+double not_booked(const State &state)
 {
-  return stored_energy(world) + world.balance.dissipated() - world.balance.external_work();
+  return stored_energy(state) + state.balance.dissipated() - state.balance.external_work();
 }
 
-std::string largest_move_in_cells(const World &world, const StepOutcome &held)
+std::string largest_move_in_cells(const Problem &problem, const StepOutcome &held)
 {
   std::ostringstream text;
   text.precision(3);
-  text << held.largest_move / world.lattice->cell_size();
+  text << held.largest_move / problem.lattice->cell_size();
   return text.str();
 }
 
-StepOutcome make_held_steps(World &world, const double dt)
+StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &work, const double dt)
 {
-  const Settings &settings = world.settings;
+  const Settings &settings = problem.settings;
   StepOutcome sum;
   sum.accepted = true;
-  double of_bodies = unbalanced_force_here(world, dt);
-  sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
+  double of_bodies = unbalanced_force_here(problem, state, work, dt);
+  sum.unbalanced = std::max(of_bodies, unbalanced_walls(problem, state));
   // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
   StepPlan held{dt, true, settings.regularisation};
-  std::vector<Eigen::VectorXd> place = displacements(world), last_way;
+  std::vector<Eigen::VectorXd> place = displacements(state), last_way;
   StepOutcome step;
   double slid = 0.;
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
   for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
-    step = held_step(world, held);
+    step = held_step(problem, state, work, held);
     add(step, sum);
     if (!step.accepted)
     {
@@ -120,26 +114,26 @@ StepOutcome make_held_steps(World &world, const double dt)
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     const double before = of_bodies;
-    of_bodies = unbalanced_force_here(world, dt);
-    sum.unbalanced = std::max(of_bodies, unbalanced_walls(world));
+    of_bodies = unbalanced_force_here(problem, state, work, dt);
+    sum.unbalanced = std::max(of_bodies, unbalanced_walls(problem, state));
     if (sum.unbalanced <= settings.unbalanced_force &&
-        step.largest_move <= settings.held_motion * world.lattice->cell_size())
+        step.largest_move <= settings.held_motion * problem.lattice->cell_size())
     {
       ++sum.held_steps;
       return sum;
     }
-    std::vector<Eigen::VectorXd> now = displacements(world);
+    std::vector<Eigen::VectorXd> now = displacements(state);
     for (unsigned int b = 0; b < now.size(); ++b)
       place[b] = now[b] - place[b];
     const double turn = last_way.empty() ? 0. : cosine(place, last_way);
     last_way.swap(place);
     place.swap(now);
     // In a cell they also go where it takes them, which is no guess for what they do beside that.
-    held.guess = turn > 0.5 && !world.repeats() ? &last_way : nullptr;
-    if (walls_are_on_their_way(world))
+    held.guess = turn > 0.5 && !state.repeats() ? &last_way : nullptr;
+    if (walls_are_on_their_way(work))
     {
-      slid += slid_on_their_way(world, dt);
-      check_room_of_walls(world, slid);
+      slid += slid_on_their_way(work, dt);
+      check_room_of_walls(problem, state, slid);
       near_balance = 0;
       continue;
     }
@@ -152,31 +146,31 @@ StepOutcome make_held_steps(World &world, const double dt)
   if (settings.max_held_steps == 0)
     return sum;
   std::ostringstream message;
-  message << "at time " << world.time << " s the bodies are not in balance after " << sum.held_steps
+  message << "at time " << state.time << " s the bodies are not in balance after " << sum.held_steps
           << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced
-          << ", they still move by " << largest_move_in_cells(world, step) << " cells";
+          << ", they still move by " << largest_move_in_cells(problem, step) << " cells";
   throw ComputationError(message.str());
 }
 } // namespace
 
-double unbalanced_force_here(World &world, const double dt)
+double unbalanced_force_here(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   // With rows where the bodies are: those of the step may be some way off.
-  world.find_rows(world.wall_motion({dt, true, 0.}), dt, nullptr, 0., true);
-  return unbalanced_force(world, dt);
+  find_rows(problem, state, work, wall_motion(state, work, {dt, true, 0.}), dt, nullptr, 0., true);
+  return unbalanced_force(problem, state, work, dt);
 }
 
-double unbalanced_force(World &world, const double dt)
+double unbalanced_force(const Problem &problem, const State &state, const Workspace &work, const double dt)
 {
-  const auto &rows = world.contact.contact_rows();
-  const unsigned int components = world.contact.n_components();
-  std::vector<Vector> net(world.bodies.size());
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
+  std::vector<Vector> net(state.bodies.size());
   std::map<std::tuple<unsigned int, unsigned int, unsigned int, PeriodicCell::Image>, Vector> pairs;
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     Vector force;
     for (unsigned int c = 0; c < components; ++c)
-      force += world.contact.impulses()[r * components + c] / dt * rows[r].direction(c);
+      force += work.contact.impulses()[r * components + c] / dt * rows[r].direction(c);
     if (force.norm() == 0.)
       continue;
     net[rows[r].body] += force;
@@ -191,25 +185,27 @@ double unbalanced_force(World &world, const double dt)
   for (const auto &pair : pairs)
     mean += pair.second.norm() / pairs.size();
   Eigen::VectorXd load;
-  for (Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (!body.driven)
     {
-      if (external_force(body, world.scene.gravity, world.time, load))
+      if (external_force(body, problem.scene.gravity, state.time, load))
         for (unsigned int i = 0; i < body.mass.size(); ++i)
           net[body.index] += Vector({load[2 * i], load[2 * i + 1]});
       worst = std::max(worst, net[body.index].norm());
-      floor = std::max(floor, 1e-6 * body.law->young_modulus() * world.lattice->cell_size());
+      floor = std::max(floor, 1e-6 * body.law->young_modulus() * problem.lattice->cell_size());
     }
   return worst / std::max(mean, floor);
 }
 
-StepOutcome quasi_static_step(World &world, const double dt, const double wanted)
+StepOutcome
+quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
-  StepOutcome sum = implicit_step(world, {dt, false, world.settings.regularisation * wanted / dt});
+  StepOutcome sum =
+      implicit_step(problem, state, work, {dt, false, problem.settings.regularisation * wanted / dt});
   // Walls under pressure go as far as balance lets them.
-  if (!sum.accepted || world.contact.free_walls.list.empty())
+  if (!sum.accepted || work.contact.free_walls.list.empty())
     return sum;
-  const StepOutcome held = find_balance(world, dt);
+  const StepOutcome held = find_balance(problem, state, work, dt);
   if (held.held_steps > 0)
     add(held, sum);
   sum.held_steps = held.held_steps;
@@ -218,12 +214,12 @@ StepOutcome quasi_static_step(World &world, const double dt, const double wanted
   return sum;
 }
 
-StepOutcome find_balance(World &world, const double dt)
+StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, const double dt)
 {
-  const double before = not_booked(world);
-  const StepOutcome outcome = make_held_steps(world, dt);
+  const double before = not_booked(state);
+  const StepOutcome outcome = make_held_steps(problem, state, work, dt);
   if (outcome.held_steps > 0)
-    world.balance.released_energy += before - not_booked(world);
+    state.balance.released_energy += before - not_booked(state);
   return outcome;
 }
 } // namespace softgrain::mpm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/safe_step.h>
+#include <softgrain/mpm/stepping/step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ struct Flight
   dealii::Point<2> lower, upper; ///< of the box around it [m]
 };
 
-Flight flight_of(const Body<2> &body)
+Flight flight_of(const Body<2> &body, const Vector &drive)
 {
   Flight flight;
   const unsigned int n = body.velocity.size() / 2;
   for (unsigned int i = 0; i < n; ++i)
     flight.velocity += Vector({body.velocity[2 * i], body.velocity[2 * i + 1]}) / n;
   if (body.driven)
-    flight.velocity = body.drive;
+    flight.velocity = drive;
   else
     for (unsigned int i = 0; i < n; ++i)
       flight.spread = std::max(
@@ -65,10 +65,11 @@ double time_of_way(const double way, const double speed, const double accelerati
 }
 
 /// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.
-double safe_from_walls(const World &world, const Flight &flight, const double reach, const double dt)
+double safe_from_walls(
+    const Problem &problem, const State &state, const Flight &flight, const double reach, const double dt)
 {
   double step = dt;
-  for (const Wall &wall : world.walls)
+  for (const Wall &wall : state.walls)
   {
     if (wall.description.type != WallDescription<2>::Type::plane)
       continue;
@@ -76,16 +77,19 @@ double safe_from_walls(const World &world, const Flight &flight, const double re
     const dealii::Point<2> nearest(n[0] > 0. ? flight.lower[0] : flight.upper[0],
                                    n[1] > 0. ? flight.lower[1] : flight.upper[1]);
     const double gap = (nearest - wall.point()) * n;
-    const double own = wall.prescribed() ? wall.demand(world.time, dt).velocity : wall.speed;
+    const double own = wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed;
     const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
-    step = std::min(step, time_of_way(std::max(reach, gap), speed, world.scene.gravity.norm()));
+    step = std::min(step, time_of_way(std::max(reach, gap), speed, problem.scene.gravity.norm()));
   }
   return step;
 }
 
 /// The longest step, up to @p dt, in which two bodies cannot pass through each other.
-double
-safe_from_bodies(const World &world, const std::vector<Flight> &flights, const double reach, const double dt)
+double safe_from_bodies(const Problem &problem,
+                        const State &state,
+                        const std::vector<Flight> &flights,
+                        const double reach,
+                        const double dt)
 {
   double fastest = 0., narrowest = std::numeric_limits<double>::max();
   for (const Flight &flight : flights)
@@ -94,7 +98,7 @@ safe_from_bodies(const World &world, const std::vector<Flight> &flights, const d
     narrowest = std::min(narrowest, flight.width);
   }
   // Gravity pulls all bodies alike: it adds to the way to what is driven alone.
-  const double pull = world.scene.gravity.norm();
+  const double pull = problem.scene.gravity.norm();
   // Most steps are short: no pair need be looked at.
   if (time_of_way(std::min(0.25 * narrowest, reach), 2. * fastest, pull) >= dt)
     return dt;
@@ -102,7 +106,7 @@ safe_from_bodies(const World &world, const std::vector<Flight> &flights, const d
   for (unsigned int a = 0; a < flights.size(); ++a)
     for (unsigned int b = 0; b < a; ++b)
     {
-      const bool one_driven = world.bodies[a].driven, other_driven = world.bodies[b].driven;
+      const bool one_driven = state.bodies[a].driven, other_driven = state.bodies[b].driven;
       if (one_driven && other_driven)
         continue;
       const Flight &one = flights[a], &other = flights[b];
@@ -114,7 +118,8 @@ safe_from_bodies(const World &world, const std::vector<Flight> &flights, const d
   return step;
 }
 /// The same in a cell that repeats, where every body may be near any other.
-double safe_in_cell(const World &world, const std::vector<Flight> &flights, const double dt)
+double
+safe_in_cell(const Problem &problem, const State &state, const std::vector<Flight> &flights, const double dt)
 {
   double fastest = 0., narrowest = std::numeric_limits<double>::max(), widest = 0.;
   for (const Flight &flight : flights)
@@ -124,36 +129,36 @@ double safe_in_cell(const World &world, const std::vector<Flight> &flights, cons
     widest = std::max(widest, flight.lower.distance(flight.upper));
   }
   CellMotion cell;
-  cell.cell = cell_of(world.walls);
-  for (const Wall &wall : world.walls)
+  cell.cell = cell_of(state.walls);
+  for (const Wall &wall : state.walls)
     if (wall.repeats())
       cell.add_side(wall.normal(),
-                    (wall.prescribed() ? wall.demand(world.time, dt).velocity : wall.speed) * wall.normal() +
-                        (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(world.time, dt)) *
+                    (wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed) * wall.normal() +
+                        (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(state.time, dt)) *
                             wall.tangent());
   return std::min(dt, time_of_way(0.25 * narrowest, 2. * fastest + cell.gradient.norm() * widest,
-                                  world.scene.gravity.norm()));
+                                  problem.scene.gravity.norm()));
 }
 } // namespace
 
-double safe_step(const World &world, const double dt)
+double safe_step(const Problem &problem, const State &state, const Workspace &work, const double dt)
 {
   // Rows that follow the bodies see all that they come to meet, and an overlap that is left repeats the step;
   // others are those of the start or the middle of the step.
-  const bool follow = world.settings.rows_follow();
-  if (follow && world.bodies.size() < 2)
+  const bool follow = problem.settings.rows_follow();
+  if (follow && state.bodies.size() < 2)
     return dt;
-  const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * world.lattice->cell_size();
+  const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();
   std::vector<Flight> flights;
-  for (const Body<2> &body : world.bodies)
-    flights.push_back(flight_of(body));
-  if (world.repeats())
-    return safe_in_cell(world, flights, dt);
-  double step = safe_from_bodies(world, flights, reach, dt);
+  for (const Body<2> &body : state.bodies)
+    flights.push_back(flight_of(body, work.drive[body.index]));
+  if (state.repeats())
+    return safe_in_cell(problem, state, flights, dt);
+  double step = safe_from_bodies(problem, state, flights, reach, dt);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)
-      if (!world.bodies[b].driven)
-        step = safe_from_walls(world, flights[b], reach, step);
+      if (!state.bodies[b].driven)
+        step = safe_from_walls(problem, state, flights[b], reach, step);
   return step;
 }
 } // namespace softgrain::mpm

@@ -10,35 +10,40 @@
 
 namespace softgrain::mpm
 {
-StepEquations::StepEquations(World &world, const StepPlan &plan)
-    : increment(world.bodies.size())
-    , internal(world.bodies.size())
-    , external(world.bodies.size())
-    , world(world)
-    , scheme(world.settings.scheme)
+StepEquations::StepEquations(const Problem &problem,
+                             const State &state,
+                             Workspace &work,
+                             const StepPlan &plan)
+    : increment(state.bodies.size())
+    , internal(state.bodies.size())
+    , external(state.bodies.size())
+    , problem(problem)
+    , state(state)
+    , work(work)
+    , scheme(problem.settings.scheme)
     , plan(plan)
     , dt(plan.dt)
-    , old_force(world.bodies.size())
-    , missing_impulse(world.bodies.size())
-    , rotation(world.bodies.size())
-    , shift(world.bodies.size(), 0.)
-    , rotation_weight(world.bodies.size(), 0.)
-    , round_and_smooth(world.bodies.size(), 0)
-    , turns_easily(world.bodies.size(), 0)
-    , spin(world.bodies.size(), 0.)
-    , holding(world.bodies.size(), 0.)
+    , old_force(state.bodies.size())
+    , missing_impulse(state.bodies.size())
+    , rotation(state.bodies.size())
+    , shift(state.bodies.size(), 0.)
+    , rotation_weight(state.bodies.size(), 0.)
+    , round_and_smooth(state.bodies.size(), 0)
+    , turns_easily(state.bodies.size(), 0)
+    , spin(state.bodies.size(), 0.)
+    , holding(state.bodies.size(), 0.)
 {
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
-  world.for_moving_bodies(
-      [&](Body<2> &body)
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes
         // those at the end, (3.21), and has those at the start in the acceleration.
-        if (!external_force(body, world.scene.gravity,
-                            world.time + (plan.held                    ? 0.
+        if (!external_force(body, problem.scene.gravity,
+                            state.time + (plan.held                    ? 0.
                                           : scheme.stored_acceleration ? 1.
                                                                        : 0.5) *
                                              dt,
@@ -61,7 +66,7 @@ StepEquations::StepEquations(World &world, const StepPlan &plan)
         // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
-        round_and_smooth[b] = body.boundary.circular && world.slippery() && !scheme.stored_acceleration;
+        round_and_smooth[b] = body.boundary.circular && problem.slippery() && !scheme.stored_acceleration;
         if (scheme.inertia && round_and_smooth[b])
           spin[b] = turned_by_load(body, external[b]);
         if (scheme.inertia && !round_and_smooth[b])
@@ -82,22 +87,22 @@ double StepEquations::turned_by_load(const Body<2> &body, const Eigen::VectorXd 
 
 void StepEquations::rows_changed()
 {
-  if (world.contact.empty() || scheme.theta == 1.)
+  if (work.contact.empty() || scheme.theta == 1.)
     return;
   Vectors v;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     v.push_back(body.velocity);
-  start_relative = world.contact.relative_velocity(world.bodies, v);
+  start_relative = work.contact.relative_velocity(state.bodies, work.drive, v);
 }
 
 bool StepEquations::evaluate(const Vectors &v)
 {
-  dealii::TimerOutput::Scope section(*world.timer, "stress and forces");
-  const double half_dt = world.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
-  stress.assign(world.bodies.size(), StressOutcome());
-  const double law_dt = World::law_dt(plan), end = world.time + law_dt;
-  world.for_moving_bodies(
-      [&](Body<2> &body)
+  dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
+  const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+  stress.assign(state.bodies.size(), StressOutcome());
+  const double law_dt = plan.law_dt(), end = state.time + law_dt;
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         if (scheme.inertia)
@@ -105,10 +110,10 @@ bool StepEquations::evaluate(const Vectors &v)
         else
           increment[b] = dt * v[b];
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, true, world.settings.max_strain, law_dt, end});
+                                    {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
           return;
-        internal_force(body, internal[b]);
+        internal_force(body, work.trial[b], internal[b]);
         Eigen::VectorXd &P = missing_impulse[b];
         // Forces at both ends are turned with the body to where it is halfway: there they and the contacts
         // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
@@ -147,14 +152,14 @@ bool StepEquations::evaluate(const Vectors &v)
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
 {
   Eigen::VectorXd P = missing_impulse[b];
-  world.contact.add_impulses(b, world.contact.impulses(), P);
+  work.contact.add_impulses(b, work.contact.impulses(), P);
   return P;
 }
 
 double StepEquations::unbalanced_norm() const
 {
-  std::vector<double> squares(world.bodies.size(), 0.);
-  world.for_moving_bodies([&](const Body<2> &body)
+  std::vector<double> squares(state.bodies.size(), 0.);
+  state.for_moving_bodies([&](const Body<2> &body)
                           { squares[body.index] = unbalanced(body.index).squaredNorm(); });
   double sum = 0.;
   for (const double square : squares)
@@ -164,14 +169,14 @@ double StepEquations::unbalanced_norm() const
 
 double StepEquations::residual() const
 {
-  const double h = world.lattice->cell_size();
-  std::vector<double> norms(world.bodies.size(), 0.), scales(world.bodies.size(), 0.);
-  world.for_moving_bodies(
+  const double h = problem.lattice->cell_size();
+  std::vector<double> norms(state.bodies.size(), 0.), scales(state.bodies.size(), 0.);
+  state.for_moving_bodies(
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
-        world.contact.add_impulses(b, world.contact.impulses(), contact);
+        work.contact.add_impulses(b, work.contact.impulses(), contact);
         norms[b] = (missing_impulse[b] + contact).norm();
         double scale = std::max(contact.norm(), dt * internal[b].norm());
         if (scheme.inertia)
@@ -191,7 +196,7 @@ double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd
   if (!scheme.inertia || scheme.stored_acceleration)
     return 0.;
   // Impulses and forces at theta do (theta - 1/2) more than their mean over the step.
-  const Body<2> &body = world.bodies[b];
+  const Body<2> &body = state.bodies[b];
   double sum = -(internal[b] - body.internal_force).dot(increment[b]);
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     sum += body.mass[i] * (v - body.velocity).segment<2>(2 * i).squaredNorm();
@@ -201,7 +206,7 @@ double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd
 double StepEquations::regularisation_work() const
 {
   double work = 0.;
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (!body.driven && scheme.inertia)
       work += holding[body.index] * rotation[body.index].dot(increment[body.index]) / dt;
     else if (!body.driven)
@@ -218,7 +223,7 @@ bool StepEquations::rotation_chases_rows() const
 
 bool StepEquations::rotation_is_gauge() const
 {
-  for (const Body<2> &body : world.bodies)
+  for (const Body<2> &body : state.bodies)
     if (moves(body.index) && !round_and_smooth[body.index])
       return false;
   return true;
@@ -232,53 +237,53 @@ Eigen::VectorXd StepEquations::go(const unsigned int b,
 {
   // A trial is a velocity; theta dt of it is displacement.
   Eigen::VectorXd step = (fraction * scheme.theta * dt) * direction;
-  turn_along_circles(world.bodies[b], rotation[b], world.bodies[b].displacement + from, step);
+  turn_along_circles(state.bodies[b], rotation[b], state.bodies[b].displacement + from, step);
   return x + step / (scheme.theta * dt);
 }
 
 std::string StepEquations::factorise()
 {
   std::vector<double> extra = shift;
-  std::vector<char> pending(world.bodies.size(), 1);
+  std::vector<char> pending(state.bodies.size(), 1);
   for (unsigned int attempt = 0;; ++attempt)
   {
     {
-      dealii::TimerOutput::Scope section(*world.timer, "assembly");
-      world.for_moving_bodies(
+      dealii::TimerOutput::Scope section(*work.timer, "assembly");
+      state.for_moving_bodies(
           [&](const Body<2> &body)
           {
             if (!pending[body.index])
               return;
-            SystemMatrix &matrix = world.matrices[body.index];
+            SystemMatrix &matrix = work.matrices[body.index];
             const double factor = scheme.theta * scheme.theta * dt * dt;
             matrix.set_zero();
             // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
             const bool pressure_follows = attempt > 0;
-            const double against_rotation = factor * rotation_stiffness(body);
+            const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
             if (attempt == 0)
               turns_easily[body.index] =
                   scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
-            add_stiffness(body, factor, matrix, pressure_follows);
+            add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
             matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
-            world.solvers[body.index]->set_update(rotation[body.index],
-                                                  (pressure_follows ? 0.2 : 1.) * against_rotation +
-                                                      rotation_weight[body.index]);
+            work.solvers[body.index]->set_update(rotation[body.index],
+                                                 (pressure_follows ? 0.2 : 1.) * against_rotation +
+                                                     rotation_weight[body.index]);
           });
     }
-    dealii::TimerOutput::Scope section(*world.timer, "factorisation");
-    world.for_moving_bodies(
+    dealii::TimerOutput::Scope section(*work.timer, "factorisation");
+    state.for_moving_bodies(
         [&](const Body<2> &body)
         {
           const unsigned int b = body.index;
           if (pending[b])
-            pending[b] = !world.solvers[b]->factorize(world.matrices[b]);
+            pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
           if (pending[b])
             if (attempt > 0)
               extra[b] =
                   std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
         });
     bool done = true;
-    for (const Body<2> &body : world.bodies)
+    for (const Body<2> &body : state.bodies)
       if (moves(body.index) && pending[body.index])
       {
         done = false;
@@ -294,12 +299,12 @@ std::string StepEquations::factorise()
 
 void StepEquations::solve(const bool with_contact, Vectors &x) const
 {
-  dealii::TimerOutput::Scope section(*world.timer, "linear solves");
-  world.for_moving_bodies(
+  dealii::TimerOutput::Scope section(*work.timer, "linear solves");
+  state.for_moving_bodies(
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        world.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
+        work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
       });
 }
 } // namespace softgrain::mpm

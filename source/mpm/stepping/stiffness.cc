@@ -21,6 +21,7 @@ dealii::SymmetricTensor<2, dim> strain_of(const dealii::Tensor<1, dim> &slope, c
 /// Terms of the tangent that come from averaging the dilatation; see doc/theory.md, "F-bar".
 template <int dim>
 void add_dilatation_terms(const Body<dim> &body,
+                          const StepState<dim> &s,
                           const unsigned int cell,
                           const CellSlopes<dim> &mean,
                           const double total,
@@ -30,17 +31,17 @@ void add_dilatation_terms(const Body<dim> &body,
   CellSlopes<dim> slopes;
   double pressure_sum = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
-    pressure_sum += body.step.volume[p] * trace(body.step.stress[p]) / dim;
+    pressure_sum += s.volume[p] * trace(s.stress[p]) / dim;
   const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e,
                        const double value) { local(dim * i + d, dim * j + e) += value; };
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
-    current_slopes(body, p, slopes);
-    const auto &tau = body.step.stress[p];
-    const double v = body.step.volume[p], mean_tau = trace(tau) / dim;
+    current_slopes(body, s, p, slopes);
+    const auto &tau = s.stress[p];
+    const double v = s.volume[p], mean_tau = trace(tau) / dim;
     const auto point = body.points[p];
     const double weight =
-        point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient()) / total;
+        point.rest_volume() * determinant(s.grid_gradient[p]) * determinant(point.gradient()) / total;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int d = 0; d < dim; ++d)
@@ -99,6 +100,7 @@ using StrainMatrix = Eigen::Matrix<double,
 /// Stiffness of one cell over its own nodes.
 template <int dim>
 void cell_stiffness(const Body<dim> &body,
+                    const StepState<dim> &s,
                     const unsigned int cell,
                     const bool pressure_follows,
                     Eigen::MatrixXd &local)
@@ -111,14 +113,14 @@ void cell_stiffness(const Body<dim> &body,
   local.setZero(dim * n, dim * n);
   double total = 0.;
   if (body.f_bar)
-    total = mean_slopes(body, cell, mean);
+    total = mean_slopes(body, s, cell, mean);
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
-    const double v = body.step.volume[p];
-    current_slopes(body, p, slopes);
+    const double v = s.volume[p];
+    current_slopes(body, s, p, slopes);
     for (unsigned int a = 0; a < n_strain; ++a)
       for (unsigned int b = 0; b < n_strain; ++b)
-        C(a, b) = v * body.step.tangent[p].access_raw_entry(a * n_strain + b);
+        C(a, b) = v * s.tangent[p].access_raw_entry(a * n_strain + b);
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int d = 0; d < dim; ++d)
       {
@@ -132,7 +134,7 @@ void cell_stiffness(const Body<dim> &body,
       }
     CB.noalias() = C * B;
     local.noalias() += B.transpose() * CB;
-    const auto &tau = body.step.stress[p];
+    const auto &tau = s.stress[p];
     if (!body.small_strain())
       for (unsigned int j = 0; j < n; ++j)
       {
@@ -148,7 +150,7 @@ void cell_stiffness(const Body<dim> &body,
       add_following_pressure(-v * trace(tau) / dim, slopes, local);
   }
   if (body.f_bar && !body.small_strain())
-    add_dilatation_terms(body, cell, mean, total, local);
+    add_dilatation_terms(body, s, cell, mean, total, local);
 }
 
 /// Memory of a matrix whose size changes from cell to cell: one of Eigen would ask for it anew.
@@ -175,24 +177,25 @@ class PlaneCell
 {
 public:
   /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
-  Buffer::Matrix stiffness(const Body<2> &body, const unsigned int cell, const bool pressure_follows)
+  Buffer::Matrix
+  stiffness(const Body<2> &body, const StepState<2> &s, const unsigned int cell, const bool pressure_follows)
   {
     const unsigned int first = body.field.first_point(cell);
     const unsigned int n_points = body.field.first_point(cell + 1) - first;
-    const Buffer::Matrix slopes = find_slopes(body, first, n_points, body.field.cell_extension(cell));
+    const Buffer::Matrix slopes = find_slopes(body, s, first, n_points, body.field.cell_extension(cell));
     const Eigen::Index m = slopes.rows();
     Buffer::Matrix response = of_response.sized(3 * m, 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
     {
       const auto gx = slopes.col(2 * q), gy = slopes.col(2 * q + 1);
-      const double v = body.step.volume[first + q];
-      const auto &tau = body.step.stress[first + q];
+      const double v = s.volume[first + q];
+      const auto &tau = s.stress[first + q];
       const bool geometric = !body.small_strain();
       const double txx = geometric ? v * tau[0][0] : 0., txy = geometric ? v * tau[0][1] : 0.,
                    tyy = geometric ? v * tau[1][1] : 0.;
       // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
       const auto C = [&](const unsigned int a, const unsigned int b)
-      { return v * body.step.tangent[first + q].access_raw_entry(3 * a + b); };
+      { return v * s.tangent[first + q].access_raw_entry(3 * a + b); };
       auto with_gx = response.col(2 * q), with_gy = response.col(2 * q + 1);
       with_gx.head(m) = (C(0, 0) + txx) * gx + (C(0, 2) + txy) * gy;
       with_gy.head(m) = (C(2, 0) + txy) * gx + (C(2, 2) + tyy) * gy;
@@ -210,6 +213,7 @@ public:
 private:
   /// Derivatives along x and y of the independent nodes' functions, two columns per point.
   Buffer::Matrix find_slopes(const Body<2> &body,
+                             const StepState<2> &s,
                              const unsigned int first,
                              const unsigned int n_points,
                              const Eigen::MatrixXd &extension)
@@ -218,7 +222,7 @@ private:
     Buffer::Matrix nodal = of_nodes.sized(n, 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
     {
-      current_slopes(body, first + q, of_point);
+      current_slopes(body, s, first + q, of_point);
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int d = 0; d < 2; ++d)
           nodal(k, 2 * q + d) = of_point[k][d];
@@ -236,6 +240,7 @@ private:
 
 /// Adds the cells by PlaneCell.
 void add_plane_stiffness(const Body<2> &body,
+                         const StepState<2> &s,
                          const double factor,
                          const bool pressure_follows,
                          SystemMatrix &matrix)
@@ -244,7 +249,7 @@ void add_plane_stiffness(const Body<2> &body,
   {
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local PlaneCell plane;
-    const Buffer::Matrix blocks = plane.stiffness(body, c, pressure_follows);
+    const Buffer::Matrix blocks = plane.stiffness(body, s, c, pressure_follows);
     const Eigen::Index m = blocks.rows();
     matrix.add_cell<2>(
         c,
@@ -259,6 +264,7 @@ void add_plane_stiffness(const Body<2> &body,
 /// Adds the cells by cell_stiffness().
 template <int dim>
 void add_general_stiffness(const Body<dim> &body,
+                           const StepState<dim> &s,
                            const double factor,
                            const bool pressure_follows,
                            SystemMatrix &matrix)
@@ -276,7 +282,7 @@ void add_general_stiffness(const Body<dim> &body,
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local Eigen::MatrixXd local;
     static thread_local Buffer of_wide, of_product, of_reduced;
-    cell_stiffness(body, c, pressure_follows, local);
+    cell_stiffness(body, s, c, pressure_follows, local);
     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
     if (extension.size() == 0)
     {
@@ -318,18 +324,19 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix)
 
 template <int dim>
 void add_stiffness(const Body<dim> &body,
+                   const StepState<dim> &s,
                    const double factor,
                    SystemMatrix &matrix,
                    const bool pressure_follows)
 {
   if constexpr (dim == 2)
     if (!body.f_bar)
-      return add_plane_stiffness(body, factor, pressure_follows, matrix);
-  add_general_stiffness(body, factor, pressure_follows, matrix);
+      return add_plane_stiffness(body, s, factor, pressure_follows, matrix);
+  add_general_stiffness(body, s, factor, pressure_follows, matrix);
 }
 
 template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &);
 template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &);
-template void add_stiffness<2>(const Body<2> &, double, SystemMatrix &, bool);
-template void add_stiffness<3>(const Body<3> &, double, SystemMatrix &, bool);
+template void add_stiffness<2>(const Body<2> &, const StepState<2> &, double, SystemMatrix &, bool);
+template void add_stiffness<3>(const Body<3> &, const StepState<3> &, double, SystemMatrix &, bool);
 } // namespace softgrain::mpm

@@ -261,12 +261,13 @@ StressOutcome evaluate(const Body<dim> &body,
 } // namespace
 
 template <int dim>
-StressOutcome evaluate_stress(Body<dim> &body,
+StressOutcome evaluate_stress(const Body<dim> &body,
                               const Eigen::VectorXd &displacement,
                               const Eigen::VectorXd &increment,
-                              const Trial &trial)
+                              const Trial &trial,
+                              StepState<dim> &s)
 {
-  return evaluate(body, displacement, increment, {trial, false}, body.step);
+  return evaluate(body, displacement, increment, {trial, false}, s);
 }
 
 template <int dim>
@@ -283,9 +284,8 @@ measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const
 }
 
 template <int dim>
-void internal_force(Body<dim> &body, Eigen::VectorXd &force)
+void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &force)
 {
-  StepState<dim> &s = body.step;
   const unsigned int n = body.field.nodes_per_cell();
   s.of_cells.assign(body.field.n_cells() * n * dim, 0.);
   parallel_for(body.field.n_cells(), cell_grain,
@@ -317,7 +317,7 @@ void internal_force(Body<dim> &body, Eigen::VectorXd &force)
                    }
                    if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
                    {
-                     mean_slopes(body, c, mean);
+                     mean_slopes(body, s, c, mean);
                      for (unsigned int k = 0; k < n; ++k)
                        for (unsigned int d = 0; d < dim; ++d)
                          f[dim * k + d] -= pressure * mean[k][d];
@@ -329,11 +329,11 @@ void internal_force(Body<dim> &body, Eigen::VectorXd &force)
 }
 
 #define INSTANTIATE(dim)                                                                                     \
-  template StressOutcome evaluate_stress<dim>(Body<dim> &, const Eigen::VectorXd &, const Eigen::VectorXd &, \
-                                              const Trial &);                                                \
+  template StressOutcome evaluate_stress<dim>(const Body<dim> &, const Eigen::VectorXd &,                    \
+                                              const Eigen::VectorXd &, const Trial &, StepState<dim> &);     \
   template PointMeasures measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                     \
                                              const Eigen::VectorXd &);                                       \
-  template void internal_force<dim>(Body<dim> &, Eigen::VectorXd &);
+  template void internal_force<dim>(const Body<dim> &, StepState<dim> &, Eigen::VectorXd &);
 INSTANTIATE(2)
 INSTANTIATE(3)
 } // namespace softgrain::mpm

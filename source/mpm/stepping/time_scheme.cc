@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
 
@@ -9,7 +9,7 @@ SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::TimeIntegrator)
 
 namespace softgrain::mpm
 {
-StepOutcome TimeIntegrator::settle(World &, double) const
+StepOutcome TimeIntegrator::settle(const Problem &, State &, Workspace &, double) const
 {
   StepOutcome nothing;
   nothing.accepted = true;
@@ -32,9 +32,10 @@ class MoreauJean final : public TimeIntegrator
 {
 public:
   TimeScheme terms(const double theta) const override { return {"", theta, true, true, false, 0.5, true}; }
-  StepOutcome step(World &world, const double dt, double) const override
+  StepOutcome
+  step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
-    return implicit_step(world, {dt, false, 0.});
+    return implicit_step(problem, state, work, {dt, false, 0.});
   }
 };
 
@@ -42,9 +43,10 @@ class Newmark final : public TimeIntegrator
 {
 public:
   TimeScheme terms(double) const override { return {"", 0.5, true, true, true}; }
-  StepOutcome step(World &world, const double dt, double) const override
+  StepOutcome
+  step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
-    return implicit_step(world, {dt, false, 0.});
+    return implicit_step(problem, state, work, {dt, false, 0.});
   }
 };
 
@@ -52,18 +54,29 @@ class SymplecticEuler final : public TimeIntegrator
 {
 public:
   TimeScheme terms(double) const override { return {"", 1., true, false, false}; }
-  StepOutcome step(World &world, const double dt, double) const override { return explicit_step(world, dt); }
+  StepOutcome
+  step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
+  {
+    return explicit_step(problem, state, work, dt);
+  }
 };
 
 class QuasiStatic final : public TimeIntegrator
 {
 public:
   TimeScheme terms(double) const override { return {"", 1., false, true, false, 1., true}; }
-  StepOutcome step(World &world, const double dt, const double wanted) const override
+  StepOutcome step(const Problem &problem,
+                   State &state,
+                   Workspace &work,
+                   const double dt,
+                   const double wanted) const override
   {
-    return quasi_static_step(world, dt, wanted);
+    return quasi_static_step(problem, state, work, dt, wanted);
   }
-  StepOutcome settle(World &world, const double dt) const override { return find_balance(world, dt); }
+  StepOutcome settle(const Problem &problem, State &state, Workspace &work, const double dt) const override
+  {
+    return find_balance(problem, state, work, dt);
+  }
 };
 
 template <typename Member>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Backward Euler: what it gives must be what moreau_jean gives with Theta = 1.
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 
 using namespace softgrain;
@@ -16,9 +16,13 @@ public:
     return scheme;
   }
 
-  mpm::StepOutcome step(mpm::World &world, const double dt, double) const override
+  mpm::StepOutcome step(const mpm::Problem &problem,
+                        mpm::State &state,
+                        mpm::Workspace &work,
+                        const double dt,
+                        double) const override
   {
-    return implicit_step(world, {dt, false, 0.});
+    return implicit_step(problem, state, work, {dt, false, 0.});
   }
 };
 

@@ -10,7 +10,6 @@
 #include <softgrain/scene/scene.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <Eigen/Core>
@@ -21,24 +20,6 @@
 
 namespace softgrain::mpm
 {
-/// What one step works on; sized once per grid, overwritten by every trial.
-template <int dim>
-struct StepState
-{
-  std::vector<dealii::Tensor<2, dim>>
-      grid_gradient;                             ///< I + grad U, from the grid's configuration to the trial
-  std::vector<dealii::Tensor<2, dim>> gradient;  ///< F of the trial
-  std::vector<dealii::Tensor<2, dim>> increment; ///< displacement gradient over the step
-  std::vector<double> volume;                    ///< that multiplies the stress: at rest, or (3.17) [m^dim]
-  std::vector<dealii::SymmetricTensor<2, dim>> stress;  ///< [Pa]
-  std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
-  std::vector<double> energy, out_of_plane_stress;      ///< of measures only: per rest volume [J/m^dim], [Pa]
-  std::vector<double> dissipation;                      ///< of laws with history, per rest volume [J/m^dim]
-  std::vector<double> history_old, history; ///< rows of Law::n_history() values, start and end of the step
-  Eigen::VectorXd nodal, nodal_increment;   ///< scratch, all nodes
-  std::vector<double> of_cells;             ///< scratch, dim per node of every cell
-};
-
 /**
  * @brief The boundary of a body: closed polylines of markers that move with the field.
  *
@@ -77,16 +58,15 @@ struct Body
   std::string name;
   unsigned int index = 0;
   std::shared_ptr<const constitutive::Law<dim>> law;
-  double density = 0;                                ///< at rest [kg/m^3]
-  double rest_area = 0;                              ///< [m^dim]
-  bool driven = false;                               ///< moves rigidly with `drive`
-  dealii::Tensor<1, dim> drive;                      ///< velocity of a driven body [m/s]
+  double density = 0;           ///< at rest [kg/m^3]
+  double rest_area = 0;         ///< [m^dim]
+  bool driven = false;          ///< moves rigidly with `drive`
+  dealii::Tensor<1, dim> drive; ///< velocity that a driven body is given, in held steps apart [m/s]
   unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
   std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
   std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
 
   BodyPoints<dim> points;
-  StepState<dim> step;
   Boundary<dim> boundary;
   BodyField<dim> field;
 

@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/body/step_state.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
@@ -54,15 +55,18 @@ std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<
 
 /**
  * @brief Gives what the nodes have reached to the points, before they are sorted and the grid is laid anew:
- * places, deformation, velocities.
+ * places, deformation, velocities; the volumes of small-strain laws are those of @p s.
  */
-void leave_grid(Body<2> &body, const std::vector<dealii::Point<2>> &places, const BuildContext &context);
+void leave_grid(Body<2> &body,
+                const StepState<2> &s,
+                const std::vector<dealii::Point<2>> &places,
+                const BuildContext &context);
 
 /// Places of the boundary markers for the present displacement of the nodes.
 void move_boundary(Body<2> &body);
 
 /// Largest over smallest stretch of the grid at any point since it was laid.
-double grid_distortion(const Body<2> &body);
+double grid_distortion(const StepState<2> &s);
 } // namespace softgrain::mpm
 
 #endif

@@ -3,6 +3,7 @@
 #define softgrain_mpm_body_whole_rotation_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/step_state.h>
 
 #include <Eigen/Core>
 
@@ -31,7 +32,7 @@ Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
  * and then a round body turns at no cost. 2.5 p A in the matrix stands for that. It is not part of the
  * equations, so nothing resists.
  */
-double rotation_stiffness(const Body<2> &body);
+double rotation_stiffness(const Body<2> &body, const StepState<2> &s);
 
 /**
  * @brief Makes the rotation of a whole body in a step of Newton's method a true one.

@@ -17,6 +17,7 @@ template <int dim>
 struct ContactScene
 {
   const std::vector<Body<dim>> &bodies;
+  const std::vector<dealii::Tensor<1, dim>> &drive; ///< of driven bodies in the step, one per body [m/s]
   const std::vector<WallMotion<dim>> &walls;
   const ContactPairs &pairs; ///< what they do to each other
   double dt;                 ///< of the step to come [s]

@@ -5,6 +5,7 @@
 #include <softgrain/contact/gauss_seidel.h>
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/free_walls.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
@@ -14,7 +15,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace softgrain::mpm
@@ -30,8 +30,11 @@ class ContactSystem
 {
 public:
   /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
-  /// step before or, when @p again, the impulses that such rows have now.
-  void reinit(std::vector<ContactRow<dim>> rows, const std::vector<Body<dim>> &bodies, double dt, bool again);
+  /// step @p before or, when that is null, the impulses that such rows have now.
+  void reinit(std::vector<ContactRow<dim>> rows,
+              const std::vector<Body<dim>> &bodies,
+              double dt,
+              const ContactMemory<dim> *before);
 
   /// Walls that are unknowns of the step; to be set before reinit().
   FreeWalls<dim> free_walls;
@@ -50,9 +53,10 @@ public:
   /// Relative velocities w of the last solve, gap terms included [m/s].
   const std::vector<double> &velocities() const { return velocity; }
 
-  /// H v for the given nodal velocities, one value per component; driven bodies move as they are driven
-  /// [m/s].
+  /// H v for the given nodal velocities, one value per component; driven bodies move as @p drive says, one
+  /// per body [m/s].
   std::vector<double> relative_velocity(const std::vector<Body<dim>> &bodies,
+                                        const std::vector<dealii::Tensor<1, dim>> &drive,
                                         const std::vector<Eigen::VectorXd> &nodal) const;
 
   /// Adds H^T P of body @p b to @p nodal.
@@ -92,20 +96,13 @@ public:
   /// Calls of solve() so far in which momentum was given up for plain sweeps.
   std::uint64_t plain_solves = 0;
 
-  /// Keeps the impulses of a step of length @p dt for the next one.
-  void remember(double dt);
+  /// What the next step is to begin with after one of length @p dt [s].
+  ContactMemory<dim> memory(double dt) const;
 
   /// Saves the problem last given to solve(), for replay.
   void save_problem(const std::string &file,
                     const std::string &description,
                     const contact::SolverSettings &settings) const;
-
-  /// Impulses by key of the row.
-  using Memory = std::unordered_map<std::uint64_t, std::array<double, dim>>;
-  /// Those kept for the next step, of a step of length memory_step.
-  Memory &memory() { return remembered; }
-  const Memory &memory() const { return remembered; }
-  double memory_step = 0; ///< [s]
 
 private:
   struct Operator;
@@ -119,7 +116,6 @@ private:
 
   double normal_force(const Pair &pair, double dt) const;
 
-  Memory memory_of_now() const;
   void color_pairs(const std::vector<Body<dim>> &bodies);
   void color(const std::vector<unsigned int> &taking,
              contact::Problem::Range range,
@@ -132,7 +128,6 @@ private:
   std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
   std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
-  Memory remembered;
 };
 } // namespace softgrain::mpm
 

@@ -2,7 +2,8 @@
 #ifndef softgrain_mpm_contact_row_velocity_h
 #define softgrain_mpm_contact_row_velocity_h
 
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/model/state.h>
+#include <softgrain/mpm/model/workspace.h>
 
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace softgrain::mpm
  * do too
  * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
  */
-std::vector<double> row_velocity(const World &world,
+std::vector<double> row_velocity(const State &state,
+                                 const Workspace &work,
                                  const std::vector<Eigen::VectorXd> &v,
                                  const std::vector<WallMotion<2>> &motion,
                                  const std::vector<double> &start_relative,

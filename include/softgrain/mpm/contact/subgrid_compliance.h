@@ -19,7 +19,7 @@ namespace softgrain::mpm
  * function for all h and every body, g = ln(0.62 h/a) where that is positive: the grid puts a line force on a
  * width of about a cell. The constant is measured (doc/results/quasi-static.md), like that of a law of the
  * wall for turbulence. It belongs to quadratic B-splines and to round bodies that touch as soon as their
- * outlines do (World::places_are_free()); other bodies have none. Along the contact nothing is added.
+ * outlines do (Problem::places_are_free()); other bodies have none. Along the contact nothing is added.
  */
 struct SubgridCompliance
 {

@@ -3,6 +3,7 @@
 #define softgrain_mpm_field_cell_slopes_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/step_state.h>
 #include <softgrain/mpm/field/lattice_box.h>
 
 #include <boost/container/static_vector.hpp>
@@ -18,7 +19,10 @@ using CellSlopes =
 
 /// Slopes in the trial configuration at point @p p; small-strain laws stay with those of the grid.
 template <int dim>
-void current_slopes(const Body<dim> &body, const unsigned int p, CellSlopes<dim> &slopes)
+void current_slopes(const Body<dim> &body,
+                    const StepState<dim> &s,
+                    const unsigned int p,
+                    CellSlopes<dim> &slopes)
 {
   const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
   slopes.resize(body.field.nodes_per_cell());
@@ -26,7 +30,7 @@ void current_slopes(const Body<dim> &body, const unsigned int p, CellSlopes<dim>
     std::copy(slope, slope + slopes.size(), slopes.begin());
   else
   {
-    const dealii::Tensor<2, dim> inverse = invert(body.step.grid_gradient[p]);
+    const dealii::Tensor<2, dim> inverse = invert(s.grid_gradient[p]);
     for (unsigned int k = 0; k < slopes.size(); ++k)
       slopes[k] = slope[k] * inverse;
   }
@@ -34,20 +38,20 @@ void current_slopes(const Body<dim> &body, const unsigned int p, CellSlopes<dim>
 
 /// Mean over a cell of the current slopes, weighted with current volume, and that volume: F-bar's dilatation.
 template <int dim>
-double mean_slopes(const Body<dim> &body, const unsigned int cell, CellSlopes<dim> &mean)
+double
+mean_slopes(const Body<dim> &body, const StepState<dim> &s, const unsigned int cell, CellSlopes<dim> &mean)
 {
   mean.assign(body.field.nodes_per_cell(), dealii::Tensor<1, dim>());
   CellSlopes<dim> slopes;
   double total = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
-    current_slopes(body, p, slopes);
+    current_slopes(body, s, p, slopes);
     const auto point = body.points[p];
     // F holds the mean dilatation here, so the weight needs the determinant of what really happened.
-    const double weight =
-        body.small_strain()
-            ? body.step.volume[p]
-            : point.rest_volume() * determinant(body.step.grid_gradient[p]) * determinant(point.gradient());
+    const double weight = body.small_strain() ? s.volume[p]
+                                              : point.rest_volume() * determinant(s.grid_gradient[p]) *
+                                                    determinant(point.gradient());
     total += weight;
     for (unsigned int k = 0; k < mean.size(); ++k)
       mean[k] += weight * slopes[k];

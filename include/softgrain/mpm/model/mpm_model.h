@@ -5,7 +5,7 @@
 #include <softgrain/driving/step_control.h>
 #include <softgrain/model/memory_state.h>
 #include <softgrain/model/model.h>
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 
 #include <memory>
@@ -33,7 +33,7 @@ public:
   StepReport advance(double dt_limit) override;
   void settle(StepReport &report) override;
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
-  double time() const override { return world.time; }
+  double time() const override { return state.time; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
   std::vector<WallState<2>> walls() const override;
@@ -56,7 +56,7 @@ public:
   /// The step that the settings ask for [s].
   double wanted_step() const;
 
-  const std::vector<Body<2>> &bodies() const { return world.bodies; }
+  const std::vector<Body<2>> &bodies() const { return state.bodies; }
 
 private:
   double rotational_energy() const;
@@ -64,15 +64,19 @@ private:
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   StepReport try_steps(double dt_limit);
   /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
-  bool keeps_state_before_step() const { return !world.settings.scheme.inertia; }
+  bool keeps_state_before_step() const { return !problem.settings.scheme.inertia; }
   void renew_grids();
   void check_energy() const;
   void update_momentum_scale();
   void refresh_forces(Body<2> &body);
+  /// A body that has come to another copy of the cell that repeats is the same there.
+  void bring_into_cell(Body<2> &body) const;
   dealii::Tensor<1, 2> momentum() const;
   BodyState<2> body_state(const Body<2> &body) const;
 
-  World world;
+  Problem problem;
+  State state;
+  Workspace work;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
   StepControl step_control{1.5};

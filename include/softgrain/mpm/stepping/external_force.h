@@ -12,7 +12,7 @@ namespace softgrain::mpm
 {
 /// Force of gravity and the body's own load on the independent nodes [N]; false when there is none.
 template <int dim>
-bool external_force(Body<dim> &body,
+bool external_force(const Body<dim> &body,
                     const dealii::Tensor<1, dim> &gravity,
                     double time,
                     Eigen::VectorXd &force);

@@ -2,8 +2,8 @@
 #ifndef softgrain_mpm_stepping_following_rows_h
 #define softgrain_mpm_stepping_following_rows_h
 
-#include <softgrain/mpm/model/world.h>
 #include <softgrain/mpm/stepping/anderson_mixing.h>
+#include <softgrain/mpm/stepping/step.h>
 
 #include <Eigen/Core>
 
@@ -25,10 +25,13 @@ class FollowingRows
 public:
   using Vectors = std::vector<Eigen::VectorXd>;
 
-  /// @param world  whose rows they are
   /// @param dt     length of the step [s]
   /// @param motion of the walls
-  FollowingRows(World &world, double dt, const std::vector<WallMotion<2>> &motion);
+  FollowingRows(const Problem &problem,
+                const State &state,
+                Workspace &work,
+                double dt,
+                const std::vector<WallMotion<2>> &motion);
 
   /// Finds the rows of the step for the displacements @p increment [m]; @p again: they replace others of it.
   void find(const Vectors &increment, bool again);
@@ -59,7 +62,9 @@ private:
   /// [m].
   double way(const Vectors &increment, const Vectors *from) const;
 
-  World &world;
+  const Problem &problem;
+  const State &state;
+  Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
   GapsByRow start_gaps; ///< of a step with inertia

@@ -2,38 +2,46 @@
 #ifndef softgrain_mpm_stepping_pressed_walls_h
 #define softgrain_mpm_stepping_pressed_walls_h
 
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/step.h>
 
 #include <vector>
 
 namespace softgrain::mpm
 {
 /// Puts their loads on the walls that are free and makes them unknowns of the step.
-void press_walls(World &world, const StepPlan &plan);
+void press_walls(const Problem &problem, State &state, Workspace &work, const StepPlan &plan);
 
 /// Writes into @p motion where free walls go under the present impulses.
-void follow_free_walls(const World &world, std::vector<WallMotion<2>> &motion);
+void follow_free_walls(const Problem &problem, const Workspace &work, std::vector<WallMotion<2>> &motion);
 
 /// The same when the step is found; slabs go with their walls.
-void settle_free_walls(World &world, std::vector<WallMotion<2>> &motion);
+void settle_free_walls(const Problem &problem,
+                       const State &state,
+                       Workspace &work,
+                       std::vector<WallMotion<2>> &motion);
 
 /// Books the work of the load of a free wall over a step, what its damping and the scheme take, and its speed
 /// at the end. @param scheme_damping takes part in it: impulses act at theta in the step
-void account_free_wall(World &world, const FreeWall<2> &free, double rate, double dt, bool scheme_damping);
+void account_free_wall(const Problem &problem,
+                       State &state,
+                       const FreeWall<2> &free,
+                       double rate,
+                       double dt,
+                       bool scheme_damping);
 
 /// Largest difference of the force on a free wall from its load, over the load or, where that is less, over
 /// the smallest force that counts (dimensionless); `quasi_static`.
-double unbalanced_walls(const World &world);
+double unbalanced_walls(const Problem &problem, const State &state);
 
 /// Whether a free wall went as far as its stop in the last step.
-bool walls_are_on_their_way(const World &world);
+bool walls_are_on_their_way(const Workspace &work);
 
 /// How far walls that slide freely went in the last step as far as their stop [m].
-double slid_on_their_way(const World &world, double dt);
+double slid_on_their_way(const Workspace &work, double dt);
 
 /// @param slid the sum of slid_on_their_way() since balance was lost [m]
 /// @throw ComputationError when a free wall has left the room in which it could meet anything
-void check_room_of_walls(const World &world, double slid);
+void check_room_of_walls(const Problem &problem, const State &state, double slid);
 } // namespace softgrain::mpm
 
 #endif

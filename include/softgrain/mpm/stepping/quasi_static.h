@@ -2,7 +2,7 @@
 #ifndef softgrain_mpm_stepping_quasi_static_h
 #define softgrain_mpm_stepping_quasi_static_h
 
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/step.h>
 
 namespace softgrain::mpm
 {
@@ -13,22 +13,23 @@ namespace softgrain::mpm
  * @param wanted length of an uncut step [s]; a shorter one resists motion more, in proportion
  * @return not accepted, and nothing changed, when the bodies cannot follow the walls
  */
-StepOutcome quasi_static_step(World &world, double dt, double wanted);
+StepOutcome
+quasi_static_step(const Problem &problem, State &state, Workspace &work, double dt, double wanted);
 
 /**
  * @brief Held steps after a step of length @p dt [s], in which walls and loads stand, until the bodies are in
  * balance.
  * @throw ComputationError when they are not after 'Quasi-static/Held steps'; they have then moved
  */
-StepOutcome find_balance(World &world, double dt);
+StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, double dt);
 
 /// How far the bodies are from balance under the impulses of a step of length @p dt, along its rows: the
 /// largest net force of contacts and loads on a body, over the mean force of a contact, of a pair of bodies
 /// or a body and a wall (dimensionless; 0 when there are no forces).
-double unbalanced_force(World &world, double dt);
+double unbalanced_force(const Problem &problem, const State &state, const Workspace &work, double dt);
 
 /// The same with rows found again where the bodies are.
-double unbalanced_force_here(World &world, double dt);
+double unbalanced_force_here(const Problem &problem, State &state, Workspace &work, double dt);
 } // namespace softgrain::mpm
 
 #endif

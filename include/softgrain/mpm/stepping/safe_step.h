@@ -4,7 +4,9 @@
 
 namespace softgrain::mpm
 {
-struct World;
+struct Problem;
+struct State;
+struct Workspace;
 
 /**
  * @brief The longest step from here, up to @p dt, in which no body can pass through another unseen [s].
@@ -13,7 +15,7 @@ struct World;
  * the velocities that they have now and their loads add; those that are apart may go as far as they are
  * apart.
  */
-double safe_step(const World &world, double dt);
+double safe_step(const Problem &problem, const State &state, const Workspace &work, double dt);
 } // namespace softgrain::mpm
 
 #endif

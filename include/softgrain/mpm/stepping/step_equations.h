@@ -2,7 +2,8 @@
 #ifndef softgrain_mpm_stepping_step_equations_h
 #define softgrain_mpm_stepping_step_equations_h
 
-#include <softgrain/mpm/model/world.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <Eigen/Core>
@@ -23,16 +24,16 @@ class StepEquations
 public:
   using Vectors = std::vector<Eigen::VectorXd>;
 
-  /// Takes forces and loads at the start of the step from @p world.
-  StepEquations(World &world, const StepPlan &plan);
+  /// Takes forces and loads at the start of the step from @p state.
+  StepEquations(const Problem &problem, const State &state, Workspace &work, const StepPlan &plan);
 
-  bool moves(const unsigned int b) const { return !world.bodies[b].driven; }
+  bool moves(const unsigned int b) const { return !state.bodies[b].driven; }
 
   /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
   /// or deforms by too much over the step.
   bool evaluate(const Vectors &v);
   /// Why the last evaluate() failed.
-  std::string why_not() const { return world.why_not(bad_body, trouble); }
+  std::string why_not() const { return mpm::why_not(state.bodies[bad_body], trouble); }
   /// How the last evaluate() came out, body by body.
   const std::vector<StressOutcome> &stress_outcome() const { return stress; }
 
@@ -90,7 +91,9 @@ private:
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
 
-  World &world;
+  const Problem &problem;
+  const State &state;
+  Workspace &work;
   const TimeScheme &scheme;
   const StepPlan plan;
   const double dt;

@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_stiffness_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/step_state.h>
 
 namespace softgrain
 {
@@ -16,8 +17,8 @@ template <int dim>
 void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix);
 
 /**
- * @brief Stiffness -d(internal force)/d(displacement) for the stress and tangent last evaluated, times @p
- * factor, added.
+ * @brief Stiffness -d(internal force)/d(displacement) for the stress and tangent in @p s, times @p factor,
+ * added.
  * A compressed free body has a negative stiffness against rotation: what holds it are its contacts, which
  * this matrix does not know; see RankOneSolver.
  *
@@ -27,7 +28,11 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix);
  * in a liquid.
  */
 template <int dim>
-void add_stiffness(const Body<dim> &body, double factor, SystemMatrix &matrix, bool pressure_follows = false);
+void add_stiffness(const Body<dim> &body,
+                   const StepState<dim> &s,
+                   double factor,
+                   SystemMatrix &matrix,
+                   bool pressure_follows = false);
 } // namespace softgrain::mpm
 
 #endif

@@ -4,10 +4,10 @@
 
 namespace softgrain::mpm
 {
-struct World;
+struct State;
 
 /// Elastic energy of the bodies and of the dents that the grid misses [J/m].
-double stored_energy(const World &world);
+double stored_energy(const State &state);
 } // namespace softgrain::mpm
 
 #endif

@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_stress_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/step_state.h>
 
 #include <Eigen/Core>
 
@@ -37,16 +38,18 @@ struct Trial
  * @brief Deformation and stress at all points for a trial displacement of the nodes, and what the law keeps
  * as history and dissipates on the way; a law without history dissipates nothing and is not asked.
  *
- * @param body         its step state is filled
+ * @param body         whose points they are
  * @param displacement of the independent nodes since the grid was laid [m]
  * @param increment    the part of it that belongs to this step [m]
  * @param trial        how far to go
+ * @param s            is filled
  */
 template <int dim>
-StressOutcome evaluate_stress(Body<dim> &body,
+StressOutcome evaluate_stress(const Body<dim> &body,
                               const Eigen::VectorXd &displacement,
                               const Eigen::VectorXd &increment,
-                              const Trial &trial);
+                              const Trial &trial,
+                              StepState<dim> &s);
 
 /// What the state of a body tells beside its stress.
 struct PointMeasures
@@ -66,7 +69,7 @@ measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const
 
 /// Internal force (3.11) on the independent nodes for the stress last evaluated [N].
 template <int dim>
-void internal_force(Body<dim> &body, Eigen::VectorXd &force);
+void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &force);
 } // namespace softgrain::mpm
 
 #endif

@@ -7,8 +7,10 @@
 
 namespace softgrain::mpm
 {
+struct Problem;
+struct State;
 struct StepOutcome;
-struct World;
+struct Workspace;
 
 /**
  * @brief A way to make a step: `Time/Scheme` names a member of this family.
@@ -24,19 +26,22 @@ public:
   virtual TimeScheme terms(double theta) const = 0;
 
   /**
-   * @brief One attempt at a step; the world changes only if it is accepted.
-   * @param world to be moved
+   * @brief One attempt at a step; the state goes on only if it is accepted.
+   * @param problem what is solved
+   * @param state to be moved
+   * @param work  what steps work with
    * @param dt length of the step [s]
    * @param wanted length of steps that need not be cut [s]
    */
-  virtual StepOutcome step(World &world, double dt, double wanted) const = 0;
+  virtual StepOutcome
+  step(const Problem &problem, State &state, Workspace &work, double dt, double wanted) const = 0;
 
   /**
    * @brief Goes from where a step of length @p dt [s] ended to what may be written, while time stands still;
    * most schemes are there.
    * @throw ComputationError when it is not found
    */
-  virtual StepOutcome settle(World &world, double dt) const;
+  virtual StepOutcome settle(const Problem &problem, State &state, Workspace &work, double dt) const;
 };
 } // namespace softgrain::mpm
 

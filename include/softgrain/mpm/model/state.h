@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_model_state_h
+#define softgrain_mpm_model_state_h
+
+#include <softgrain/base/parallel.h>
+#include <softgrain/driving/adhesion.h>
+#include <softgrain/driving/balance.h>
+#include <softgrain/driving/cell_motion.h>
+#include <softgrain/driving/obstacle.h>
+#include <softgrain/driving/wall.h>
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_memory.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace softgrain::mpm
+{
+template <int dim>
+class PointStore;
+
+/// What the balances of MPM are made of beside those of every model, since the start; per metre of thickness.
+struct Balance : softgrain::Balance
+{
+  double law_loss = 0;            ///< [J/m]
+  double scheme_damping = 0;      ///< taken by theta > 1/2 [J/m]
+  double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
+  double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
+  double released_energy = 0;     ///< lost in held steps, where bodies rearrange, beside what is booked [J/m]
+  dealii::Tensor<1, 2>
+      carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
+
+  /// All that is lost [J/m].
+  double dissipated() const
+  {
+    return contact_loss + law_loss + scheme_damping + regularisation_work + released_energy +
+           wall_damping_loss;
+  }
+};
+
+/**
+ * @brief Where a computation has come to: what the next step starts from, and what checkpoints keep.
+ *
+ * begin_step() puts on walls and obstacles what is asked of them; all else that a step changes is written by
+ * accept_step().
+ */
+struct State
+{
+  State();
+  ~State();
+
+  std::unique_ptr<PointStore<2>> points; ///< of all bodies
+  std::vector<Body<2>> bodies;
+  std::vector<Wall> walls;
+  std::vector<Obstacle> obstacles;
+  ContactMemory<2> memory; ///< impulses of the last step
+  Adhesion adhesion;
+  Balance balance;
+  double time = 0; ///< [s]
+
+  /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
+  void sort_points();
+
+  /// Whether it is a cell that repeats.
+  bool repeats() const;
+
+  /// How the cell deforms in a step; nothing when it does not repeat.
+  std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
+
+  /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
+  /// body's.
+  template <class Work>
+  void for_moving_bodies(const Work &work)
+  {
+    for_moving(bodies, work);
+  }
+  template <class Work>
+  void for_moving_bodies(const Work &work) const
+  {
+    for_moving(bodies, work);
+  }
+
+private:
+  template <class Bodies, class Work>
+  static void for_moving(Bodies &bodies, const Work &work)
+  {
+    parallel_for(bodies.size(), 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     if (!bodies[b].driven)
+                       work(bodies[b]);
+                 });
+  }
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_refused_step_h
+#define softgrain_mpm_stepping_refused_step_h
+
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+struct StepOutcome;
+
+/// A number with three digits, for messages.
+std::string short_number(double value);
+
+/// Why a step is no good in which the points of @p body came out as @p outcome tells.
+std::string why_not(const Body<2> &body, const StressOutcome &outcome);
+
+/// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
+void heed_laws(const std::vector<Body<2>> &bodies,
+               const std::vector<StressOutcome> &stress,
+               StepOutcome &outcome);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How MpmModel is built from a scene and its settings.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/contact/contact_geometry_kind.h>
+#include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double touching = 1e-3; ///< gap up to which surfaces touch for adhesion [cells]
+}
+
+MpmModel::MpmModel(const Scene<2> &scene,
+                   const Settings &settings,
+                   std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
+    : timer(std::make_unique<dealii::TimerOutput>(
+          std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
+{
+  problem.scene = scene;
+  problem.settings = settings;
+  work.timer = timer.get();
+  build(std::move(laws));
+}
+
+namespace
+{
+/// What is best where a step does not resolve waves and inertia hardly holds what contacts do not, unless it
+/// is given.
+void choose_for_long_steps(Settings &settings)
+{
+  if (settings.theta == 0.)
+    settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
+  if (settings.contact_solver.algorithm == contact::Algorithm::automatic &&
+      settings.coupling == ContactCoupling::condensed)
+    settings.contact_solver.algorithm = contact::Algorithm::active_set;
+}
+} // namespace
+
+void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
+{
+  const Settings &settings = problem.settings;
+  problem.lattice =
+      std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
+  problem.shape = create_shape_function(settings.shape);
+  PointNeeds needs;
+  needs.velocity = settings.scheme.inertia;
+  needs.acceleration = settings.scheme.stored_acceleration;
+  needs.affine = settings.affine_transfer;
+  for (const auto &law : laws)
+  {
+    needs.volume = needs.volume || law->kinematics() == constitutive::Kinematics::small_strain;
+    needs.n_history = std::max(needs.n_history, law->n_history());
+  }
+  state.points = std::make_unique<PointStore<2>>(*problem.lattice, PointLayout<2>(needs));
+  const BuildContext context{*problem.lattice, *problem.shape, settings, *state.points};
+  std::vector<BodyDescription<2>> descriptions = problem.scene.bodies;
+  for (const BodyDescription<2> &body : descriptions)
+    state.bodies.push_back(make_body(body, state.bodies.size(), laws[body.material],
+                                     problem.scene.materials[body.material].density, context));
+  problem.pairs = ContactPairs(problem.scene);
+  if (problem.pairs.adhere())
+    state.adhesion = Adhesion(problem.scene.contact_law, touching * settings.cell_size);
+  state.walls = make_walls(problem.scene);
+  state.obstacles = make_obstacles(problem.scene);
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
+    if (state.walls[w].description.type == WallDescription<2>::Type::material_points)
+    {
+      state.walls[w].body = state.bodies.size();
+      descriptions.push_back(wall_slab(state.walls[w].description, context));
+      state.bodies.push_back(make_body(descriptions.back(), state.walls[w].body, laws[0],
+                                       problem.scene.materials[0].density, context));
+      state.bodies.back().wall = w;
+    }
+  state.sort_points();
+  for (Body<2> &body : state.bodies)
+  {
+    start_body(body, descriptions[body.index], context);
+    work.drive.push_back(body.drive);
+  }
+  work.trial.resize(state.bodies.size());
+  if (settings.scheme.implicit)
+  {
+    work.matrices.resize(state.bodies.size());
+    const bool condensed = settings.coupling == ContactCoupling::condensed &&
+                           state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
+    for (const Body<2> &body : state.bodies)
+    {
+      work.solvers.emplace_back();
+      if (body.driven)
+        continue;
+      lay_out_stiffness(body.field, work.matrices[body.index]);
+      work.solvers.back() = std::make_unique<RankOneSolver>(
+          create_linear_solver(settings.linear_solver, work.matrices[body.index], 2, condensed));
+    }
+  }
+  if (settings.scheme.inertia && settings.rows_follow() && wanted_step() > 20.5 * cfl_step())
+    choose_for_long_steps(problem.settings);
+  integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
+  problem.geometry = Registry<ContactGeometryKind>::instance()
+                         .create(settings.contact_geometry)
+                         ->create(*problem.shape, settings);
+  if (!settings.scheme.implicit && wanted_step() > cfl_step())
+  {
+    std::ostringstream message;
+    message << "'Time/Time step' = " << settings.step.time_step
+            << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
+            << cfl_step() << " s";
+    throw InputError(message.str());
+  }
+  if (settings.scheme.stored_acceleration)
+    for (Body<2> &body : state.bodies)
+      if (!body.driven && external_force(body, problem.scene.gravity, state.time, body.acceleration))
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            // Bodies start without stress: their loads alone accelerate them.
+            state.balance.carried_load[d] += body.acceleration[2 * i + d];
+            body.acceleration[2 * i + d] /= body.mass[i];
+          }
+  state.balance.initial_momentum = momentum();
+  initial_energy = energies().kinetic;
+  update_momentum_scale();
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/model/state.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+State::State() = default;
+State::~State() = default;
+
+void State::sort_points()
+{
+  points->sort();
+  std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(bodies.size());
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    bodies[b].points.renew(std::move(lists[b]));
+}
+
+bool State::repeats() const
+{
+  return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) { return wall.repeats(); });
+}
+
+std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &motion) const
+{
+  if (!repeats())
+    return std::nullopt;
+  CellMotion cell;
+  cell.cell = cell_of(walls);
+  for (unsigned int w = 0; w < walls.size(); ++w)
+    if (walls[w].repeats())
+      cell.add_side(motion[w].normal,
+                    motion[w].velocity * motion[w].normal + motion[w].slide * motion[w].tangent());
+  return cell;
+}
+} // namespace softgrain::mpm

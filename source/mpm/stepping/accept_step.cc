@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/stepping/accept_step.h>
+#include <softgrain/mpm/stepping/account_contacts.h>
+#include <softgrain/mpm/stepping/step_rows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// What has become of the contacts, for laws that remember.
+void note_contacts(State &state,
+                   const Workspace &work,
+                   const std::vector<Eigen::VectorXd> &increment,
+                   const std::vector<WallMotion<2>> &motion,
+                   const double dt)
+{
+  constexpr double near_limit = 1. - 1e-6; // of friction: solvers have tolerances
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
+  const std::vector<double> gaps = end_gaps(state, work, increment, motion, dt), &P = work.contact.impulses();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    const double closing = P[r * components] + dt * rows[r].pull;
+    const bool slides = components > 1 && closing > 0. && rows[r].friction > 0. &&
+                        std::abs(P[r * components + 1]) >= near_limit * rows[r].friction * closing;
+    state.adhesion.note(rows[r].key, rows[r].gap, {gaps[r], closing > 0., slides, dt});
+  }
+  state.adhesion.finish_step();
+}
+
+/// After a step of @p dt in which the cell deformed: velocities are those beside that of the cell as it is
+/// now, so that its copies stay alike (CellMotion); books what that does.
+void measure_against_cell(State &state, const CellMotion &cell, const double dt)
+{
+  dealii::Tensor<2, 2> stretch = dt * cell.gradient;
+  for (unsigned int d = 0; d < 2; ++d)
+    stretch[d][d] += 1.;
+  const dealii::Tensor<2, 2> after = cell.gradient * invert(stretch);
+  for (Body<2> &body : state.bodies)
+  {
+    const double mass = body.mass.sum();
+    const dealii::Tensor<1, 2> momentum = body.momentum(), change = -dt / mass * (after * momentum);
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        body.velocity[2 * i + d] += change[d];
+    state.balance.body_force_impulse += mass * change;
+    state.balance.body_force_work += (momentum + 0.5 * mass * change) * change;
+  }
+}
+
+/// Gives the points what the step has come to.
+void keep_stress(const StepState<2> &trial, Body<2> &body)
+{
+  const unsigned int n_history = body.law->n_history();
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+  {
+    auto point = body.points[p];
+    point.stress() = trial.stress[p];
+    if (n_history > 0)
+      std::copy_n(&trial.history[p * n_history], n_history, point.history());
+  }
+}
+} // namespace
+
+void accept_step(const Problem &problem, State &state, Workspace &work, FoundStep &step)
+{
+  const double dt = step.plan.dt;
+  const std::vector<WallMotion<2>> &motion = step.motion;
+  for (const double taken : step.scheme_damping)
+    state.balance.scheme_damping += taken;
+  state.balance.regularisation_work += step.regularisation_work;
+  account_contacts(problem, state, work, dt, step.rate, motion);
+  if (state.adhesion.remembers())
+    note_contacts(state, work, step.increment, motion, dt);
+  const bool half = problem.settings.scheme.stored_acceleration;
+  dealii::Tensor<1, 2> load;
+  for (Body<2> &body : state.bodies)
+    if (body.driven)
+    {
+      body.translate(dt * work.drive[body.index]);
+      move_boundary(body);
+    }
+    else if (step.external[body.index].size() > 0)
+    {
+      const Eigen::VectorXd &force = step.external[body.index];
+      state.balance.body_force_work += force.dot(step.rate[body.index]) * dt;
+      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          load[d] += force[2 * i + d];
+    }
+  std::vector<double> law_loss(state.bodies.size(), 0.);
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  std::vector<dealii::Point<2>> centers;
+  if (cell && cell->deforms())
+    for (const Body<2> &body : state.bodies)
+      centers.push_back(body.center());
+  state.for_moving_bodies(
+      [&](Body<2> &body)
+      {
+        Eigen::VectorXd &v = step.velocity[body.index];
+        if (half)
+          // (3.15), which is (3.16) as long as no position has been repaired.
+          body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
+        std::swap(body.internal_force, step.internal_force[body.index]);
+        body.displacement += step.increment[body.index];
+        if (cell && cell->deforms())
+          body.translate(dt * cell->velocity(centers[body.index]));
+        if (body.velocity.size() > 0)
+          std::swap(body.velocity, v);
+        move_boundary(body);
+        const StepState<2> &trial = work.trial[body.index];
+        keep_stress(trial, body);
+        if (body.law->n_history() > 0)
+          for (unsigned int p = 0; p < body.points.size(); ++p)
+            law_loss[body.index] += trial.dissipation[p] * trial.volume[p];
+      });
+  for (const double loss : law_loss)
+    state.balance.law_loss += loss;
+  if (cell && problem.settings.scheme.inertia)
+    measure_against_cell(state, *cell, dt);
+  state.balance.body_force_impulse += half ? 0.5 * dt * (load + state.balance.carried_load) : dt * load;
+  state.balance.carried_load = load;
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
+  {
+    state.walls[w].travel += dt * motion[w].velocity;
+    if (state.walls[w].repeats())
+      state.walls[w].offset = cell->offset_after(dt);
+  }
+  if (!step.plan.held)
+    state.time += dt;
+  state.memory = work.contact.memory(dt);
+}
+} // namespace softgrain::mpm

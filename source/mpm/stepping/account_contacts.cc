@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/account_contacts.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
+
+namespace softgrain::mpm
+{
+void account_contacts(const Problem &problem,
+                      State &state,
+                      const Workspace &work,
+                      const double dt,
+                      const std::vector<Eigen::VectorXd> &rate,
+                      const std::vector<WallMotion<2>> &motion)
+{
+  std::vector<dealii::Tensor<1, 2>> force_before;
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
+  {
+    force_before.push_back(state.walls[w].force);
+    state.walls[w].force = 0.;
+    state.walls[w].speed = motion[w].rate;
+    state.walls[w].slide_speed = motion[w].slide;
+  }
+  for (Obstacle &obstacle : state.obstacles)
+    obstacle.arrive();
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  dealii::Tensor<2, 2> virial;
+  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
+  // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
+  // at its end.
+  const bool half = problem.settings.scheme.stored_acceleration;
+  // From balance to balance forces change steadily: their work is that of the mean of both ends.
+  const bool balanced = !problem.settings.scheme.inertia;
+  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
+  {
+    wall.give(given, dt);
+    state.balance.wall_impulse += given;
+    state.balance.wall_work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
+  };
+  if (half)
+    for (Wall &wall : state.walls)
+    {
+      give(wall, 0.5 * dt * wall.carried);
+      wall.carried = 0.;
+    }
+  // What the dents take is not lost.
+  const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), dt);
+  if (!balanced)
+    state.balance.contact_loss -= dents - state.balance.subgrid_energy;
+  state.balance.subgrid_energy = dents;
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
+  const std::vector<double> &P = work.contact.impulses();
+  const std::vector<double> w =
+      rows.empty() ? std::vector<double>() : work.contact.relative_velocity(state.bodies, work.drive, rate);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    for (unsigned int c = 0; c < components; ++c)
+    {
+      const double impulse = P[r * components + c];
+      if (impulse == 0. && rows[r].pull == 0.)
+        continue;
+      double relative = w[r * components + c];
+      double acting = impulse;
+      if (half || balanced)
+      {
+        const auto before = state.memory.impulses.find(rows[r].key);
+        const double old = before == state.memory.impulses.end() ? 0.
+                           : half                                ? before->second[c]
+                                                                 : before->second[c] * dt / state.memory.step;
+        acting = (half ? 1. : 0.5) * (impulse + old);
+      }
+      if (rows[r].obstacle)
+      {
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        state.obstacles[rows[r].wall - state.walls.size()].give(given, rows[r].place, dt);
+        state.balance.wall_impulse += given;
+        const double speed = rows[r].partner_velocity * rows[r].direction(c);
+        state.balance.wall_work += acting * speed;
+        relative -= speed;
+      }
+      else if (rows[r].wall != ContactRow<2>::none)
+      {
+        Wall &wall = state.walls[rows[r].wall];
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        give(wall, given);
+        if (half)
+          wall.carried += 2. / dt * given;
+        // Slabs move in relative_velocity() already, planes do not.
+        const WallMotion<2> &moves = motion[rows[r].wall];
+        relative -= ((rows[r].partner == ContactRow<2>::none ? 0. : -moves.velocity) + moves.rate) *
+                    (wall.normal() * rows[r].direction(c));
+        if (rows[r].partner == ContactRow<2>::none && moves.slide != 0.)
+          relative -= moves.slide * (moves.tangent() * rows[r].direction(c));
+      }
+      else if (rows[r].partner != ContactRow<2>::none && state.bodies[rows[r].partner].driven)
+      {
+        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
+        state.balance.wall_impulse += given;
+        state.balance.wall_work += given * work.drive[rows[r].partner];
+      }
+      if (cell)
+      {
+        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
+        relative += cell->gradient * rows[r].branch * rows[r].direction(c);
+      }
+      if (c == 0 && rows[r].pull > 0.)
+      {
+        const double work = -(half ? 2. : 1.) * rows[r].pull * dt * relative;
+        state.balance.adhesion_work += work;
+        if (!balanced)
+          state.balance.contact_loss += work;
+      }
+      // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
+      // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
+      if (c > 0 || !balanced)
+        state.balance.contact_loss -= acting * relative;
+    }
+  if (cell)
+  {
+    load_sides(state.walls, cell->cell, virial);
+    for (const Wall &wall : state.walls)
+      if (wall.repeats())
+        state.balance.wall_work -=
+            dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
+  }
+  if (balanced)
+    for (unsigned int w = 0; w < state.walls.size(); ++w)
+    {
+      const Wall &wall = state.walls[w];
+      state.balance.wall_work +=
+          0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+      if (wall.slide_speed != 0.)
+        state.balance.wall_work +=
+            0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
+    }
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+    account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,
+                      dt, !half && problem.settings.scheme.implicit);
+}
+} // namespace softgrain::mpm

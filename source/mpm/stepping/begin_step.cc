@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+std::vector<WallMotion<2>>
+begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
+{
+  press_walls(problem, state, work, plan);
+  return wall_motion(state, work, plan);
+}
+
+std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const StepPlan &plan)
+{
+  const std::vector<Wall> &walls = state.walls;
+  for (Obstacle &obstacle : state.obstacles)
+    obstacle.plan(state.time, plan.held ? 0. : plan.dt);
+  std::vector<WallMotion<2>> motion;
+  for (const Wall &wall : walls)
+  {
+    const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(state.time, plan.dt).velocity;
+    motion.push_back({wall.point(), wall.normal(), velocity, wall.body == Wall::no_body && !wall.repeats(),
+                      velocity, std::abs(velocity),
+                      plan.held || wall.slides_freely() ? 0. : wall.demanded_slide(state.time, plan.dt)});
+  }
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+    if (!free.slides() || free.length > 0.)
+      motion[free.wall].fastest = std::max(
+          motion[free.wall].fastest,
+          free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
+  for (unsigned int w = 0; w < walls.size(); ++w)
+    if (walls[w].body != Wall::no_body)
+      work.drive[walls[w].body] =
+          motion[w].velocity * motion[w].normal + motion[w].slide * motion[w].tangent();
+  return motion;
+}
+} // namespace softgrain::mpm

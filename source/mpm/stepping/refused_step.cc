@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/step.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+std::string short_number(const double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+std::string why_not(const Body<2> &body, const StressOutcome &outcome)
+{
+  std::ostringstream text;
+  text << "a material point of body '" << body.name << "' "
+       << (outcome.leaps ? "deformed by more than 'Newton/Largest strain' allows in one step"
+                         : "turned inside out")
+       << " near (" << body.points[outcome.bad_point].position()
+       << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
+  return text.str();
+}
+
+void heed_laws(const std::vector<Body<2>> &bodies,
+               const std::vector<StressOutcome> &stress,
+               StepOutcome &outcome)
+{
+  unsigned int first = 0;
+  for (unsigned int b = 0; b < stress.size(); ++b)
+    if (stress[b].share < stress[first].share)
+      first = b;
+  if (stress.empty() || stress[first].share >= 1.)
+    return;
+  outcome.accepted = false;
+  outcome.law_asks = true;
+  // A little shorter than asked for, so that the next attempt is not refused by rounding.
+  outcome.share = 0.95 * stress[first].share;
+  std::ostringstream text;
+  text << "the law of body '" << bodies[first].name << "', '" << bodies[first].law->title()
+       << "', allows no more than " << stress[first].share << " of this step";
+  outcome.reason = text.str();
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/step_rows.h>
+
+#include <deal.II/base/timer.h>
+
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// What a search for contact reads; it refers to all that is handed in.
+ContactScene<2> contact_scene(const Problem &problem,
+                              const State &state,
+                              const Workspace &work,
+                              const std::vector<WallMotion<2>> &motion,
+                              const double dt,
+                              const std::vector<Eigen::VectorXd> *increment,
+                              const double share,
+                              const std::optional<CellMotion> &cell)
+{
+  ContactScene<2> scene{state.bodies,
+                        work.drive,
+                        motion,
+                        problem.pairs,
+                        dt,
+                        problem.lattice->cell_size(),
+                        increment,
+                        share,
+                        problem.places_are_free(),
+                        state.adhesion.reach()};
+  scene.obstacles = state.obstacles.empty() ? nullptr : &state.obstacles;
+  scene.cell = cell ? &*cell : nullptr;
+  return scene;
+}
+} // namespace
+
+void find_rows(const Problem &problem,
+               const State &state,
+               Workspace &work,
+               const std::vector<WallMotion<2>> &motion,
+               const double dt,
+               const std::vector<Eigen::VectorXd> *increment,
+               const double share,
+               const bool again,
+               const GapsByRow *start_gaps)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  std::vector<ContactRow<2>> rows;
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  ContactScene<2> where = contact_scene(problem, state, work, motion, dt, increment, share, cell);
+  if (again)
+    where.foresight = 0.5; // the next search sees what this one leaves out
+  problem.geometry->find(where, rows);
+  if (start_gaps != nullptr)
+    for (ContactRow<2> &row : rows)
+    {
+      const auto gap = start_gaps->find(row.key);
+      if (gap != start_gaps->end())
+        row.gap = gap->second;
+    }
+  if (problem.pairs.adhere())
+    for (ContactRow<2> &row : rows)
+      // The impulse of newmark is half a step of the force at its end.
+      row.pull = (problem.settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
+                 (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap) : 0.);
+  work.contact.reinit(std::move(rows), state.bodies, dt, again ? nullptr : &state.memory);
+}
+
+GapsByRow true_gaps(const Problem &problem,
+                    const State &state,
+                    const Workspace &work,
+                    const std::vector<WallMotion<2>> &motion,
+                    const double dt,
+                    const std::vector<Eigen::VectorXd> &increment,
+                    const double share)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  std::vector<ContactRow<2>> rows;
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  const ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
+  problem.geometry->find(where, rows);
+  GapsByRow gaps;
+  gaps.reserve(rows.size());
+  for (const ContactRow<2> &row : rows)
+    gaps[row.key] = row.gap_where_found;
+  return gaps;
+}
+
+std::vector<double> end_gaps(const State &state,
+                             const Workspace &work,
+                             const std::vector<Eigen::VectorXd> &increment,
+                             const std::vector<WallMotion<2>> &motion,
+                             const double dt)
+{
+  const auto &rows = work.contact.contact_rows();
+  const unsigned int components = work.contact.n_components();
+  std::vector<Eigen::VectorXd> rate(increment.size());
+  for (unsigned int b = 0; b < increment.size(); ++b)
+    rate[b] = increment[b] / dt;
+  const std::vector<double> w = work.contact.relative_velocity(state.bodies, work.drive, rate);
+  std::vector<double> gap(rows.size());
+  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  for (unsigned int r = 0; r < rows.size(); ++r)
+  {
+    gap[r] = rows[r].gap + dt * w[r * components];
+    if (cell)
+      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].normal;
+    if (rows[r].obstacle)
+      gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
+    else if (rows[r].partner == ContactRow<2>::none)
+      gap[r] -= dt * motion[rows[r].wall].velocity;
+  }
+  return gap;
+}
+} // namespace softgrain::mpm
