@@ -98,7 +98,7 @@ std::vector<double> end_gaps(const World &world,
   {
     gap[r] = rows[r].gap + dt * w[r * components];
     if (cell)
-      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].normal;
+      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].resultant(0);
     if (rows[r].obstacle)
       gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
     else if (rows[r].partner == ContactRow<2>::none)
@@ -220,8 +220,8 @@ void account_contacts(World &world,
       }
       if (cell)
       {
-        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
-        relative += cell->gradient * rows[r].branch * rows[r].direction(c);
+        virial += impulse / dt * outer_product(rows[r].resultant(c), rows[r].branch);
+        relative += cell->gradient * rows[r].branch * rows[r].resultant(c);
       }
       if (c == 0 && rows[r].pull > 0.)
       {

@@ -176,7 +176,7 @@ double unbalanced_force(World &world, const double dt)
   {
     Vector force;
     for (unsigned int c = 0; c < components; ++c)
-      force += world.contact.impulses()[r * components + c] / dt * rows[r].direction(c);
+      force += world.contact.impulses()[r * components + c] / dt * rows[r].resultant(c);
     if (force.norm() == 0.)
       continue;
     net[rows[r].body] += force;
