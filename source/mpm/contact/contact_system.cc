@@ -34,6 +34,23 @@ void add_column(const NodeWeights &weights,
       if (direction[d] != 0.)
         matrix.insertBack(dim * weights.node[k] + d, column) = sign * weights.weight[k] * direction[d];
 }
+/// The same of a normal impulse at a place that slides along the outline.
+template <int dim>
+void add_sliding_column(const ContactRow<dim> &row,
+                        const bool own,
+                        const unsigned int column,
+                        LinearSolver::Rows &matrix)
+{
+  Eigen::VectorXd all = row.slope * (own ? row.slide->of_body : row.slide->of_partner);
+  const NodeWeights &weights = own ? row.body_weights : row.partner_weights;
+  for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+      all[dim * weights.node[k] + d] += (own ? 1. : -1.) * weights.weight[k] * row.normal[d];
+  matrix.startVec(column);
+  for (unsigned int i = 0; i < all.size(); ++i)
+    if (all[i] != 0.)
+      matrix.insertBack(i, column) = all[i];
+}
 } // namespace
 
 template <int dim>
@@ -87,9 +104,12 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                    {
                      const ContactRow<dim> &row = rows[body_components[b][k] / components];
                      const bool own = row.body == b;
-                     add_column<dim>(own ? row.body_weights : row.partner_weights,
-                                     row.direction(body_components[b][k] % components), own ? 1. : -1., k,
-                                     matrix);
+                     if (row.slide != nullptr && body_components[b][k] % components == 0)
+                       add_sliding_column<dim>(row, own, k, matrix);
+                     else
+                       add_column<dim>(own ? row.body_weights : row.partner_weights,
+                                       row.direction(body_components[b][k] % components), own ? 1. : -1., k,
+                                       matrix);
                    }
                    matrix.finalize();
                  }

@@ -165,26 +165,53 @@ void MovedBoundary::shift(const Vector &way, const Vector &moves, const double s
   travel += moves;
 }
 
-MovedBoundary::Point MovedBoundary::position_at(const unsigned int m, const double share) const
+double MovedBoundary::Arc::height(const double share) const
+{
+  const double rest = 1. - share;
+  return length * share * rest * (start_slope * rest - end_slope * share);
+}
+
+double MovedBoundary::Arc::height_change(const double share) const
+{
+  return length * (start_slope * (1. - share) * (1. - 3. * share) - end_slope * share * (2. - 3. * share));
+}
+
+MovedBoundary::Arc MovedBoundary::arc(const unsigned int m) const
 {
   const unsigned int next = body->boundary.next(m);
-  const Vector chord = position[next] - position[m];
-  Point x = position[m] + share * chord;
-  if (!body->boundary.corner[m] && !body->boundary.corner[next])
-    // With normals turning by φ along a chord of length L the parabola rises by L φ t (1 - t) / 2.
-    x += 0.5 * share * (1. - share) * ((normals[next] - normals[m]) * chord) *
-         edge_normal(position[m], position[next]);
-  return x;
+  Arc arc;
+  arc.chord = position[next] - position[m];
+  arc.normal = edge_normal(position[m], position[next]);
+  arc.length = arc.chord.norm();
+  if (arc.length == 0. || body->boundary.corner[m] || body->boundary.corner[next])
+    return arc;
+  const auto slope = [&arc](const Vector &n)
+  {
+    const Vector tangent({-n[1], n[0]});
+    // An outline that is folded by more than 60 degrees is no curve any more.
+    return tangent * arc.normal / std::max(0.5, tangent * arc.chord / arc.length);
+  };
+  arc.start_slope = slope(normals[m]);
+  arc.end_slope = slope(normals[next]);
+  return arc;
 }
 
 MovedBoundary::Place
 MovedBoundary::place(const unsigned int m, const double share, const bool with_weights) const
 {
   const unsigned int next = body->boundary.next(m);
+  const Arc curve = arc(m);
   Place at;
-  at.position = position_at(m, share);
-  const Vector sum = (1. - share) * normals[m] + share * normals[next];
-  at.normal = sum / sum.norm();
+  at.position = position[m] + share * curve.chord + curve.height(share) * curve.normal;
+  const Vector tangent = curve.chord + curve.height_change(share) * curve.normal;
+  at.speed = tangent.norm();
+  if (body->boundary.corner[m] || body->boundary.corner[next] || at.speed == 0.)
+  {
+    const Vector sum = (1. - share) * normals[m] + share * normals[next];
+    at.normal = sum / sum.norm();
+  }
+  else
+    at.normal = Vector({tangent[1], -tangent[0]}) / at.speed;
   at.displacement = (1. - share) * displacement[m] + share * displacement[next];
   if (with_weights && !body->driven)
     at.weights = share == 0. ? body->field.marker_weights(m)

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <optional>
 
 namespace softgrain::mpm
 {
@@ -49,6 +51,70 @@ NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
   return at.weights;
 }
 
+/// The slide of the places of @p body that look along @p direction from its centre. @param partner the body
+/// at the end of it, round like this one, or null for a wall
+std::shared_ptr<const PlaceSlide<2>>
+place_slide(const Body<2> &body, const MovedBoundary &own, const Vector &direction, const Body<2> *partner)
+{
+  const Place first = own.place(own.facing(direction), true);
+  const Vector arm = first.position - own.center;
+  const Vector across = Vector({-arm[1], arm[0]}) / arm.norm();
+  // The outline crosses the ray at this rate per marker.
+  const double rate = across * Vector({-first.normal[1], first.normal[0]}) * first.speed;
+  if (!(rate > 0.1 * first.speed))
+    return nullptr; // folded: no place of a round body
+  const auto whole = [](const Body<2> &one, const Vector &form, Eigen::VectorXd &all)
+  {
+    const double mass = one.mass.sum();
+    for (unsigned int i = 0; i < one.mass.size(); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        all[2 * i + d] += one.mass[i] / mass * form[d];
+  };
+  auto slide = std::make_shared<PlaceSlide<2>>();
+  slide->of_body = Eigen::VectorXd::Zero(body.field.n_dofs());
+  for (unsigned int k = 0; k < first.weights.node.size(); ++k)
+    for (unsigned int d = 0; d < 2; ++d)
+      slide->of_body[2 * first.weights.node[k] + d] -= first.weights.weight[k] * across[d] / rate;
+  if (partner != nullptr)
+  {
+    slide->of_centre = arm.norm() / (direction.norm_square() * rate) * Vector({-direction[1], direction[0]});
+    slide->of_partner = Eigen::VectorXd::Zero(partner->field.n_dofs());
+    whole(*partner, slide->of_centre, slide->of_partner);
+  }
+  whole(body, across / rate - slide->of_centre, slide->of_body);
+  return slide;
+}
+
+/// Gives a row without friction the slope of its gap, and takes what that has done so far off the gap at the
+/// start of the step.
+void add_slope(const ContactScene<2> &scene,
+               const Place &at,
+               const std::shared_ptr<const PlaceSlide<2>> &slide,
+               Row &row)
+{
+  if (slide == nullptr || row.friction > 0.)
+    return;
+  row.slide = slide;
+  row.slope = Vector({-at.normal[1], at.normal[0]}) * row.normal * at.speed;
+  if (scene.share == 0.)
+    return;
+  const auto slid = [&](const Eigen::VectorXd &form, const unsigned int b)
+  {
+    if (form.size() == 0)
+      return 0.;
+    if (scene.increment != nullptr)
+      return form.dot((*scene.increment)[b]);
+    const Body<2> &body = scene.bodies[b];
+    return body.velocity.size() > 0 ? scene.dt * form.dot(body.velocity) : 0.;
+  };
+  double way = slid(slide->of_body, row.body);
+  if (row.partner != Row::none)
+    way += slid(slide->of_partner, row.partner);
+  if (scene.cell != nullptr)
+    way -= scene.dt * (scene.cell->gradient * row.branch) * slide->of_centre;
+  row.gap -= scene.share * row.slope * way;
+}
+
 void find_wall_rows(const ContactScene<2> &scene,
                     const ContactReach &reach,
                     const Body<2> &body,
@@ -64,6 +130,9 @@ void find_wall_rows(const ContactScene<2> &scene,
     const double margin = reach(std::abs(own.travel * wall.normal - way) + own.spread);
     if (own.distance_from(wall.point, wall.normal) - scene.share * way > margin)
       continue;
+    std::shared_ptr<const PlaceSlide<2>> slide;
+    if (own.is_free)
+      slide = place_slide(body, own, -wall.normal, nullptr);
     for_places(own, -wall.normal,
                [&](const Seeker &seeker)
                {
@@ -87,6 +156,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.key = row_key(body.index, seeker.number, w, true);
                  if (scene.cell != nullptr)
                    row.branch = own.start - (at.position - scene.share * at.displacement);
+                 add_slope(scene, at, slide, row);
                  rows.push_back(std::move(row));
                  return true;
                });
@@ -232,6 +302,12 @@ private:
       row.image = image;
       row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
     }
+    if (own.is_free && other.boundary().circular && !partner.driven)
+    {
+      if (!slide)
+        slide = place_slide(body, own, direction(), &partner);
+      add_slope(scene, at, *slide, row);
+    }
     rows.push_back(std::move(row));
     return true;
   }
@@ -244,6 +320,7 @@ private:
   const MovedBoundary &other;
   const PeriodicCell::Image image; ///< of the partner, as ContactRow::image
   std::vector<unsigned int> segments;
+  mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
 } // namespace
 

@@ -98,8 +98,8 @@ void account_contacts(const Problem &problem,
       }
       if (cell)
       {
-        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
-        relative += cell->gradient * rows[r].branch * rows[r].direction(c);
+        virial += impulse / dt * outer_product(rows[r].resultant(c), rows[r].branch);
+        relative += cell->gradient * rows[r].branch * rows[r].resultant(c);
       }
       if (c == 0 && rows[r].pull > 0.)
       {

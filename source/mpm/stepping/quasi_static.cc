@@ -170,7 +170,7 @@ double unbalanced_force(const Problem &problem, const State &state, const Worksp
   {
     Vector force;
     for (unsigned int c = 0; c < components; ++c)
-      force += work.contact.impulses()[r * components + c] / dt * rows[r].direction(c);
+      force += work.contact.impulses()[r * components + c] / dt * rows[r].resultant(c);
     if (force.norm() == 0.)
       continue;
     net[rows[r].body] += force;

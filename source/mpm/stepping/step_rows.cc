@@ -105,7 +105,7 @@ std::vector<double> end_gaps(const State &state,
   {
     gap[r] = rows[r].gap + dt * w[r * components];
     if (cell)
-      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].normal;
+      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].resultant(0);
     if (rows[r].obstacle)
       gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
     else if (rows[r].partner == ContactRow<2>::none)

@@ -3,12 +3,14 @@
 #define softgrain_mpm_contact_contact_rows_h
 
 #include <softgrain/geometry/periodic_cell.h>
+#include <softgrain/mpm/contact/place_slide.h>
 #include <softgrain/mpm/field/body_field.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -37,12 +39,23 @@ struct ContactRow
   double adhesion = 0; ///< strength of the pair [N/m^2]
   double pull = 0;     ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
-  std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
+  std::shared_ptr<const PlaceSlide<dim>>
+      slide;             ///< of the places of the pair; null where they stay on the body
+  double slope = 0;      ///< of the gap along the outline, per marker [m]
+  std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
   /// In a cell that repeats: to the centre of the body from that of the image it meets, or from the wall, at
   /// the start of the step; the cell moves them apart at gradient * branch [m].
   dealii::Tensor<1, dim> branch;
   PeriodicCell::Image image{}; ///< of the partner, that the body meets
   PeriodicCell::Image fold{};  ///< of the body: `place` is where it is in the cell itself
+
+  /// Of the sum of all that an impulse in this component does to the body; the partner feels the opposite.
+  dealii::Tensor<1, dim> resultant(const unsigned int component) const
+  {
+    if (component == 0 && slide != nullptr)
+      return normal - slope * slide->of_centre;
+    return direction(component);
+  }
 
   /// Tangent of a 2D row: the normal turned by -90 degrees.
   dealii::Tensor<1, dim> direction(const unsigned int component) const

@@ -20,8 +20,9 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
 /**
  * @brief The boundary of a body at some share of a step, as a curve.
  *
- * Between two markers the curve is the parabola whose ends have the normals of the markers, so that bodies
- * touch where round outlines are and not where chords are; at a corner it is straight. A place on a loop is
+ * Between two markers the curve is the cubic whose ends have the normals of the markers, so that bodies
+ * touch where round outlines are and not where chords are, and normals are those of the curve; at a corner it
+ * is straight. A place on a loop is
  * told by a parameter: the number of a marker plus the share of the way to the next one.
  */
 class MovedBoundary
@@ -38,6 +39,7 @@ public:
   {
     Point position;      ///< [m]
     Vector normal;       ///< unit, outward
+    double speed = 0;    ///< length of curve per marker [m]
     Vector displacement; ///< over the whole step [m]
     NodeWeights weights; ///< empty for a driven body
   };
@@ -51,8 +53,6 @@ public:
   Place place(unsigned int m, double share, bool with_weights) const;
   /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
   Place place(double parameter, bool with_weights) const;
-  Point position_at(unsigned int m, double share) const;
-
   /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
   double facing(const Vector &direction) const;
 
@@ -90,6 +90,16 @@ public:
   double spread = 0; ///< largest displacement of a contact marker against that of the centre [m]
 
 private:
+  /// The curve from a marker to the next: its chord, and above that the cubic with these slopes at its ends.
+  struct Arc
+  {
+    Vector chord, normal; ///< the latter unit, outward
+    double length = 0, start_slope = 0, end_slope = 0;
+    double height(double share) const;        ///< above the chord [m]
+    double height_change(double share) const; ///< per share [m]
+  };
+  Arc arc(unsigned int m) const;
+
   void find_center(const ContactScene<2> &scene);
   void move_markers(const ContactScene<2> &scene);
 
