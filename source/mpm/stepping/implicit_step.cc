@@ -6,6 +6,7 @@
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/following_rows.h>
+#include <softgrain/mpm/stepping/given_energy.h>
 #include <softgrain/mpm/stepping/newton_search.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -53,7 +54,7 @@ public:
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
       stop_if_interrupted();
-      const bool settled = rows.settled(equations.increment);
+      const bool settled = rows.settled(equations.increment, plan.held ? plan.regularisation : 0.);
       if (in_balance() && (settled || rows.searches() >= problem.settings.max_searches))
         return at_end(settled);
       if (rows_go_on(settled))
@@ -211,7 +212,10 @@ std::string ImplicitStep::at_end(const bool settled)
   settle_free_walls(problem, state, work, motion);
   const std::string overlap = too_deep();
   heed_laws(state.bodies, equations.stress_outcome(), outcome);
-  return outcome.law_asks ? outcome.reason : overlap;
+  if (outcome.law_asks || !overlap.empty())
+    return outcome.law_asks ? outcome.reason : overlap;
+  outcome.gives_energy = GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled);
+  return outcome.gives_energy ? "contact would give energy: rows and bodies do not settle" : "";
 }
 
 /// Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.

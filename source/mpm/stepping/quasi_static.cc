@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/relaxation.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 
@@ -27,28 +28,6 @@ void add(const StepOutcome &step, StepOutcome &sum)
   sum.newton_residual = step.newton_residual;
   sum.contact_residual = step.contact_residual;
   sum.max_penetration = step.max_penetration;
-}
-
-/// Of the nodes of all bodies [m].
-std::vector<Eigen::VectorXd> displacements(const State &state)
-{
-  std::vector<Eigen::VectorXd> all;
-  for (const Body<2> &body : state.bodies)
-    all.push_back(body.displacement);
-  return all;
-}
-
-/// Cosine of the angle between two ways; 1 when there is none.
-double cosine(const std::vector<Eigen::VectorXd> &a, const std::vector<Eigen::VectorXd> &b)
-{
-  double product = 0., square_a = 0., square_b = 0.;
-  for (unsigned int i = 0; i < a.size(); ++i)
-  {
-    product += a[i].dot(b[i]);
-    square_a += a[i].squaredNorm();
-    square_b += b[i].squaredNorm();
-  }
-  return square_a * square_b > 0. ? product / std::sqrt(square_a * square_b) : 1.;
 }
 
 /// In a held step what is driven stands still, too; it goes on afterwards, however the step ends.
@@ -94,21 +73,17 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   sum.accepted = true;
   double of_bodies = unbalanced_force_here(problem, state, work, dt);
   sum.unbalanced = std::max(of_bodies, unbalanced_walls(problem, state));
-  // Balance is where the regularising forces have gone. Weaker ones go sooner, as long as Newton follows.
-  StepPlan held{dt, true, settings.regularisation};
-  std::vector<Eigen::VectorXd> place = displacements(state), last_way;
+  Relaxation relaxation(problem, state, dt);
   StepOutcome step;
   double slid = 0.;
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
   for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
-    step = held_step(problem, state, work, held);
+    step = held_step(problem, state, work, relaxation.plan());
     add(step, sum);
     if (!step.accepted)
     {
-      held.guess = nullptr; // it may be what failed
-      held.regularisation *= 10.;
-      if (held.regularisation > 10.)
+      if (!relaxation.refused())
         throw ComputationError("no balance is found with the walls at rest: " + step.reason);
       continue;
     }
@@ -122,26 +97,14 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
       ++sum.held_steps;
       return sum;
     }
-    std::vector<Eigen::VectorXd> now = displacements(state);
-    for (unsigned int b = 0; b < now.size(); ++b)
-      place[b] = now[b] - place[b];
-    const double turn = last_way.empty() ? 0. : cosine(place, last_way);
-    last_way.swap(place);
-    place.swap(now);
-    // In a cell they also go where it takes them, which is no guess for what they do beside that.
-    held.guess = turn > 0.5 && !state.repeats() ? &last_way : nullptr;
-    if (walls_are_on_their_way(work))
+    const bool on_their_way = walls_are_on_their_way(work);
+    relaxation.accepted(step, state, before, of_bodies, on_their_way);
+    if (on_their_way)
     {
       slid += slid_on_their_way(work, dt);
       check_room_of_walls(problem, state, slid);
       near_balance = 0;
-      continue;
     }
-    // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
-    if (turn < -0.3)
-      held.regularisation = std::min(10. * held.regularisation, 10.);
-    else if (step.rows_settled && of_bodies > 0.3 * before)
-      held.regularisation = std::max(0.1 * held.regularisation, 1e-3 * settings.regularisation);
   }
   if (settings.max_held_steps == 0)
     return sum;
@@ -200,8 +163,14 @@ double unbalanced_force(const Problem &problem, const State &state, const Worksp
 StepOutcome
 quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
-  StepOutcome sum =
-      implicit_step(problem, state, work, {dt, false, problem.settings.regularisation * wanted / dt});
+  StepOutcome sum;
+  // A step in which contact would give energy goes well when bodies resist more; held steps take that off.
+  for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
+  {
+    sum = implicit_step(problem, state, work, {dt, false, resistance});
+    if (!sum.gives_energy || resistance > 10.)
+      break;
+  }
   // Walls under pressure go as far as balance lets them.
   if (!sum.accepted || work.contact.free_walls.list.empty())
     return sum;

@@ -10,6 +10,14 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+/// Of the torque that keeps a round body without friction from turning in a scheme without inertia, against
+/// one that resists as the body's own stiffness does: where the rim is cut by cells the body would creep on,
+/// turn by turn, from one balance to another.
+constexpr double locked = 1e4;
+} // namespace
+
 StepEquations::StepEquations(const Problem &problem,
                              const State &state,
                              Workspace &work,
@@ -71,7 +79,8 @@ StepEquations::StepEquations(const Problem &problem,
           spin[b] = turned_by_load(body, external[b]);
         if (scheme.inertia && !round_and_smooth[b])
           return;
-        rotation_weight[b] = 30. * (round_and_smooth[b] ? 1. : plan.regularisation) * dt * dt *
+        const double kept = scheme.inertia ? 1. : locked;
+        rotation_weight[b] = 30. * (round_and_smooth[b] ? kept : plan.regularisation) * dt * dt *
                              body.law->young_modulus() * body.rest_area;
       });
 }
@@ -131,7 +140,7 @@ bool StepEquations::evaluate(const Vectors &v)
           if (scheme.inertia)
             P.segment<2>(2 * i) -= body.mass[i] * (v[b] - body.velocity).segment<2>(2 * i);
           else
-            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * v[b].segment<2>(2 * i);
+            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * (v[b] - free_way(b)).segment<2>(2 * i);
         if (rotation_weight[b] > 0.)
         {
           const Eigen::VectorXd z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
@@ -210,10 +219,21 @@ double StepEquations::regularisation_work() const
     if (!body.driven && scheme.inertia)
       work += holding[body.index] * rotation[body.index].dot(increment[body.index]) / dt;
     else if (!body.driven)
+    {
+      // From nothing to the increment, against a spring whose rest is at the free way.
+      const Eigen::VectorXd beyond = 0.5 * increment[body.index] - dt * free_way(body.index);
       for (unsigned int i = 0; i < body.mass.size(); ++i)
-        work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
-                increment[body.index].segment<2>(2 * i).squaredNorm();
+        work += shift[body.index] / (dt * dt) * body.mass[i] *
+                increment[body.index].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
+    }
   return work;
+}
+
+Eigen::VectorXd StepEquations::free_way(const unsigned int b) const
+{
+  if (plan.ahead == 0. || plan.guess == nullptr)
+    return Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs());
+  return plan.ahead / dt * (*plan.guess)[b];
 }
 
 bool StepEquations::rotation_chases_rows() const

@@ -21,6 +21,7 @@ struct StepPlan
   double regularisation = 0; ///< of quasi_static: stiffness against motion per body, over Young's modulus
   /// First guess for the displacements over the step of a scheme without inertia [m]; null: none.
   const std::vector<Eigen::VectorXd> *guess = nullptr;
+  double ahead = 0; ///< share of the guess up to which regularising forces let bodies go
 
   /// Time that passes for laws; none while bodies come to balance [s].
   double law_dt() const { return held ? 0. : dt; }
@@ -30,9 +31,10 @@ struct StepPlan
 struct StepOutcome
 {
   bool accepted = false;
-  std::string reason;    ///< why not: names body, place and what happened
-  double share = 0.5;    ///< of the step with which it is to be tried again when it is not accepted
-  bool law_asks = false; ///< it is not accepted only because a law asks for a shorter one
+  std::string reason;        ///< why not: names body, place and what happened
+  double share = 0.5;        ///< of the step with which it is to be tried again when it is not accepted
+  bool law_asks = false;     ///< it is not accepted only because a law asks for a shorter one
+  bool gives_energy = false; ///< it is not accepted because contact gives energy, see GivenEnergy
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
   bool rows_settled = true;    ///< the contact rows are those of the step as it came out

@@ -90,6 +90,8 @@ public:
 private:
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
+  /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
+  Eigen::VectorXd free_way(unsigned int b) const;
 
   const Problem &problem;
   const State &state;

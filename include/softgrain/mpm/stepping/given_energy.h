@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_given_energy_h
+#define softgrain_mpm_stepping_given_energy_h
+
+#include <softgrain/mpm/stepping/step_equations.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Whether contact without friction gives energy to the bodies in a step that has converged otherwise.
+ *
+ * Contact rows are looked for where bodies are, and bodies are held where rows are. Where that has not come
+ * to an end, bodies overlap by more than the rows say, and have lost energy on the way that the next step
+ * gives back. And where a packing is unstable, a step may end at a saddle, uphill. Both are refused: the step
+ * is made again with more resistance, or shorter.
+ */
+class GivenEnergy
+{
+public:
+  /// All are kept by reference. @param motion of the walls in the step
+  GivenEnergy(const Problem &problem,
+              const State &state,
+              const Workspace &work,
+              const StepPlan &plan,
+              const std::vector<WallMotion<2>> &motion,
+              const StepEquations &equations);
+
+  /// @param settled whether the rows are those of the step as it came out
+  /// @return whether contact gives more than rounding and tolerances do
+  bool is_given(bool settled) const;
+
+private:
+  using Vectors = StepEquations::Vectors;
+
+  /// Work of the present contact forces on the overlaps that bodies have after @p increment [J/m].
+  double work_of_overlaps(const Vectors &increment) const;
+
+  const Problem &problem;
+  const State &state;
+  const Workspace &work;
+  const StepPlan &plan;
+  const std::vector<WallMotion<2>> &motion;
+  const StepEquations &equations;
+};
+} // namespace softgrain::mpm
+
+#endif
