@@ -27,8 +27,8 @@ SHORTER = {
     "thesis/diametral_compression_bpm_wide": ["Stop/End time=1e-3"],
     "thesis/diametral_unloading_bpm": ["Stop/End time=1e-3"],
     "thesis/diametral_unloading_bpm_30": ["Stop/End time=1e-3"],
-    "thesis/uniaxial_compaction_bpm": ["Stop/End time=5e-6"],
-    "thesis/uniaxial_compaction_bpm_friction": ["Stop/End time=5e-6"],
+    "thesis/uniaxial_compaction_bpm": ["Stop/End time=2e-6"],
+    "thesis/uniaxial_compaction_bpm_friction": ["Stop/End time=2e-6"],
 }
 UNITS = {"s": 1, "min": 60, "h": 3600, "MB": 1e6, "GB": 1e9, "TB": 1e12, "million": 1e6}
 
