@@ -19,6 +19,7 @@ constexpr double contacts = 2.15;              ///< of a primary
 constexpr double sweep_seconds = 5.2e-9;       ///< of a contact
 constexpr double sweeps = 80.;                 ///< of a step that is short
 constexpr double sweeps_of_step = 480.;        ///< more, per sqrt(m a0 / F0) of its length
+constexpr double pressed_factor = 2.;          ///< on the sweeps, walls under pressure
 constexpr double primary_seconds = 0.7e-6;     ///< of a step without the contact solve
 constexpr double picture_seconds = 1e-5;       ///< of a primary in a picture
 constexpr double history_seconds = 1e-6;       ///< of a primary in a row of the history
@@ -91,7 +92,9 @@ Forecast forecast(const Scene<2> &scene,
   result.step = settings.step.wanted(settings.step_fraction * natural_time);
   result.n_steps = run.n_steps(result.step);
   const double relative_step = natural_time > 0. ? result.step / natural_time : 0.;
-  const double sweeps = fitted::sweeps + fitted::sweeps_of_step * std::min(relative_step, 1.);
+  double sweeps = fitted::sweeps + fitted::sweeps_of_step * std::min(relative_step, 1.);
+  if (run.pressed && run.crowd.n_bodies() > 1.5)
+    sweeps *= fitted::pressed_factor;
   double seconds = fitted::contacts * fitted::sweep_seconds * sweeps + fitted::primary_seconds +
                    fitted::history_seconds / run.history_every;
   if (result.n_steps > 0.)

@@ -146,9 +146,20 @@ std::optional<RunOutline> outline_of(Input &input)
   {
     if (n > 0)
       path.next();
-    const double end = path.empty() ? stop.end_time() : path.end_time();
-    known = go(model, path.empty() || end > model.time() ? end - (path.empty() ? 0. : model.time()) : 0.,
-               [&] { return std::max(of_run(), path.empty() ? 0. : path.fraction_of_stage(0.)); });
+    const bool staged = !path.empty();
+    const double begin = staged ? model.time() : 0.;
+    const double end = staged ? path.end_time() : stop.end_time();
+    double longest = !staged || end > begin ? end - begin : 0.;
+    // What the bodies decide comes somewhere within the time that it is given.
+    const bool half = longest > 0. && (staged ? input.stages()[n].stop : stop).depend_on_bodies();
+    if (half)
+      longest *= 0.5;
+    known = go(model, longest,
+               [&]
+               {
+                 const bool over = half && model.time() >= begin + (1. - 1e-9) * longest;
+                 return std::max({of_run(), staged ? path.fraction_of_stage(0.) : 0., over ? 1. : 0.});
+               });
     if (of_run() >= 1.)
       break;
   }

@@ -83,6 +83,12 @@ double StopConditions::end_time() const
   return earliest;
 }
 
+bool StopConditions::depend_on_bodies() const
+{
+  return std::any_of(asked.begin(), asked.end(),
+                     [](const Asked &one) { return one.condition->depends_on_bodies(); });
+}
+
 namespace
 {
 /// @p state as the condition sees it whose memory is @p own.

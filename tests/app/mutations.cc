@@ -113,7 +113,9 @@ struct Kind
 {
   std::string name, good, file;
   std::function<void(const std::string &file)> read;
-  double share; ///< of all inputs
+  double share;           ///< of all inputs
+  std::size_t inputs = 0; ///< looked at so far
+  std::size_t refused = 0;
 };
 
 /// Why a message is not one clear line; empty when it is.
@@ -130,10 +132,8 @@ class Mutations
 {
 public:
   /// Damages the input @p n times and reads it.
-  void run(const Kind &kind, const std::size_t n)
+  void run(Kind &kind, const std::size_t n)
   {
-    std::size_t n_refused = 0;
-    const auto begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < n; ++i)
     {
       const std::string bad = mutated(kind.good, chance);
@@ -146,7 +146,7 @@ public:
       }
       catch (const InputError &error)
       {
-        ++n_refused;
+        ++kind.refused;
         complaint = unclear(error.what());
       }
       catch (const std::exception &error)
@@ -159,10 +159,7 @@ public:
       put("wrong-" + kind.name + "-" + std::to_string(wrong++), bad);
       std::cout << kind.name << ": " << complaint << '\n';
     }
-    if (n_refused < n / 10)
-      std::cout << kind.name << ": only " << n_refused << " of " << n << " refused\n";
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    std::cerr << kind.name << ": " << n << " inputs, " << n_refused << " refused, " << time.count() << " s\n";
+    kind.inputs += n;
   }
 
   std::size_t wrong = 0; ///< inputs that were neither read nor clearly refused
@@ -251,13 +248,34 @@ std::vector<Kind> checkpoints()
 int main(const int argc, char **argv)
 {
   const double n = argc > 1 ? std::stod(argv[1]) : 3000;
-  Mutations mutations;
+  std::vector<Kind> all;
   for (const auto &kinds : {parameter_files(), tables(), contact_problems(), checkpoints()})
-    for (const Kind &kind : kinds)
+    all.insert(all.end(), kinds.begin(), kinds.end());
+  for (const Kind &kind : all)
+  {
+    put(kind.file, kind.good);
+    kind.read(kind.file); // or the test shows nothing
+  }
+  // Every kind in every round, so that a run that is ended has seen all of them.
+  Mutations mutations;
+  constexpr unsigned int rounds = 20;
+  const auto begin = std::chrono::steady_clock::now();
+  for (unsigned int round = 1; round <= rounds; ++round)
+  {
+    std::size_t inputs = 0, refused = 0;
+    for (Kind &kind : all)
     {
-      put(kind.file, kind.good);
-      kind.read(kind.file); // or the test shows nothing
-      mutations.run(kind, static_cast<std::size_t>(n * kind.share) + 1);
+      put(kind.file, kind.good); // some readers look at more files than one
+      mutations.run(kind, static_cast<std::size_t>(n * kind.share * round / rounds) + 1 - kind.inputs);
+      inputs += kind.inputs;
+      refused += kind.refused;
     }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    std::cerr << "after " << inputs << " inputs " << refused << " refused, " << mutations.wrong
+              << " neither read nor clearly refused, " << time.count() << " s\n";
+  }
+  for (const Kind &kind : all)
+    if (kind.refused < kind.inputs / 10)
+      std::cout << kind.name << ": only " << kind.refused << " of " << kind.inputs << " refused\n";
   std::cout << "inputs neither read nor clearly refused: " << mutations.wrong << '\n';
 }

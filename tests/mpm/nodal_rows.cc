@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rows at shared nodes, known by counting: rectangles whose edges lie on the lattice touch along six nodes,
-// their normal is that of the edge, the gap is the distance of the edges; three bodies at one node have a row
-// for every pair.
+// their normal is that of the edge, the gap is the distance of the edges, however dense they are inside;
+// three bodies at one node have a row for every pair.
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/geometry/shapes_2d.h>
@@ -45,6 +45,18 @@ public:
     for (Body<2> &body : bodies)
       body.points.renew(lists[body.index]);
     start_body(bodies.back(), description, context);
+  }
+
+  /// Makes the first body lighter left of @p x, and the more so the lower: density that a blow from the right
+  /// has left.
+  void make_lighter(const double x)
+  {
+    for (unsigned int p = 0; p < bodies[0].points.size(); ++p)
+    {
+      auto point = bodies[0].points[p];
+      if (point.position()[0] < x)
+        point.mass() *= 0.75 + 1.5 * (point.position()[1] - 0.75);
+    }
   }
 
   std::vector<ContactRow<2>> find(const bool gap) const
@@ -121,11 +133,13 @@ void print(const std::string &what, std::vector<ContactRow<2>> rows)
 
 int main()
 {
-  const auto pair = [](const double gap, const bool with_gap)
+  const auto pair = [](const double gap, const bool with_gap, const bool uneven = false)
   {
     Setup setup;
     setup.add(0.4, 0.5, 1.0, 1.0);
     setup.add(1.0 + gap, 0.5, 1.6 + gap, 1.0);
+    if (uneven)
+      setup.make_lighter(0.9);
     return setup.find(with_gap);
   };
   print("edge to edge", pair(0., true));
@@ -133,6 +147,7 @@ int main()
   print("half a cell apart, no gap", pair(0.05, false));
   print("a cell apart", pair(0.1, true));
   print("half a cell inside", pair(-0.05, true));
+  print("the same, denser where they meet", pair(-0.05, true, true));
 
   Setup wall;
   wall.add(0.5, 0.5, 1.0, 1.0);

@@ -64,6 +64,9 @@ public:
   /// Called once after every step, by conditions that look back: what @p memory keeps goes into checkpoints.
   virtual void note(const RunState &, const double, std::vector<double> & /*memory*/) const {}
 
+  /// Whether what the bodies do decides, and nobody can tell beforehand when.
+  virtual bool depends_on_bodies() const { return false; }
+
   /// Part of the way to @p limit that the run has made; 1 or more: it ends.
   virtual double fraction_done(const RunState &state, double limit) const = 0;
 };
@@ -94,6 +97,8 @@ public:
 
   /// The earliest end that is known beforehand [s]; 0: none.
   double end_time() const;
+  /// Whether what the bodies do may end it before.
+  bool depend_on_bodies() const;
   /// After every step. @p memory of all conditions, empty at the start
   void note(const RunState &state, StopMemory &memory) const;
   double fraction_done(const RunState &state, const StopMemory &memory) const;

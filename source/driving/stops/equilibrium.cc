@@ -98,6 +98,8 @@ public:
     energy_limit = prm.get_double("Equilibrium energy");
   }
 
+  bool depends_on_bodies() const override { return true; }
+
   std::string in_words(const double limit) const override
   {
     return "forces balanced within " + number_in_words(limit);

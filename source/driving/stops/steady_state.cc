@@ -51,6 +51,8 @@ public:
     window = prm.get_double("Steady window");
   }
 
+  bool depends_on_bodies() const override { return true; }
+
   std::string in_words(const double limit) const override
   {
     return "steady within " + number_in_words(limit) + " over a shear strain of " + number_in_words(window);

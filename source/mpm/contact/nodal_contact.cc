@@ -89,6 +89,30 @@ Vector outward(const View &view, const double cell_size)
   return size * cell_size > least * view.mass ? view.gradient / size : Vector();
 }
 
+/// Share of the mass at a node that changes over a cell: 2 for a half space that ends there.
+double steepness(const View &view, const double cell_size)
+{
+  return view.gradient.norm() * cell_size / view.mass;
+}
+
+/// From the body that shows @p other to the one that shows @p own, of length 0 to 2 (3.23).
+Vector apart(const View &own, const View &other, const double cell_size)
+{
+  // A body that a blow has compressed is denser where the blow has come to, which is no surface. It is told
+  // from one when it looks to where the other body ends, too, and is far less steep.
+  constexpr double far_less = 0.25;
+  const Vector outward_own = outward(own, cell_size), outward_other = outward(other, cell_size);
+  if (outward_own * outward_other > 0.)
+  {
+    const double ratio = steepness(own, cell_size) / steepness(other, cell_size);
+    if (ratio < far_less)
+      return outward_other;
+    if (ratio * far_less > 1.)
+      return -outward_own;
+  }
+  return outward_other - outward_own;
+}
+
 /// How far the points that reach @p node stand out of the body along @p direction [m].
 double extent(const Body<2> &body,
               const BodyViews &at,
@@ -235,7 +259,7 @@ void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>>
                                 &other = views[second.body](second.node);
                      if (own.points.empty() || other.points.empty())
                        return;
-                     const Vector normal = outward(other, h) - outward(own, h); // (3.23)
+                     const Vector normal = apart(own, other, h);
                      // Both look the same way, or neither shows a surface here: the nodes around tell them
                      // apart.
                      if (normal.norm() < 0.2)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/expression.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
@@ -82,6 +84,29 @@ private:
     }
   }
 
+  /// @throw InputError when bodies start with a motion that a scheme without inertia would ignore
+  static void check_start_at_rest(const Scene<2> &scene, const Settings &settings)
+  {
+    // Three places that no symmetry connects: a velocity that is 0 at all of them is 0.
+    const double places[3][2] = {{0.31, 0.17}, {-0.23, 0.41}, {0.07, -0.37}};
+    for (const BodyDescription<2> &body : scene.bodies)
+    {
+      if (settings.scheme.inertia || body.driven)
+        continue;
+      const std::string ignored =
+          "' has no effect with 'Time/Scheme' = 'quasi_static', where nothing has inertia: leave it at 0";
+      if (body.angular_velocity != 0.)
+        throw InputError("'Bodies/" + body.name + "/Angular velocity" + ignored);
+      if (body.velocity.empty())
+        continue;
+      const double width = body.shape->size();
+      for (const Expression &component : vector_expression(body.velocity, {"x", "y"}))
+        for (const auto &place : places)
+          if (component({body.center[0] + width * place[0], body.center[1] + width * place[1]}) != 0.)
+            throw InputError("'Bodies/" + body.name + "/Velocity' = '" + body.velocity + ignored);
+    }
+  }
+
   /// @throw InputError when a wall slides or a cell repeats and settings do not know that
   static void check_cell(const Scene<2> &scene, const Settings &settings)
   {
@@ -120,6 +145,7 @@ private:
     check_free_walls(scene);
     check_sliding_walls(scene);
     check_wall_inertia(scene, settings);
+    check_start_at_rest(scene, settings);
     check_obstacles(scene, settings);
     check_cell(scene, settings);
     Laws laws;

@@ -30,7 +30,7 @@ constexpr double packing_seconds = 4e-3;     ///< of a grain
 constexpr double friction_factor = 1.25;     ///< on the time of a step in which waves are resolved
 constexpr double slow_friction_factor = 2.3; ///< without them
 constexpr double obstacle_factor = 2.2;      ///< the same, one body at obstacles
-constexpr double pressed_factor = 1.6;       ///< the same, walls under pressure
+constexpr double pressed_factor = 2.7;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
 } // namespace fitted
