@@ -15,6 +15,8 @@ DRAWING = {
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],
     "spinning_disk": ["--field", "velocity_m_per_s"],
     "patch_test": ["--range", "0", "3e5"],
+    "plastic_block": ["--range", "0", "3e8"],
+    "pull_off": ["--frame", "5"],
     "two_disks": ["--frame", "3"],
 }
 

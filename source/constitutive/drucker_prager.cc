@@ -24,6 +24,9 @@ void DruckerPrager<dim>::declare_parameters(dealii::ParameterHandler &prm) const
   prm.declare_entry("Cap pressure", "2e6", Double(0.),
                     "p_b, pressure at which the solid yields without shear, above that at which the cap "
                     "begins. Units: Pa.");
+  prm.declare_entry("Cap hardening", "0", Double(0.),
+                    "H, by how much both pressures of the cap rise per plastic compaction (logarithm of the "
+                    "volume), at most the bulk modulus. Units: Pa.");
 }
 
 template <int dim>
@@ -34,6 +37,11 @@ void DruckerPrager<dim>::parse_parameters(dealii::ParameterHandler &prm)
   friction = prm.get_double("Friction");
   cap_start = prm.get_double("Cap start");
   cap_end = prm.get_double("Cap pressure");
+  cap_hardening = prm.get_double("Cap hardening");
+  if (const double bulk = this->lambda + 2. / 3. * this->mu; !(cap_hardening <= bulk))
+    throw InputError("Cap hardening = " + prm.get("Cap hardening") +
+                     " Pa is not allowed; it must be at most the bulk modulus, which is " +
+                     std::to_string(bulk) + " Pa");
   if (!(cohesion > 0))
     throw InputError("Cohesion = " + prm.get("Cohesion") + " Pa is not allowed; it must be above 0");
   if (!(cap_end > cap_start))
@@ -61,19 +69,26 @@ std::vector<std::string> DruckerPrager<dim>::history_names() const
       names.push_back(std::string("inverse_plastic_") + axes[i] + axes[j]);
   if (dim == 2)
     names.push_back("inverse_plastic_zz");
-  names.insert(names.end(), {"plastic_shear", "plastic_compaction"});
+  names.insert(names.end(), {"plastic_shear", "plastic_compaction", "cap_compaction"});
   return names;
 }
 
 template <int dim>
-typename DruckerPrager<dim>::Projection DruckerPrager<dim>::project_on_cap(const double p,
-                                                                           const double q) const
+typename DruckerPrager<dim>::Cap DruckerPrager<dim>::cap_after(const double compaction) const
+{
+  const double start = cap_start + cap_hardening * compaction;
+  return {start, cap_end + cap_hardening * compaction, cohesion + friction * start};
+}
+
+template <int dim>
+typename DruckerPrager<dim>::Projection
+DruckerPrager<dim>::project_on_cap(const double p, const double q, const Cap &cap) const
 {
   // In u and y the elastic energy is (u^2 + y^2) / 2, up to a shift, and the cap an ellipse of half axes A,
   // B.
   const double a = std::sqrt(this->lambda + 2. / 3. * this->mu), b = std::sqrt(3 * this->mu);
-  const double A = (cap_end - cap_start) / a, B = (cohesion + friction * cap_start) / b;
-  const double u_trial = (p - cap_start) / a, y_trial = q / b;
+  const double A = (cap.end - cap.start) / a, B = cap.top / b;
+  const double u_trial = (p - cap.start) / a, y_trial = q / b;
   // u = u_trial / (1 + t/A^2), and so for y: what is left over is convex in t and falls; Newton from the
   // left.
   double t = std::max({0., A * (u_trial - A), B * (y_trial - B)}), c_u = 1, c_y = 1, u = 0, y = 0;
@@ -91,7 +106,7 @@ typename DruckerPrager<dim>::Projection DruckerPrager<dim>::project_on_cap(const
   // The normal of the ellipse, softened by c, is what the derivative lacks.
   const double n_u = u / A, n_y = y / B, normal = c_u * n_u * n_u + c_y * n_y * n_y;
   const double cross = -c_u * n_u * c_y * n_y / normal;
-  Projection result{cap_start + a * A * u, b * B * y, c_y};
+  Projection result{cap.start + a * A * u, b * B * y, c_y};
   result.pp = c_u - c_u * n_u * c_u * n_u / normal;
   result.qq = c_y - c_y * n_y * c_y * n_y / normal;
   result.pq = cross * a / b;
@@ -100,21 +115,22 @@ typename DruckerPrager<dim>::Projection DruckerPrager<dim>::project_on_cap(const
 }
 
 template <int dim>
-typename DruckerPrager<dim>::Projection DruckerPrager<dim>::project(const double p, const double q) const
+typename DruckerPrager<dim>::Projection
+DruckerPrager<dim>::project(const double p, const double q, const Cap &cap) const
 {
-  const double bulk = this->lambda + 2. / 3. * this->mu, top = cohesion + friction * cap_start;
-  const bool before_cap = p <= cap_start;
-  const double beyond = (p - cap_start) / (cap_end - cap_start);
-  if (before_cap ? q <= cohesion + friction * p : beyond * beyond + q * q / (top * top) <= 1)
+  const double bulk = this->lambda + 2. / 3. * this->mu;
+  const bool before_cap = p <= cap.start;
+  const double beyond = (p - cap.start) / (cap.end - cap.start);
+  if (before_cap ? q <= cohesion + friction * p : beyond * beyond + q * q / (cap.top * cap.top) <= 1)
     return {p, q, 1., 1., 0., 0., 1., false};
   if (!before_cap)
-    return project_on_cap(p, q);
+    return project_on_cap(p, q, cap);
   const double stiffness = 3 * this->mu + bulk * friction * friction;
   const double flow = (q - cohesion - friction * p) / stiffness, q_cone = q - 3 * this->mu * flow;
   if (q_cone < 0)
     return {-cohesion / friction, 0., 0.}; // the tip of the cone
-  if (p + bulk * friction * flow > cap_start)
-    return {cap_start, top, top / q}; // where cone and cap meet
+  if (p + bulk * friction * flow > cap.start)
+    return {cap.start, cap.top, cap.top / q}; // where cone and cap meet
   Projection result{p + bulk * friction * flow, q_cone, q_cone / q};
   result.pp = 1 - bulk * friction * friction / stiffness;
   result.pq = bulk * friction / stiffness;
@@ -149,7 +165,7 @@ std::size_t DruckerPrager<dim>::update(const Inputs<dim> &in, const Outputs<dim>
       s[i][i] -= 2 * mu / 3 * volume;
     const double s_zz = dim == 2 ? 2 * mu * (zz - volume / 3) : 0.;
     const double p_trial = -bulk * volume, q_trial = std::sqrt(1.5 * (s * s + s_zz * s_zz));
-    const Projection at = project(p_trial, q_trial);
+    const Projection at = project(p_trial, q_trial, cap_after(old[n - 1]));
     const Strain one = dealii::unit_symmetric_tensor<dim>(), T = at.ratio * s - at.p * one;
 
     if (out.stress)
@@ -186,8 +202,9 @@ std::size_t DruckerPrager<dim>::update(const Inputs<dim> &in, const Outputs<dim>
         fresh[i] = G[i / dim][i % dim];
       if (dim == 2)
         fresh[4] = old[4] * std::exp(compaction / 3 - (1 - at.ratio) / (2 * mu) * s_zz);
-      fresh[n - 2] += shear;
-      fresh[n - 1] += compaction;
+      fresh[n - 3] += shear;
+      fresh[n - 2] += compaction;
+      fresh[n - 1] += std::max(0., compaction);
     }
   }
   return in.n_points;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/constitutive/deformation.h>
 #include <softgrain/constitutive/gent.h>
 #include <softgrain/constitutive/law_registry.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace softgrain::constitutive
 {
@@ -34,6 +36,18 @@ typename Gent<dim>::Shape Gent<dim>::shape(const double x) const
 {
   const double slope = locking / (locking - x);
   return {-locking * std::log1p(-x / locking), slope, slope / (locking - x)};
+}
+
+template <int dim>
+std::string Gent<dim>::why_refused(const Inputs<dim> &point) const
+{
+  const dealii::Tensor<2, dim> &F = *point.deformation_gradient;
+  const double x = F.norm_square() - dim;
+  if (!is_admissible(dealii::determinant(F)) || x < locking)
+    return "";
+  std::ostringstream text;
+  text << "was stretched to I1 - 3 = " << x << ", but its law 'Gent' locks at 'Locking' = " << locking;
+  return text.str();
 }
 
 template class Gent<2>;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace softgrain::constitutive
 {
@@ -83,6 +84,20 @@ double Growth<dim>::energy(const double grown, const double J, const double firs
   const double stretch = directions.size() == 1 ? grown * grown : grown, log_J = std::log(J / grown);
   return grown * (this->mu / 2 * (first + shared * (1 / stretch - 1) - 3 - 2 * log_J) +
                   this->lambda / 2 * log_J * log_J);
+}
+
+template <int dim>
+std::string Growth<dim>::why_refused(const Inputs<dim> &point) const
+{
+  const double growth = growth_in_step(point.time, point.dt), grown = point.history_old[0] * std::exp(growth);
+  std::ostringstream text;
+  if (!std::isfinite(growth))
+    text << "cannot grow: 'Rate' of its law 'Growth' is no number between t = " << point.time - point.dt
+         << " and " << point.time << " s";
+  else if (!is_admissible(grown))
+    text << "has grown beyond all numbers by its law 'Growth': from " << point.history_old[0]
+         << " times its area by a factor of exp(" << growth << ")";
+  return text.str();
 }
 
 template <int dim>

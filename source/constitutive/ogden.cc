@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <numeric>
+#include <sstream>
 
 namespace softgrain::constitutive
 {
@@ -116,6 +117,26 @@ std::size_t Ogden<dim>::update(const Inputs<dim> &in, const Outputs<dim> &out) c
       out.dissipation[q] = 0;
   }
   return in.n_points;
+}
+
+template <int dim>
+std::string Ogden<dim>::why_refused(const Inputs<dim> &point) const
+{
+  const dealii::Tensor<2, dim> &F = *point.deformation_gradient;
+  const double J = dealii::determinant(F);
+  if (!is_admissible(J))
+    return "";
+  const PrincipalStretches<dim> stretches = principal_stretches(F, J);
+  for (const double alpha : exponents)
+    for (const double log : stretches.log)
+      if (!(alpha * log < largest_power))
+      {
+        std::ostringstream text;
+        text << "was stretched by a factor of exp(" << log << "), whose power of " << alpha
+             << " is beyond the numbers of its law 'Ogden'";
+        return text.str();
+      }
+  return "";
 }
 
 template class Ogden<2>;

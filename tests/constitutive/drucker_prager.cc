@@ -4,6 +4,7 @@
 #include "law_point.h"
 #include "law_properties.h"
 
+#include <array>
 #include <iomanip>
 
 int main()
@@ -40,7 +41,22 @@ int main()
   std::cout << "compressed from all sides\n";
   const auto compressed = follow(-0.02, -0.02, -0.02);
   std::cout << "  pressure / expected: " << p(*compressed) / end
-            << ", plastic compaction / expected: " << compressed->history.back() / (0.06 - end / K) << '\n';
+            << ", plastic compaction / expected: " << compressed->history.end()[-2] / (0.06 - end / K)
+            << '\n';
+  // A cap that hardens is one step behind: with steps of half the length the error is half as large.
+  const double H = 1e8, strain = 0.06, hard = (end + H * strain) / (1 + H / K);
+  std::array<double, 2> error;
+  for (const unsigned int steps : {200, 400})
+  {
+    Settings hardens = settings;
+    hardens.push_back({"Cap hardening", "1e8"});
+    LawPoint<3> point("drucker_prager", hardens);
+    for (unsigned int i = 1; i <= steps; ++i)
+      point.go_to(axes(-strain / 3 * i / steps, -strain / 3 * i / steps, -strain / 3 * i / steps));
+    error[steps == 400] = 1 - p(point) / hard;
+  }
+  std::cout << "compressed, cap that hardens\n  short of the pressure expected by: " << error[0]
+            << ", with half the step: " << error[1] << '\n';
   std::cout << "torn apart\n";
   const auto torn = follow(0.02, 0.02, 0.02);
   std::cout << "  pressure / expected: " << p(*torn) / (-d / m) << '\n';
@@ -63,8 +79,13 @@ int main()
   for (const char *friction : {"0", "0.6"})
     for (const char *cohesion : {"1e7", "2e8"})
     {
-      Settings soft = {{"Young's modulus", "1e9"}, {"Poisson's ratio", "0.3"}, {"Cohesion", cohesion},
-                       {"Friction", friction},     {"Cap start", "1e8"},       {"Cap pressure", "3e8"}};
+      Settings soft = {{"Young's modulus", "1e9"},
+                       {"Poisson's ratio", "0.3"},
+                       {"Cohesion", cohesion},
+                       {"Friction", friction},
+                       {"Cap start", "1e8"},
+                       {"Cap pressure", "3e8"},
+                       {"Cap hardening", friction[1] ? "1e8" : "0"}};
       const auto plane = make_law<2>("drucker_prager", soft);
       const auto space = make_law<3>("drucker_prager", soft);
       holds = LawProperties<2>(*plane).check() && holds;

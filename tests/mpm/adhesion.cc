@@ -29,7 +29,7 @@ subsection Materials
   subsection gel
     set Density = 1000
     subsection Neo-Hookean
-      set Young's modulus = 1e5
+      set Young's modulus = 1e7
     end
   end
 end

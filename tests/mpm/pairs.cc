@@ -36,12 +36,12 @@ subsection Materials
   set Names = rough, slick
   subsection rough
     subsection Neo-Hookean
-      set Young's modulus = 1e5
+      set Young's modulus = 1e7
     end
   end
   subsection slick
     subsection Neo-Hookean
-      set Young's modulus = 1e5
+      set Young's modulus = 1e7
     end
   end
 end

@@ -71,6 +71,15 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   set_tests_properties(app/extremes PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 endif()
 
+# Yield, indentation and creep of line contacts, beside closed forms.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  add_test(NAME nightly/known_answers
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
+      ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/results/known_answers.py $<TARGET_FILE:softgrain_executable>
+      ${CMAKE_BINARY_DIR}/tests/nightly/known_answers)
+  set_tests_properties(nightly/known_answers PROPERTIES LABELS nightly TIMEOUT 7200)
+endif()
+
 # ParaView opens what a run writes.
 set(SOFTGRAIN_PARAVIEW "" CACHE PATH "folder into which contrib/paraview_beside.sh unpacked ParaView")
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)

@@ -4,6 +4,7 @@
 
 #include <softgrain/base/expression.h>
 #include <softgrain/constitutive/elastic_law.h>
+#include <softgrain/constitutive/refusal.h>
 
 #include <mutex>
 
@@ -23,7 +24,7 @@ namespace softgrain::constitutive
  * mass of a point stays.
  */
 template <int dim>
-class Growth final : public ElasticLaw<dim>
+class Growth final : public ElasticLaw<dim>, public Refusal<dim>
 {
 public:
   Growth();
@@ -36,6 +37,7 @@ public:
   std::vector<std::string> history_names() const override;
   bool limits_step() const override { return largest > 0; }
   bool is_active() const override { return true; }
+  std::string why_refused(const Inputs<dim> &point) const override;
   std::size_t update(const Inputs<dim> &inputs, const Outputs<dim> &outputs) const override;
 
 private:

@@ -3,6 +3,7 @@
 #define softgrain_constitutive_ogden_h
 
 #include <softgrain/constitutive/elastic_law.h>
+#include <softgrain/constitutive/refusal.h>
 
 namespace softgrain::constitutive
 {
@@ -17,16 +18,16 @@ namespace softgrain::constitutive
  *
  * @cite ogden1972, eqs. (15) and (24), with mu_p alpha_p = 2 mu s_p; the modulus as in Hencky. Exponents 2
  * and -2 make a Mooney-Rivlin solid, the exponent 2 alone the neo-Hookean one. A deformation whose powers
- * leave the range of numbers (a stretch of 1e-60 with an exponent of -2) is reported like a point that is
- * inside out.
+ * leave the range of numbers (a stretch of 1e-60 with an exponent of -2) is not admissible.
  */
 template <int dim>
-class Ogden final : public ElasticLaw<dim>
+class Ogden final : public ElasticLaw<dim>, public Refusal<dim>
 {
 public:
   std::string title() const override { return "Ogden"; }
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(dealii::ParameterHandler &prm) override;
+  std::string why_refused(const Inputs<dim> &point) const override;
   std::size_t update(const Inputs<dim> &inputs, const Outputs<dim> &outputs) const override;
 
 private:

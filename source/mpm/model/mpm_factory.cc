@@ -14,6 +14,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include <algorithm>
+
 namespace softgrain::mpm
 {
 namespace
@@ -31,7 +33,14 @@ public:
     return names;
   }
 
-  LawCatalogue laws() const override { return {constitutive::law_names(), &constitutive::declare_all_laws}; }
+  LawCatalogue laws() const override
+  {
+    // The first is that of a material whose file names none, and must not depend on which laws there are.
+    std::vector<std::string> names = constitutive::law_names();
+    const auto standard = std::find(names.begin(), names.end(), "neo_hookean");
+    std::rotate(names.begin(), standard, standard + (standard != names.end()));
+    return {names, &constitutive::declare_all_laws};
+  }
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
 

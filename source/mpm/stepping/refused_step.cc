@@ -18,8 +18,9 @@ std::string why_not(const Body<2> &body, const StressOutcome &outcome)
 {
   std::ostringstream text;
   text << "a material point of body '" << body.name << "' "
-       << (outcome.leaps ? "deformed by more than 'Newton/Largest strain' allows in one step"
-                         : "turned inside out")
+       << (!outcome.refusal.empty() ? outcome.refusal
+           : outcome.leaps          ? "deformed by more than 'Newton/Largest strain' allows in one step"
+                                    : "turned inside out")
        << " near (" << body.points[outcome.bad_point].position()
        << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
   return text.str();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
+#include <softgrain/constitutive/refusal.h>
 #include <softgrain/mpm/field/cell_slopes.h>
 #include <softgrain/mpm/field/lattice_box.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -183,6 +184,22 @@ std::size_t leaps(const StepState<dim> &s, const std::size_t begin, const std::s
   return end;
 }
 
+/// What the law says against point @p p, when it can.
+template <int dim>
+std::string refusal(const Body<dim> &body, const StepState<dim> &s, const Trial &trial, const std::size_t p)
+{
+  const auto *law = dynamic_cast<const constitutive::Refusal<dim> *>(body.law.get());
+  if (law == nullptr)
+    return "";
+  constitutive::Inputs<dim> in;
+  in.n_points = 1;
+  in.deformation_gradient = &s.gradient[p];
+  in.history_old = s.history_old.empty() ? nullptr : &s.history_old[p * body.law->n_history()];
+  in.dt = trial.dt;
+  in.time = trial.time;
+  return law->why_refused(in);
+}
+
 template <int dim>
 StressOutcome evaluate(const Body<dim> &body,
                        const Eigen::VectorXd &displacement,
@@ -255,7 +272,11 @@ StressOutcome evaluate(const Body<dim> &body,
   StressOutcome outcome;
   outcome.bad_point = bad.load();
   outcome.share = share.load();
-  outcome.leaps = !outcome.good() && determinant(s.gradient[outcome.bad_point]) > 0.;
+  if (!outcome.good())
+  {
+    outcome.refusal = refusal(body, s, wishes.trial, outcome.bad_point);
+    outcome.leaps = determinant(s.gradient[outcome.bad_point]) > 0.;
+  }
   return outcome;
 }
 } // namespace

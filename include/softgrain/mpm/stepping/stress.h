@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace softgrain::mpm
@@ -19,6 +20,7 @@ struct StressOutcome
 
   std::size_t bad_point = none; ///< first point whose trial deformation is no good
   bool leaps = false;           ///< it is not inside out, but deforms by more than was allowed
+  std::string refusal;          ///< what its law has against it, see constitutive::Refusal; mostly empty
   double share = 1.;            ///< of the step that the law allows, see constitutive::Outputs::step_share
   bool good() const { return bad_point == none; }
 };

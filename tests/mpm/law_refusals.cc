@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A law that does not admit a deformation says why: growth's in every scheme when its formula is no number,
+// Gent's when its chains lock. A run that cannot go on ends with that line, not with one on points that are
+// inside out.
+#include "scene_of.h"
+
+#include <softgrain/base/exceptions.h>
+
+#include <iostream>
+
+using namespace softgrain;
+
+namespace
+{
+/// A block of 10 mm between smooth plates that come near by up to 8 mm.
+std::string block(const std::string &law)
+{
+  return R"(
+subsection Mesh
+  set Lower     = -12e-3, -2e-3
+  set Upper     = 22e-3, 12e-3
+  set Cell size = 2.5e-3
+end
+subsection Materials
+  set Names = stuff
+  subsection stuff
+)" + law +
+         R"(
+  end
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape  = rectangle
+    set Center = 5e-3, 5e-3
+    set Size   = 10e-3, 10e-3
+  end
+end
+subsection Walls
+  set Names = bottom, top
+  subsection top
+    set Point    = 0, 10e-3
+    set Velocity = 8
+  end
+end
+subsection Stop
+  set End time = 1e-3
+end
+)";
+}
+
+void ends(const std::string &title, const std::string &law, const std::vector<std::string> &changes)
+{
+  std::cout << title << ": ";
+  const auto model = scene_of_text(block(law), changes);
+  try
+  {
+    run_until(*model, 1e-3);
+    std::cout << "goes on\n";
+  }
+  catch (const ComputationError &error)
+  {
+    const std::string text = error.what();
+    for (const char *word : {"locks at 'Locking' = 0.5", "is no number between", "inside out"})
+      if (text.find(word) != std::string::npos)
+        std::cout << word << "; ";
+    std::cout << "at t = " << 1e-6 * std::floor(1e6 * model->time()) << '\n';
+  }
+}
+} // namespace
+
+int main()
+{
+  const std::string gent = "set Law = gent\nsubsection Gent\nset Locking = 0.5\nend\n",
+                    growth = "set Law = growth\nsubsection Growth\nset Rate = sqrt(2.5e-4 - t)\nend\n";
+  const std::vector<std::vector<std::string>> schemes = {{"Time/Scheme=quasi_static", "Time/Time step=2e-5"},
+                                                         {"Time/Scheme=moreau_jean"},
+                                                         {"Time/Scheme=explicit", "Time/CFL multiple=0.2"}};
+  for (const auto &changes : schemes)
+    ends("growth, " + changes[0], growth, changes);
+  // So fast that one step goes beyond; steps may not be shorter.
+  ends("gent, one long step", gent,
+       {"Time/Scheme=explicit", "Time/Time step=1e-5", "Time/CFL multiple=1e6", "Time/Smallest step=1",
+        "Bodies/block/Velocity=5e4*(x - 5e-3); 0"});
+}
