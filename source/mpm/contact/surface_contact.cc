@@ -131,7 +131,7 @@ void find_wall_rows(const ContactScene<2> &scene,
     if (own.distance_from(wall.point, wall.normal) - scene.share * way > margin)
       continue;
     std::shared_ptr<const PlaceSlide<2>> slide;
-    if (own.is_free)
+    if (own.is_free && scene.places_slide)
       slide = place_slide(body, own, -wall.normal, nullptr);
     for_places(own, -wall.normal,
                [&](const Seeker &seeker)
@@ -302,7 +302,7 @@ private:
       row.image = image;
       row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
     }
-    if (own.is_free && other.boundary().circular && !partner.driven)
+    if (scene.places_slide && own.is_free && other.boundary().circular && !partner.driven)
     {
       if (!slide)
         slide = place_slide(body, own, direction(), &partner);

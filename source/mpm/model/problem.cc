@@ -15,6 +15,11 @@ bool Problem::places_are_free() const
   return slippery() || (!settings.scheme.inertia && !contacts_remember());
 }
 
+bool Problem::places_slide() const
+{
+  return slippery() && settings.scheme.inertia && settings.rows_follow();
+}
+
 bool Problem::slippery() const
 {
   return pairs.frictionless() && !contacts_remember() && !rough(scene.obstacles);

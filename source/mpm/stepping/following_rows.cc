@@ -56,11 +56,10 @@ double FollowingRows::way(const Vectors &increment, const Vectors *from) const
   return way;
 }
 
-bool FollowingRows::settled(const Vectors &increment, const double regularisation) const
+bool FollowingRows::settled(const Vectors &increment) const
 {
-  const double share = std::clamp(1. / std::max(regularisation, 1.), 0.1, 1.);
   return !problem.settings.rows_follow() ||
-         way(increment, &place) <= share * row_tolerance * problem.lattice->cell_size();
+         way(increment, &place) <= row_tolerance * problem.lattice->cell_size();
 }
 
 bool FollowingRows::mix(Vectors &increment)

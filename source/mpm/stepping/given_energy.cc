@@ -62,7 +62,8 @@ bool GivenEnergy::is_given(const bool settled) const
         floor[b] = floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
         if (!descends)
         {
-          stored[b] += body.kinetic_energy();
+          if (problem.settings.scheme.inertia)
+            stored[b] += body.kinetic_energy();
           return;
         }
         change[b] = stored[b] - measure_points(body, body.displacement, none).energy;

@@ -54,7 +54,7 @@ public:
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
       stop_if_interrupted();
-      const bool settled = rows.settled(equations.increment, plan.held ? plan.regularisation : 0.);
+      const bool settled = rows.settled(equations.increment);
       if (in_balance() && (settled || rows.searches() >= problem.settings.max_searches))
         return at_end(settled);
       if (rows_go_on(settled))

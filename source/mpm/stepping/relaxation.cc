@@ -45,7 +45,6 @@ Relaxation::Relaxation(const Problem &problem, const State &state, const double 
 bool Relaxation::refused()
 {
   const bool went_ahead = next.ahead > 0.;
-  hard = true;
   look_ahead(false);
   way.clear();
   next.guess = nullptr; // it may be what failed
@@ -69,8 +68,8 @@ void Relaxation::accepted(const StepOutcome &step,
   way.swap(place);
   place.swap(now);
   // In a cell they also go where it takes them, which is no guess for what they do beside that.
-  next.guess = turn > (hard ? 0. : 0.5) && !state.repeats() ? &way : nullptr;
-  look_ahead(hard && next.guess != nullptr && after < 1.5 * before);
+  next.guess = turn > 0. && !state.repeats() ? &way : nullptr;
+  look_ahead(next.guess != nullptr && after < 1.5 * before);
   if (!walls_on_their_way)
     resist(step, before, after);
 }

@@ -136,11 +136,12 @@ bool StepEquations::evaluate(const Vectors &v)
         if (external[b].size() > 0)
           // newmark's stored acceleration already holds the load at the start of the step.
           P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
+        const Eigen::VectorXd resisted = scheme.inertia ? v[b] - body.velocity : v[b] - free_way(b);
         for (unsigned int i = 0; i < body.mass.size(); ++i)
           if (scheme.inertia)
-            P.segment<2>(2 * i) -= body.mass[i] * (v[b] - body.velocity).segment<2>(2 * i);
+            P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
           else
-            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * (v[b] - free_way(b)).segment<2>(2 * i);
+            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * resisted.segment<2>(2 * i);
         if (rotation_weight[b] > 0.)
         {
           const Eigen::VectorXd z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];

@@ -28,6 +28,7 @@ ContactScene<2> contact_scene(const Problem &problem,
                         increment,
                         share,
                         problem.places_are_free(),
+                        problem.places_slide(),
                         state.adhesion.reach()};
   scene.obstacles = state.obstacles.empty() ? nullptr : &state.obstacles;
   scene.cell = cell ? &*cell : nullptr;

@@ -27,7 +27,9 @@ struct ContactScene
   const std::vector<Eigen::VectorXd> *increment = nullptr;
   /// Where in the step places and normals are taken: 0 its start, 1 its end.
   double share = 0.5;
-  bool free_places = false;  ///< places of round bodies that look for contact need not turn with them
+  bool free_places = false; ///< places of round bodies that look for contact need not turn with them
+  /// Whether rows count that such places slide along outlines, see PlaceSlide.
+  bool places_slide = false;
   double adhesion_reach = 0; ///< gap up to which rows may pull [m]
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.

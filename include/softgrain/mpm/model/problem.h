@@ -31,6 +31,10 @@ struct Problem
   /// without friction, and without inertia, where a step holds what is at a place now to what was opposite.
   bool places_are_free() const;
 
+  /// Whether contact rows count that such places slide along outlines. Not without inertia: there forces of
+  /// rows denser than the grid go from one to the other, slopes with them, and balance is never reached.
+  bool places_slide() const;
+
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
   bool slippery() const;
 

@@ -36,9 +36,8 @@ public:
   /// Finds the rows of the step for the displacements @p increment [m]; @p again: they replace others of it.
   void find(const Vectors &increment, bool again);
 
-  /// Whether the rows are those of a step with these displacements [m]. @param regularisation against which
-  /// bodies come to balance: the stronger it is, the shorter are the ways that matter
-  bool settled(const Vectors &increment, double regularisation) const;
+  /// Whether the rows are those of a step with these displacements [m].
+  bool settled(const Vectors &increment) const;
 
   /**
    * @brief Makes @p increment, the outcome of these rows, what the next ones are best found for.

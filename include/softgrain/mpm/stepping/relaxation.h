@@ -14,10 +14,9 @@ namespace softgrain::mpm
  * @brief How held steps are made so that bodies come to balance: how much they resist, and from where.
  *
  * Resistance goes in balance, whatever it is. Where all goes well it is taken down, so that balance comes
- * sooner; where steps go back and forth, are refused or give energy it is put up. Once that has happened
- * bodies slide down a long valley: they are then held to where they would be when they went on by a share of
- * their last way, not to where they are (Nesterov 1983; the share starts anew when they turn, or when forces
- * grow).
+ * sooner; where steps go back and forth, are refused or give energy it is put up. Bodies that go on and on
+ * slide down a long valley: they are held to where they would be when they went on by a share of their last
+ * way, not to where they are (Nesterov 1983; the share starts anew when they turn, or when forces grow).
  */
 class Relaxation
 {
@@ -48,7 +47,6 @@ private:
   StepPlan next;
   const double wanted; ///< resistance, as it was set
   double least;        ///< that has not just been too little
-  bool hard = false;   ///< steps have been refused
   double turn = 0;     ///< cosine of the angle between the last two ways
   double sequence = 1; ///< Nesterov's
   Vectors place, way;  ///< of the nodes of all bodies, and from the place before [m]
