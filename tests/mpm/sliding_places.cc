@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contact rows are the derivatives of gaps: of two disks that have been deformed until their outlines cross,
+// one is moved, turned, strained and waved by very little, and the change of every gap is compared with what
+// the rows say. Rows that do not count that their places slide along the outline miss a part of it.
+#include <softgrain/base/registry.h>
+#include <softgrain/constitutive/law_registry.h>
+#include <softgrain/geometry/shapes_2d.h>
+#include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/contact/contact_system.h>
+#include <softgrain/mpm/contact/surface_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+using namespace softgrain;
+using namespace softgrain::mpm;
+
+namespace
+{
+using Vectors = std::vector<Eigen::VectorXd>;
+using Vector = dealii::Tensor<1, 2>;
+
+constexpr double radius = 0.5, cell = 0.17;
+
+/// Two disks side by side.
+class Pair
+{
+public:
+  Pair()
+      : lattice(dealii::Point<2>(0., 0.), dealii::Point<2>(2.6, 1.6), cell)
+      , points(lattice, PointLayout<2>(needs()))
+      , shape(create_shape_function("linear"))
+      , drive(2)
+  {
+    add({0.73, 0.80});
+    add({1.72, 0.87});
+    scene.materials.resize(1);
+    scene.bodies.resize(2);
+  }
+
+  /// The displacements u(number of the body, arm from its centre) of the nodes.
+  template <class Field>
+  Vectors displacements(const Field &field) const
+  {
+    Vectors all;
+    for (const Body<2> &body : bodies)
+    {
+      Eigen::VectorXd u(body.field.n_dofs());
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+      {
+        const Vector value =
+            field(body.index, body.field.position(body.field.node_of_independent(i)) - centers[body.index]);
+        u[2 * i] = value[0];
+        u[2 * i + 1] = value[1];
+      }
+      all.push_back(u);
+    }
+    return all;
+  }
+
+  std::vector<ContactRow<2>> rows(const Vectors &u, const bool slide) const
+  {
+    const ContactPairs pairs(scene);
+    ContactScene<2> where{bodies, drive, walls, pairs, 1., cell, &u, 1., true, slide};
+    std::vector<ContactRow<2>> found;
+    SurfaceContact().find(where, found);
+    return found;
+  }
+
+  /// The largest error of a row in a change @p v, over the largest change of a gap, where they overlap.
+  double error(const Vectors &u, const Vectors &v, const bool slide) const
+  {
+    constexpr double little = 1e-6;
+    ContactSystem<2> system;
+    system.reinit(rows(u, slide), bodies, 1., nullptr);
+    const std::vector<double> said = system.relative_velocity(bodies, drive, v);
+    std::map<std::uint64_t, double> change;
+    for (const double side : {1., -1.})
+    {
+      Vectors moved = u;
+      for (unsigned int b = 0; b < moved.size(); ++b)
+        moved[b] += side * little * v[b];
+      for (const ContactRow<2> &row : rows(moved, slide))
+        change[row.key] += 0.5 * side / little * row.gap_where_found;
+    }
+    double worst = 0., largest = 0.;
+    for (unsigned int r = 0; r < said.size(); ++r)
+    {
+      const ContactRow<2> &row = system.contact_rows()[r];
+      if (row.gap_where_found > 0.)
+        continue;
+      worst = std::max(worst, std::abs(change.at(row.key) - said[r]));
+      largest = std::max(largest, std::abs(change.at(row.key)));
+    }
+    return worst / largest;
+  }
+
+private:
+  static std::unique_ptr<constitutive::Law<2>> law()
+  {
+    return Registry<constitutive::Law<2>>::instance().create("linear_elastic");
+  }
+
+  static PointNeeds needs()
+  {
+    PointNeeds needs;
+    needs.volume = true;
+    needs.n_history = law()->n_history();
+    return needs;
+  }
+
+  void add(const dealii::Point<2> &center)
+  {
+    BodyDescription<2> description;
+    description.name = std::string(1, static_cast<char>('a' + bodies.size()));
+    description.center = center;
+    description.shape = std::make_shared<Disk2D>(center, radius);
+    const BuildContext context{lattice, *shape, settings, points};
+    bodies.push_back(make_body(description, bodies.size(), law(), 1000., context));
+    points.sort();
+    const auto lists = points.by_body(bodies.size());
+    for (Body<2> &body : bodies)
+      body.points.renew(lists[body.index]);
+    start_body(bodies.back(), description, context);
+    centers.push_back(center);
+  }
+
+  Lattice<2> lattice;
+  PointStore<2> points;
+  std::unique_ptr<ShapeFunction> shape;
+  Settings settings;
+  Scene<2> scene;
+  std::vector<Body<2>> bodies;
+  std::vector<dealii::Point<2>> centers;
+  std::vector<Vector> drive;
+  std::vector<WallMotion<2>> walls;
+};
+} // namespace
+
+int main()
+{
+  const Pair pair;
+  // Flattened towards each other, and bent.
+  const Vectors pressed = pair.displacements(
+      [](const unsigned int b, const Vector &x)
+      {
+        const double side = b == 0 ? 1. : -1., out = side * x[0] / radius;
+        return Vector({side * (0.06 - 0.05 * out * out * out), 0.04 * x[1] * out + 0.03 * x[0] * x[0]});
+      });
+  const auto one = [&](const auto &field)
+  {
+    return pair.displacements([&](const unsigned int b, const Vector &x)
+                              { return b == 0 ? field(x) : Vector(); });
+  };
+  const std::pair<const char *, Vectors> changes[] = {
+      {"moved across", one(
+                           [](const Vector &) {
+                             return Vector({0., 1.});
+                           })},
+      {"turned", one(
+                     [](const Vector &x) {
+                       return Vector({-x[1], x[0]});
+                     })},
+      {"strained", one(
+                       [](const Vector &x) {
+                         return Vector({x[0], -x[1]});
+                       })},
+      {"waved", one(
+                    [](const Vector &x) {
+                      return Vector({std::sin(4. * x[1]), std::cos(3. * x[0])});
+                    })}};
+  for (const auto &[name, change] : changes)
+    std::cout << name << ": error " << pair.error(pressed, change, true) << ", places taken to stay "
+              << pair.error(pressed, change, false) << '\n';
+}
