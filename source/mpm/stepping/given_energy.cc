@@ -10,7 +10,8 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double allowed = 1e-5;      ///< share of what all bodies store that contact may give in a step
+constexpr double allowed = 1e-5;   ///< share of what all bodies store that contact may give in a step
+constexpr double strongest = 100.; ///< regularisation of held steps so short that what they gain is rounding
 constexpr double floor_strain = 1e-7; ///< energy of such a strain is rounding
 } // namespace
 
@@ -44,7 +45,7 @@ bool GivenEnergy::is_given(const bool settled) const
 {
   const bool descends = plan.held && work.contact.free_walls.list.empty();
   if (!problem.settings.rows_follow() || !problem.slippery() || work.contact.empty() ||
-      (settled && !descends))
+      (settled && !descends) || (plan.held && plan.regularisation >= strongest))
     return false;
   double gain = settled ? 0. : work_of_overlaps(equations.increment);
   if (!descends && gain == 0.)
