@@ -18,13 +18,16 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def flags_of(build):
-    """Flags of a source of base/, which is compiled without precompiled headers."""
+    """Flags of a source of base/, without its precompiled header."""
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         if "/source/base/" in entry["file"]:
             words = shlex.split(entry["command"])
             start = max(number for number, word in enumerate(words[:8]) if re.search(r"(\+\+|clang)", word))
             kept = [word for word in words[start:] if word not in (entry["file"], "-c")]
-            return kept[:kept.index("-o")] + kept[kept.index("-o") + 2:]
+            for option in ("-o", "-include"):  # both with what follows
+                while option in kept:
+                    del kept[kept.index(option):kept.index(option) + 2]
+            return kept
     sys.exit("no source of base/ in compile_commands.json")
 
 

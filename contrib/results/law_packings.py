@@ -56,7 +56,7 @@ def main():
     parser.add_argument("program", help="build/release/bin/softgrain")
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/law_packings"),
                         help="for the output folders of the runs (default: %(default)s)")
-    parser.add_argument("--library", help="with the law energy_only: test_constitutive_module_energy_only of the build")
+    parser.add_argument("--library", dest="plug_in", help="with the law energy_only: test_constitutive_module_energy_only of the build")
     parser.add_argument("--laws", nargs="+", choices=LAWS, default=[law for law in LAWS if law != "energy_only"])
     parser.add_argument("--f-bar", nargs="+", choices=("off", "on"), default=("off", "on"))
     parser.add_argument("--limit", type=float, default=1800, help="wall seconds of one run (default: %(default)s)")
@@ -64,8 +64,8 @@ def main():
     arguments = parser.parse_args()
     more = dict(item.split("=", 1) for item in arguments.set)
     laws = list(arguments.laws)
-    if arguments.library:
-        more["Additional shared libraries"] = arguments.library
+    if arguments.plug_in:
+        more["Additional shared libraries"] = arguments.plug_in
         laws += ["energy_only"] * ("energy_only" not in laws)
     arguments.folder.mkdir(parents=True, exist_ok=True)
     print("| " + " | ".join(COLUMNS) + " |\n" + "|---" * len(COLUMNS) + "|", flush=True)

@@ -3,6 +3,7 @@
 // scheme, and a confined block that grows presses as the closed form says; its wish for shorter steps is
 // heeded and counted, and balances hold. Histories are in the snapshot, a restart repeats every bit, and a
 // law without a symmetric tangent is refused.
+#include "block.h"
 #include "scene_of.h"
 
 #include <softgrain/base/exceptions.h>
@@ -36,76 +37,6 @@ private:
   constitutive::NeoHookean<dim> law;
 };
 [[maybe_unused]] const bool registered = constitutive::register_law<Skew>("skew", "For this test.");
-
-/// Smooth walls below and above.
-const std::string plates = R"(
-subsection Walls
-  set Names = bottom, top
-  subsection bottom
-    set Point = 0, 0
-  end
-  subsection top
-    set Point = 0, 10e-3
-  end
-end
-)";
-/// Smooth walls on all sides.
-const std::string box = R"(
-subsection Walls
-  set Names = bottom, top, left, right
-  subsection bottom
-    set Point = 0, 0
-  end
-  subsection top
-    set Point = 0, 10e-3
-  end
-  subsection left
-    set Point = 0, 0
-  end
-  subsection right
-    set Point = 10e-3, 0
-  end
-end
-)";
-
-/// A block of 10 mm that the walls touch.
-std::string block(const std::string &law, const std::string &walls = box)
-{
-  return R"(
-subsection Mesh
-  set Lower     = -2e-3, -2e-3
-  set Upper     = 12e-3, 12e-3
-  set Cell size = 2e-3
-end
-subsection Materials
-  set Names = stuff
-  subsection stuff
-    set Density = 1000
-)" + law +
-         R"(
-  end
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape = rectangle
-    set Center = 5e-3, 5e-3
-    set Size = 10e-3, 10e-3
-  end
-end
-subsection Contact
-  set Friction = 0
-end
-)" + walls +
-         R"(subsection Time
-  set Scheme = quasi_static
-  set Time step = 0.25
-end
-subsection Stop
-  set End time = 2
-end
-)";
-}
 
 const std::string maxwell = R"(
     set Law = maxwell
@@ -150,7 +81,7 @@ void relax(const std::string &scheme, const std::vector<std::string> &more)
   std::vector<std::string> changes = {"Time/Scheme=" + scheme, "Walls/top/Drive=position",
                                       "Walls/top/Position=min(t/1e-6, 1) * 0.5e-3"};
   changes.insert(changes.end(), more.begin(), more.end());
-  const auto model = scene_of_text(block(maxwell, plates), changes);
+  const auto model = scene_of_text(block(maxwell), changes);
   run_until(*model, 1e-6);
   const double at_once = model->walls()[1].normal_force;
   const Energies before = model->energies();
@@ -174,7 +105,7 @@ int main()
   std::cout << std::setprecision(6);
   relax("quasi_static", {});
 
-  const auto grows = scene_of_text(block(growth));
+  const auto grows = scene_of_text(block(growth, box));
   run_until(*grows, 2.);
   const double E = 1e6, nu = 0.3, lambda = E * nu / (1 + nu) / (1 - 2 * nu), mu = E / 2 / (1 + nu),
                g = std::exp(0.8);
@@ -189,8 +120,8 @@ int main()
   for (const std::string &law : {maxwell, growth})
   {
     const std::vector<std::string> pressed = {"Walls/top/Drive=position", "Walls/top/Position=0.2e-3*t"};
-    const auto whole = scene_of_text(block(law), pressed), half = scene_of_text(block(law), pressed),
-               rest = scene_of_text(block(law), pressed);
+    const auto whole = scene_of_text(block(law, box), pressed),
+               half = scene_of_text(block(law, box), pressed), rest = scene_of_text(block(law, box), pressed);
     MemoryState middle;
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -213,14 +144,14 @@ int main()
   }
   try
   {
-    scene_of_text(block("    set Law = skew"));
+    scene_of_text(block("set Law = skew", box));
   }
   catch (const InputError &error)
   {
     std::cout << error.what() << '\n';
   }
   std::cout << "explicit steps take it: "
-            << (scene_of_text(block("    set Law = skew"), {"Time/Scheme=explicit", "Time/Time step=0"})
+            << (scene_of_text(block("set Law = skew", box), {"Time/Scheme=explicit", "Time/Time step=0"})
                             ->advance(1.)
                             .dt > 0.
                     ? "yes"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/given_energy.h>
 #include <softgrain/mpm/stepping/step_rows.h>
-#include <softgrain/mpm/stepping/stress.h>
+#include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace softgrain::mpm
 {
@@ -25,9 +24,9 @@ GivenEnergy::GivenEnergy(const Problem &problem,
 {
 }
 
-double GivenEnergy::work_of_overlaps(const Vectors &increment) const
+double GivenEnergy::work_of_overlaps(const double share) const
 {
-  const GapsByRow gaps = true_gaps(problem, state, work, motion, plan.dt, increment, 1.);
+  const GapsByRow gaps = true_gaps(problem, state, work, motion, plan.dt, equations.increment, share);
   const auto &rows = work.contact.contact_rows();
   const std::vector<double> dents = work.contact.subgrid_overlap(plan.dt);
   double sum = 0.;
@@ -47,41 +46,27 @@ bool GivenEnergy::is_given(const bool settled) const
   if (!problem.settings.rows_follow() || !problem.slippery() || work.contact.empty() ||
       (settled && !descends) || (plan.held && plan.regularisation >= strongest))
     return false;
-  double gain = settled ? 0. : work_of_overlaps(equations.increment);
+  double gain = settled ? 0. : work_of_overlaps(1.);
   if (!descends && gain == 0.)
     return false;
 
-  std::vector<double> stored(state.bodies.size(), 0.), change(state.bodies.size(), 0.),
-      floor(state.bodies.size(), 0.);
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        const Eigen::VectorXd none = Eigen::VectorXd::Zero(body.field.n_dofs());
-        stored[b] =
-            measure_points(body, Eigen::VectorXd(body.displacement + equations.increment[b]), none).energy;
-        floor[b] = floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
-        if (!descends)
-        {
-          if (problem.settings.scheme.inertia)
-            stored[b] += body.kinetic_energy();
-          return;
-        }
-        change[b] = stored[b] - measure_points(body, body.displacement, none).energy;
-        if (equations.external[b].size() > 0)
-          change[b] -= equations.external[b].dot(equations.increment[b]);
-      });
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), plan.dt);
-  const double scale = dents + std::accumulate(stored.begin(), stored.end(), 0.) +
-                       std::accumulate(floor.begin(), floor.end(), 0.) / allowed;
-  if (descends)
-    gain = std::accumulate(change.begin(), change.end(), gain + dents - state.balance.subgrid_energy);
-  if (gain <= allowed * scale || !descends)
-    return gain > allowed * scale;
+  const double stored = elastic_energy(state, &equations.increment) + dents;
+  double kinetic = 0., floor = 0., external_work = 0.;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+    {
+      if (problem.settings.scheme.inertia)
+        kinetic += body.kinetic_energy();
+      floor += floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
+      if (equations.external[body.index].size() > 0)
+        external_work += equations.external[body.index].dot(equations.increment[body.index]);
+    }
+  const double limit = allowed * (stored + kinetic) + floor;
+  if (!descends)
+    return gain > limit;
+  gain += stored - stored_energy(state) - external_work;
   // What pushes bodies out of each other that were too deep is not given.
-  Vectors rest = equations.increment;
-  for (Eigen::VectorXd &u : rest)
-    u.setZero();
-  return gain - work_of_overlaps(rest) > allowed * scale;
+  return gain > limit && gain - work_of_overlaps(0.) > limit;
 }
 } // namespace softgrain::mpm

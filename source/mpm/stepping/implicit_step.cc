@@ -98,8 +98,8 @@ private:
   Vectors trial, direction; ///< v⁺, and where Newton's method sends it [m/s]
 };
 
-/// v⁺ = v: bodies go on as they did; without inertia they stay. A guess that turns a point inside out is
-/// replaced by rest. @return false when that fails too, and the step is too long
+// v⁺ = v: bodies go on as they did; without inertia they stay. A guess that turns a point inside out is
+// replaced by rest. Returns false when that fails too, and the step is too long
 bool ImplicitStep::first_guess()
 {
   for (const bool rest : {!problem.settings.scheme.inertia && plan.guess == nullptr, true})
@@ -116,7 +116,7 @@ bool ImplicitStep::first_guess()
   return false;
 }
 
-/// w = H v⁺: rows of the step as it comes out.
+// w = H v⁺: rows of the step as it comes out.
 void ImplicitStep::find_rows(const bool again)
 {
   follow_free_walls(problem, work, motion);
@@ -134,8 +134,8 @@ void ImplicitStep::find_rows_again()
   find_rows(true);
 }
 
-/// Whether rows are found again. Those that stay make rotation unstable, and whatever else a tangent holds
-/// stable that has them follow; else the last few iterations are fast with rows that stay.
+// Whether rows are found again. Those that stay make rotation unstable, and whatever else a tangent holds
+// stable that has them follow; else the last few iterations are fast with rows that stay.
 bool ImplicitStep::rows_go_on(const bool settled) const
 {
   if (settled)
@@ -145,7 +145,7 @@ bool ImplicitStep::rows_go_on(const bool settled) const
          equations.pressure_follows();
 }
 
-/// Goes to these increments, unless a point turns inside out there.
+// Goes to these increments, unless a point turns inside out there.
 void ImplicitStep::move_to(const Vectors &increment)
 {
   const Vectors before = trial;
@@ -158,7 +158,7 @@ void ImplicitStep::move_to(const Vectors &increment)
   equations.evaluate(trial);
 }
 
-/// M (v⁺ - v) = Δt [(1-θ) f_old + θ f⁺ + f_ext] + Hᵀ P, and contact, to the tolerances.
+// M (v⁺ - v) = Δt [(1-θ) f_old + θ f⁺ + f_ext] + Hᵀ P, and contact, to the tolerances.
 bool ImplicitStep::in_balance()
 {
   if (outcome.newton_iterations == 0)
@@ -167,7 +167,7 @@ bool ImplicitStep::in_balance()
   return contact.converged() && search.converged(trial, outcome.newton_residual);
 }
 
-/// One iteration; factors of the one before that turn out to be too old are made anew.
+// One iteration; factors of the one before that turn out to be too old are made anew.
 std::string ImplicitStep::newton_step()
 {
   const bool old_factors = search.factors_serve;
@@ -204,8 +204,8 @@ std::string ImplicitStep::iterate()
   return search.go(trial, direction, outcome.newton_iterations == 0);
 }
 
-/// Whether a step in balance may be taken as it is. @return why not; empty too when a law asks for a shorter
-/// one, which the outcome tells
+// Whether a step in balance may be taken as it is. @return why not; empty too when a law asks for a shorter
+// one, which the outcome tells
 std::string ImplicitStep::at_end(const bool settled)
 {
   outcome.rows_settled = settled;
@@ -218,7 +218,7 @@ std::string ImplicitStep::at_end(const bool settled)
   return outcome.gives_energy ? "contact would give energy: rows and bodies do not settle" : "";
 }
 
-/// Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.
+// Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.
 std::string ImplicitStep::too_deep()
 {
   const double h = problem.lattice->cell_size();

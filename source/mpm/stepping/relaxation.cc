@@ -8,7 +8,7 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double most = 1e3;     ///< resistance; with it a step goes a thousandth of a strain
+constexpr double most = 1e3;     ///< resistance, beyond which bodies hardly move in a step
 constexpr double weakest = 1e-3; ///< resistance, over what was set
 
 /// Of the nodes of all bodies [m].

@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/parallel.h>
 #include <softgrain/mpm/model/state.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 #include <softgrain/mpm/stepping/stress.h>
 
+#include <numeric>
+
 namespace softgrain::mpm
 {
-double stored_energy(const State &state)
+double elastic_energy(const State &state, const std::vector<Eigen::VectorXd> *increment)
 {
   std::vector<double> elastic(state.bodies.size(), 0.);
-  parallel_for(state.bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!state.bodies[b].driven)
-                     elastic[b] = measure_points(
-                                      state.bodies[b], state.bodies[b].displacement,
-                                      Eigen::VectorXd(Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs())))
-                                      .energy;
-               });
-  double sum = state.balance.subgrid_energy;
-  for (const double energy : elastic)
-    sum += energy;
-  return sum;
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
+      {
+        Eigen::VectorXd place = body.displacement;
+        if (increment != nullptr)
+          place += (*increment)[body.index];
+        elastic[body.index] =
+            measure_points(body, place, Eigen::VectorXd(Eigen::VectorXd::Zero(body.field.n_dofs()))).energy;
+      });
+  return std::accumulate(elastic.begin(), elastic.end(), 0.);
+}
+
+double stored_energy(const State &state)
+{
+  return state.balance.subgrid_energy + elastic_energy(state);
 }
 } // namespace softgrain::mpm

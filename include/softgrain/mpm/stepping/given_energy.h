@@ -32,10 +32,8 @@ public:
   bool is_given(bool settled) const;
 
 private:
-  using Vectors = StepEquations::Vectors;
-
-  /// Work of the present contact forces on the overlaps that bodies have after @p increment [J/m].
-  double work_of_overlaps(const Vectors &increment) const;
+  /// Work of the present contact forces on the overlaps of bodies at a share of the step, 0 or 1 [J/m].
+  double work_of_overlaps(double share) const;
 
   const Problem &problem;
   const State &state;
