@@ -52,19 +52,12 @@ public:
     A.resize(2 * n, 2 * n);
     original.resize(2 * n, 2 * n);
     original.setFromTriplets(entries.begin(), entries.end());
-    stopping_impulse = speed / elastic_compliance();
-  }
-
-  /// Goes back to the start, with impulses in units of @p share of what an elastic contact needs to stop the
-  /// approach.
-  void start(const double share)
-  {
-    unit = share * stopping_impulse;
+    unit = usual_impulse * speed / elastic_compliance();
     A = original * (unit / speed);
     for (unsigned int v = 0; v < 4; ++v)
     {
-      x[v] = Array::Constant(contacts.size(), v == 1 || v == 2 ? 0.3 : 1.);
-      s[v] = Array::Ones(contacts.size());
+      x[v] = Array::Constant(n, v == 1 || v == 2 ? 0.3 : 1.);
+      s[v] = Array::Ones(n);
     }
   }
 
@@ -223,7 +216,9 @@ private:
 
   /// Contacts that part faster than this many times the speed of approach are left out: most rows are of
   /// bodies close to each other that will not meet. Should one of them close, Newton finds it.
-  static constexpr double far = 3.;
+  static constexpr double far = 1.1;
+  /// Over what an elastic contact needs to stop the approach.
+  static constexpr double usual_impulse = 0.1;
 
   const Problem &problem;
   std::vector<unsigned int> contacts; ///< that may close
@@ -231,7 +226,7 @@ private:
   Matrix original, A; ///< W; in the units of speed and impulse
   Eigen::VectorXd q;
   Array mu;
-  double speed, stopping_impulse = 1., unit = 1.; ///< [m/s], [N s/m]
+  double speed, unit = 1.; ///< [m/s], [N s/m]
   Four x, s, error, D;
   Array sum, difference, k_lambda, g;
 };
@@ -249,30 +244,25 @@ double interior_point(const Matrix &W,
   if (approach_speed(problem, compliance) == 0.)
     return best;
   InteriorPoint points(W, problem, compliance, impulses);
-  // No unit suits all: where a start ends in a corner, one with larger or smaller impulses mostly does not.
-  for (const double share : {0.1, 0.001, 10.})
+  for (unsigned int k = 1; k <= most_steps && points.step(); ++k)
   {
-    points.start(share);
-    for (unsigned int k = 1; k <= most_steps && points.step(); ++k)
+    stop_if_interrupted();
+    ++report.newton_iterations;
+    if (k % steps_between_tries != 0)
+      continue;
+    std::vector<double> trial = points.guess();
+    SolverSettings brief = settings;
+    brief.max_newton_iterations = 6; // it ends at once or not at all
+    SolverReport attempt;
+    const double residual = frictional_newton<2>(W, problem, compliance, brief, true, trial, attempt);
+    report.newton_iterations += attempt.newton_iterations;
+    if (residual < best)
     {
-      stop_if_interrupted();
-      ++report.newton_iterations;
-      if (k % steps_between_tries != 0)
-        continue;
-      std::vector<double> trial = points.guess();
-      SolverSettings brief = settings;
-      brief.max_newton_iterations = 6; // it ends at once or not at all
-      SolverReport attempt;
-      const double residual = frictional_newton<2>(W, problem, compliance, brief, true, trial, attempt);
-      report.newton_iterations += attempt.newton_iterations;
-      if (residual < best)
-      {
-        best = residual;
-        impulses.swap(trial);
-      }
-      if (best <= settings.tolerance)
-        return best;
+      best = residual;
+      impulses.swap(trial);
     }
+    if (best <= settings.tolerance)
+      return best;
   }
   return best;
 }

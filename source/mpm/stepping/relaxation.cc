@@ -86,7 +86,7 @@ void Relaxation::resist(const StepOutcome &step, const double before, const doub
   // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
   if (turn < -0.3)
     next.regularisation = std::max(next.regularisation, std::min(10. * next.regularisation, 10.));
-  else if (step.rows_settled && after > 0.3 * before)
+  else if (step.rows_follow && after > 0.3 * before)
     next.regularisation = std::max(0.1 * next.regularisation, least);
   least = std::max(0.8 * least, weakest * wanted);
 }

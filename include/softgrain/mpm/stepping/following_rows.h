@@ -39,6 +39,9 @@ public:
   /// Whether the rows are those of a step with these displacements [m].
   bool settled(const Vectors &increment) const;
 
+  /// Whether they are those of a step with these displacements but for a small part of its way [m].
+  bool follow(const Vectors &increment) const;
+
   /**
    * @brief Makes @p increment, the outcome of these rows, what the next ones are best found for.
    *

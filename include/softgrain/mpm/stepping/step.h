@@ -37,7 +37,7 @@ struct StepOutcome
   bool gives_energy = false; ///< it is not accepted because contact gives energy, see GivenEnergy
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
-  bool rows_settled = true;    ///< the contact rows are those of the step as it came out
+  bool rows_follow = true;     ///< the contact rows are those of the step as it came out, or nearly
   double largest_move = 0;     ///< of a node over the step [m]
   unsigned int held_steps = 0; ///< of quasi_static, after the step itself
   double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
