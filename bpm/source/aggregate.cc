@@ -22,10 +22,10 @@ namespace
 constexpr double packed_fractions[] = {0.80, 0.76, 0.70, 0.60, 0.50};
 
 /// A packing with room for @p half [m] to all sides of the origin. @p radii come out.
-Packing pack_around(const dealii::Tensor<1, 2> &half,
-                    const SizeDistribution &sizes,
-                    std::vector<double> &radii,
-                    Uniform &random)
+Packing<2> pack_around(const dealii::Tensor<1, 2> &half,
+                       const SizeDistribution &sizes,
+                       std::vector<double> &radii,
+                       Uniform &random)
 {
   for (const double fraction : packed_fractions)
   {
@@ -70,12 +70,12 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
   check_number(body.name, 4. * half[0] * half[1] / settings.sizes.mean_area());
   const dealii::Tensor<1, 2> middle = box.first + 0.5 * edges - body.center;
   std::vector<double> radii;
-  const Packing packing = pack_around(half, settings.sizes, radii, random);
+  const Packing<2> packing = pack_around(half, settings.sizes, radii, random);
 
   std::vector<std::pair<double, std::uint32_t>> depth;
-  for (std::uint32_t i = 0; i < packing.disks.size(); ++i)
+  for (std::uint32_t i = 0; i < packing.balls.size(); ++i)
     depth.emplace_back(
-        radii[i] - body.shape->depth(body.center + middle + (packing.disks[i].center - dealii::Point<2>())),
+        radii[i] - body.shape->depth(body.center + middle + (packing.balls[i].center - dealii::Point<2>())),
         i);
   std::sort(depth.begin(), depth.end());
   const double wanted = filled_fraction * body.shape->area();
@@ -86,7 +86,7 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
     if (settings.number > 0 ? aggregate.size() == settings.number : filled >= wanted)
       break;
     filled += dealii::numbers::PI * radii[i] * radii[i];
-    const dealii::Tensor<1, 2> x = packing.disks[i].center - dealii::Point<2>() + middle;
+    const dealii::Tensor<1, 2> x = packing.balls[i].center - dealii::Point<2>() + middle;
     aggregate.position.push_back({x[0], x[1]});
     aggregate.radius.push_back(radii[i]);
   }

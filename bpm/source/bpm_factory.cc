@@ -33,7 +33,8 @@ public:
   LawCatalogue laws() const override
   {
     const std::vector<std::string> names = Registry<Attraction>::instance().names();
-    return {names, [names](dealii::ParameterHandler &prm)
+    return {names,
+            [names](dealii::ParameterHandler &prm)
             {
               for (const std::string &name : names)
               {
@@ -42,7 +43,8 @@ public:
                 law->declare_parameters(prm);
                 prm.leave_subsection();
               }
-            }};
+            },
+            [](const std::string &name) { return Registry<Attraction>::instance().create(name)->title(); }};
   }
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }

@@ -168,6 +168,8 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
 
 void BpmModel::keep_books(const DynamicsReport &report, const double dt)
 {
+  for (Wall &wall : moving_walls)
+    wall.accept_pressure();
   balance.wall_impulse += report.wall_impulse;
   balance.body_force_impulse += report.cell_impulse;
   const Primaries &disks = dynamics->disks();

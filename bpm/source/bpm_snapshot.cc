@@ -219,7 +219,7 @@ Snapshot<2> BpmModel::snapshot() const
     snapshot.contacts.push_back(contact_state(row));
     if (cell)
       cell->fold(snapshot.contacts.back(), {},
-                 rows.b[row] < disks.size() ? dynamics->image_of_row(row) : PeriodicCell::Image());
+                 rows.b[row] < disks.size() ? dynamics->image_of_row(row) : PeriodicCell<2>::Image());
   }
   if (settings.inner_contacts_in_output && last_dt > 0.)
     add_inner_forces(snapshot, cell ? &*cell : nullptr);

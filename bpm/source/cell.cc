@@ -33,7 +33,7 @@ contact::ImageLattice Dynamics::lattice() const
 {
   if (!cell)
     return {};
-  const PeriodicCell &here = cell->cell;
+  const PeriodicCell<2> &here = cell->cell;
   return {here.periodic, {{here.lower[0], here.lower[1]}}, here.length, here.offset};
 }
 
@@ -53,7 +53,7 @@ void Dynamics::find_centers()
 }
 
 dealii::Tensor<1, 2>
-Dynamics::branch(const std::uint32_t a, const std::uint32_t b, const PeriodicCell::Image &image) const
+Dynamics::branch(const std::uint32_t a, const std::uint32_t b, const PeriodicCell<2>::Image &image) const
 {
   if (primaries.body[a] == primaries.body[b])
     return {};

@@ -101,7 +101,7 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     const double sum = primaries.radius[a] + primaries.radius[b];
     const double square = dx * dx + dy * dy;
     const bool same = primaries.body[a] == primaries.body[b];
-    if (same && cell && list.image(pair) != PeriodicCell::Image())
+    if (same && cell && list.image(pair) != PeriodicCell<2>::Image())
     {
       if (square < sum * sum)
         throw ComputationError("the cell that repeats has become too small: body " +

@@ -8,6 +8,7 @@
 #include <softgrain/model/model_factory.h>
 #include <softgrain/parameters/parameter_listing.h>
 #include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/material_parameters.h>
 #include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_checks.h>
 
@@ -102,9 +103,14 @@ std::optional<Forecast> Input::forecast(const RunOutline &run)
 {
   try
   {
-    return Registry<ModelFactory>::instance()
-        .create(run_parameters.model)
-        ->forecast(described_scene, prm, run);
+    const std::unique_ptr<ModelFactory> factory =
+        Registry<ModelFactory>::instance().create(run_parameters.model);
+    std::optional<Forecast> forecast = factory->forecast(described_scene, prm, run);
+    if (forecast)
+      for (const std::string &line :
+           unused_law_subsections(parameter_tree(prm), described_scene.materials, factory->laws()))
+        forecast->warnings.push_back(line);
+    return forecast;
   }
   catch (const InputError &error)
   {

@@ -30,6 +30,11 @@ std::vector<std::string> law_names()
   return Registry<Law<2>>::instance().names();
 }
 
+std::string law_title(const std::string &name)
+{
+  return Registry<Law<2>>::instance().create(name)->title();
+}
+
 void declare_all_laws(dealii::ParameterHandler &prm)
 {
   check_registrations();

@@ -13,9 +13,9 @@ void CellMotion::add_side(const dealii::Tensor<1, 2> &normal, const dealii::Tens
     gradient[e][d] += (lower ? -1. : 1.) * side_velocity[e] / cell.length[d];
 }
 
-PeriodicCell cell_of(const std::vector<Wall> &walls)
+PeriodicCell<2> cell_of(const std::vector<Wall> &walls)
 {
-  std::vector<CellSide> sides;
+  std::vector<CellSide<2>> sides;
   double offset = 0.;
   for (const Wall &wall : walls)
     if (wall.repeats())
@@ -26,7 +26,7 @@ PeriodicCell cell_of(const std::vector<Wall> &walls)
   return make_cell(sides, offset);
 }
 
-void load_sides(std::vector<Wall> &walls, const PeriodicCell &cell, const dealii::Tensor<2, 2> &virial)
+void load_sides(std::vector<Wall> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
 {
   for (Wall &wall : walls)
     if (wall.repeats())

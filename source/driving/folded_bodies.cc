@@ -4,7 +4,7 @@
 
 namespace softgrain
 {
-FoldedBodies::FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell &cell) : cell(cell)
+FoldedBodies::FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell<2> &cell) : cell(cell)
 {
   for (BodyState<2> &body : snapshot.bodies)
   {
@@ -20,20 +20,20 @@ FoldedBodies::FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell &cell) : ce
 }
 
 void FoldedBodies::fold(ContactState<2> &contact,
-                        const PeriodicCell::Image &body_fold,
-                        const PeriodicCell::Image &image) const
+                        const PeriodicCell<2>::Image &body_fold,
+                        const PeriodicCell<2>::Image &image) const
 {
-  const PeriodicCell::Image &a = copies[contact.body_a];
+  const PeriodicCell<2>::Image &a = copies[contact.body_a];
   contact.place += cell.shift({{body_fold[0] - a[0], body_fold[1] - a[1]}});
   if (contact.body_b == ContactState<2>::not_a_body)
     return;
-  const PeriodicCell::Image &b = copies[contact.body_b];
+  const PeriodicCell<2>::Image &b = copies[contact.body_b];
   contact.image = cell.shift({{image[0] - a[0] + b[0], image[1] - a[1] + b[1]}});
 }
 
 std::optional<FoldedBodies> fold_bodies(Snapshot<2> &snapshot)
 {
-  const PeriodicCell cell = cell_of(snapshot.walls);
+  const PeriodicCell<2> cell = cell_of(snapshot.walls);
   if (!cell.repeats())
     return std::nullopt;
   return FoldedBodies(snapshot, cell);

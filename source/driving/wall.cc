@@ -67,7 +67,7 @@ WallState<2> Wall::state() const
 
 void Wall::press(const double asked, const double length)
 {
-  pressure += (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure);
+  pressure = pressure_before + (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure_before);
   load = pressure * length;
   // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
   // mass rearrange under that pressure.
@@ -219,9 +219,9 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 {
   std::vector<double> numbers;
   for (const Wall &wall : walls)
-    numbers.insert(numbers.end(),
-                   {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
-                    wall.carried[0], wall.carried[1], wall.pressure, wall.drive_begin, wall.travel_before});
+    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
+                                   wall.impulse[1], wall.carried[0], wall.carried[1], wall.pressure_before,
+                                   wall.drive_begin, wall.travel_before});
   out.write(name, numbers);
   if (std::none_of(walls.begin(), walls.end(), keeps_slide))
     return;
@@ -244,7 +244,7 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
     walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
-    walls[w].pressure = v[8];
+    walls[w].pressure = walls[w].pressure_before = v[8];
     walls[w].drive_begin = v[9];
     walls[w].travel_before = v[10];
   }

@@ -23,10 +23,10 @@ Vector towards_origin(const Vector &p, const Vector &edge)
 }
 } // namespace
 
-ConvexGrain::ConvexGrain(const double radius, const GrainForm &form)
-    : kind(form.kind), a(radius), b(kind == GrainForm::Kind::disk ? radius : form.short_radius)
+ConvexGrain::ConvexGrain(const double radius, const GrainForm2D &form)
+    : kind(form.kind), a(radius), b(kind == GrainForm2D::Kind::disk ? radius : form.short_radius)
 {
-  if (kind == GrainForm::Kind::polygon)
+  if (kind == GrainForm2D::Kind::polygon)
     for (const Vector &corner : form.directions())
       corners.push_back(Vector({a * corner[0], b * corner[1]}));
 }
@@ -43,11 +43,11 @@ void ConvexGrain::put(const Place &center, const double angle)
 
 ConvexGrain::Place ConvexGrain::support(const Vector &direction) const
 {
-  if (kind == GrainForm::Kind::disk)
+  if (kind == GrainForm2D::Kind::disk)
     return middle + a / direction.norm() * direction;
   const Vector d({cosine * direction[0] + sine * direction[1], cosine * direction[1] - sine * direction[0]});
   Vector best;
-  if (kind == GrainForm::Kind::ellipse)
+  if (kind == GrainForm2D::Kind::ellipse)
     best = Vector({a * a * d[0], b * b * d[1]}) / std::hypot(a * d[0], b * d[1]);
   else
   {

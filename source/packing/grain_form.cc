@@ -9,7 +9,7 @@ namespace softgrain
 {
 using dealii::numbers::PI;
 
-std::vector<dealii::Tensor<1, 2>> GrainForm::directions() const
+std::vector<dealii::Tensor<1, 2>> GrainForm2D::directions() const
 {
   std::vector<dealii::Tensor<1, 2>> result;
   for (unsigned int i = 0; i < corners; ++i)
@@ -18,7 +18,7 @@ std::vector<dealii::Tensor<1, 2>> GrainForm::directions() const
   return result;
 }
 
-double GrainForm::area(const double radius) const
+double GrainForm2D::area(const double radius) const
 {
   switch (kind)
   {
@@ -31,7 +31,7 @@ double GrainForm::area(const double radius) const
   }
 }
 
-double GrainForm::width(const double radius) const
+double GrainForm2D::width(const double radius) const
 {
   switch (kind)
   {

@@ -73,24 +73,24 @@ bool shrink(ShrinkingBox &box, const double end, const double mean, const Packin
 }
 } // namespace
 
-double Packing::solid_area() const
+double solid_area(const Packing<2> &packing)
 {
   double area = 0.;
-  for (std::size_t i = 0; i < disks.size(); ++i)
-    area += form(i).area(disks[i].radius);
+  for (std::size_t i = 0; i < packing.balls.size(); ++i)
+    area += form_of(packing, i).area(packing.balls[i].radius);
   return area;
 }
 
-GrainForm Packing::form(const std::size_t grain) const
+GrainForm2D form_of(const Packing<2> &packing, const std::size_t grain)
 {
-  return forms.empty() ? GrainForm() : forms[grain];
+  return packing.forms.empty() ? GrainForm2D() : packing.forms[grain];
 }
 
-Packing pack_disks(const std::vector<double> &radius,
-                   const dealii::Point<2> &lower,
-                   const dealii::Point<2> &upper,
-                   Uniform &random,
-                   const PackingProtocol &protocol)
+Packing<2> pack_disks(const std::vector<double> &radius,
+                      const dealii::Point<2> &lower,
+                      const dealii::Point<2> &upper,
+                      Uniform &random,
+                      const PackingProtocol &protocol)
 {
   const dealii::Tensor<1, 2> edges = upper - lower;
   const double fraction = area_of(radius) / (edges[0] * edges[1]);
@@ -116,25 +116,25 @@ Packing pack_disks(const std::vector<double> &radius,
 
   // Jammed disks are scaled to the box, all alike.
   const double scale = protocol.jam ? 0.5 * edges[0] / box.scale() : 1.;
-  Packing packing;
+  Packing<2> packing;
   const dealii::Point<2> middle = lower + 0.5 * edges;
   for (std::size_t i = 0; i < radius.size(); ++i)
-    packing.disks.push_back(
+    packing.balls.push_back(
         {dealii::Point<2>(middle[0] + scale * box.disks()[i][0], middle[1] + scale * box.disks()[i][1]),
          scale * (radius[i] - (tight ? allowed_overlap * mean : 0.))});
   return packing;
 }
 
-Packing
-pack_grains(Packing packing, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random)
+Packing<2>
+pack_grains(Packing<2> packing, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random)
 {
   const dealii::Tensor<1, 2> edges = upper - lower;
   std::vector<double> radii;
-  for (const Packing::Disk &disk : packing.disks)
+  for (const Packing<2>::Ball &disk : packing.balls)
     radii.push_back(disk.radius);
   std::ostringstream numbers;
-  numbers << radii.size() << " grains fill " << packing.solid_area() / (edges[0] * edges[1]) << " of the box";
-  if (packing.solid_area() > 0.95 * edges[0] * edges[1])
+  numbers << radii.size() << " grains fill " << solid_area(packing) / (edges[0] * edges[1]) << " of the box";
+  if (solid_area(packing) > 0.95 * edges[0] * edges[1])
     throw InputError("'Packing': " + numbers.str() + "; at most about 0.85 is possible");
   const double growth = std::max(1., std::sqrt(area_of(radii) / (edges[0] * edges[1]) / loose_fraction));
   const dealii::Point<2> half(0.5 * growth * edges[0], 0.5 * growth * edges[1]);
@@ -153,17 +153,17 @@ pack_grains(Packing packing, const dealii::Point<2> &lower, const dealii::Point<
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     const ConvexGrain &grain = box.grains()[i];
-    packing.disks[i].center = middle + (grain.center() - dealii::Point<2>());
-    packing.disks[i].radius *= 1. - grain_slack;
+    packing.balls[i].center = middle + (grain.center() - dealii::Point<2>());
+    packing.balls[i].radius *= 1. - grain_slack;
     packing.forms[i].short_radius *= 1. - grain_slack;
     const double turns = grain.angle() / (2. * dealii::numbers::PI);
     packing.forms[i].angle =
-        packing.forms[i].kind == GrainForm::Kind::disk ? 0. : 360. * (turns - std::floor(turns));
+        packing.forms[i].kind == GrainForm2D::Kind::disk ? 0. : 360. * (turns - std::floor(turns));
   }
   return packing;
 }
 
-std::vector<double> draw_radii(const PackingRequest &request, Uniform &random)
+std::vector<double> draw_radii(const PackingRequest2D &request, Uniform &random)
 {
   std::vector<double> radii(request.number);
   for (double &r : radii)
@@ -185,28 +185,28 @@ std::vector<double> draw_radii(const PackingRequest &request, Uniform &random)
 namespace
 {
 /// Grains with the areas of disks of these radii.
-Packing draw_forms(const std::vector<double> &radii, const GrainMix &mix, Uniform &random)
+Packing<2> draw_forms(const std::vector<double> &radii, const GrainMix2D &mix, Uniform &random)
 {
-  Packing packing;
+  Packing<2> packing;
   for (const double radius : radii)
   {
-    GrainForm form;
+    GrainForm2D form;
     form.kind = mix.kinds[static_cast<std::size_t>(mix.kinds.size() * random())];
     const double ratio = mix.least_ratio + (mix.greatest_ratio - mix.least_ratio) * random();
     const unsigned int corners =
         mix.least_corners + static_cast<unsigned int>((mix.most_corners - mix.least_corners + 1) * random());
-    form.corners = form.kind == GrainForm::Kind::polygon ? corners : 0;
-    form.short_radius = form.kind == GrainForm::Kind::disk ? 1. : ratio;
+    form.corners = form.kind == GrainForm2D::Kind::polygon ? corners : 0;
+    form.short_radius = form.kind == GrainForm2D::Kind::disk ? 1. : ratio;
     const double long_radius = radius * std::sqrt(dealii::numbers::PI / form.area(1.));
     form.short_radius *= long_radius;
-    packing.disks.push_back({dealii::Point<2>(), long_radius});
+    packing.balls.push_back({dealii::Point<2>(), long_radius});
     packing.forms.push_back(form);
   }
   return packing;
 }
 } // namespace
 
-Packing make_packing(const PackingRequest &request)
+Packing<2> make_packing(const PackingRequest2D &request)
 {
   Uniform random(request.seed);
   const std::vector<double> radii = draw_radii(request, random);

@@ -19,15 +19,16 @@ namespace
 const std::string of_disks = "x_m,y_m,radius_m", of_grains = "x_m,y_m,shape,a_m,b_m,corners,angle_deg",
                   with_material = ",material";
 
-const std::vector<std::pair<std::string, GrainForm::Kind>> kinds = {{"disk", GrainForm::Kind::disk},
-                                                                    {"ellipse", GrainForm::Kind::ellipse},
-                                                                    {"polygon", GrainForm::Kind::polygon}};
+const std::vector<std::pair<std::string, GrainForm2D::Kind>> kinds = {
+    {"disk", GrainForm2D::Kind::disk},
+    {"ellipse", GrainForm2D::Kind::ellipse},
+    {"polygon", GrainForm2D::Kind::polygon}};
 
 /// One line of a table.
 struct Entry
 {
-  Packing::Disk disk;
-  GrainForm form;
+  Packing<2>::Ball disk;
+  GrainForm2D form;
   std::string material;
 };
 
@@ -65,10 +66,10 @@ bool read_form(const std::vector<std::string> &cells, Entry &entry)
     return false;
   entry.form.kind = kind->second;
   entry.form.corners = static_cast<unsigned int>(std::clamp(corners, 0., 1e4));
-  const bool polygon = entry.form.kind == GrainForm::Kind::polygon;
+  const bool polygon = entry.form.kind == GrainForm2D::Kind::polygon;
   return entry.form.corners == corners && (polygon ? corners >= 3. : corners == 0.) &&
          entry.form.short_radius > 0. && entry.form.short_radius <= entry.disk.radius &&
-         (entry.form.kind != GrainForm::Kind::disk || entry.form.short_radius == entry.disk.radius);
+         (entry.form.kind != GrainForm2D::Kind::disk || entry.form.short_radius == entry.disk.radius);
 }
 
 /// @return whether the line is a grain
@@ -87,7 +88,7 @@ bool read_entry(const std::string &line, const bool grains, const bool materials
 }
 } // namespace
 
-Packing read_packing(const std::string &file)
+Packing<2> read_packing(const std::string &file)
 {
   if (!std::filesystem::is_regular_file(file))
     throw InputError("'Packing/File': there is no file '" + file + "' that can be read");
@@ -125,33 +126,33 @@ Packing read_packing(const std::string &file)
   };
   if (!materials && !grains && line != of_disks)
     complain(1);
-  Packing packing;
+  Packing<2> packing;
   packing.file = file;
   for (std::size_t number = 2; next_line(line); ++number)
   {
     Entry entry;
     if (!read_entry(line, grains, materials, entry))
       complain(number);
-    packing.disks.push_back(entry.disk);
+    packing.balls.push_back(entry.disk);
     if (grains)
       packing.forms.push_back(entry.form);
     if (materials)
       packing.materials.push_back(entry.material);
   }
-  if (packing.disks.empty())
+  if (packing.balls.empty())
     throw InputError("'Packing/File': there are no grains in '" + file + "'");
   return packing;
 }
 
-void write_packing(const std::string &file, const Packing &packing)
+void write_packing(const std::string &file, const Packing<2> &packing)
 {
   const std::string unfinished = file + ".part";
   std::ofstream out(unfinished);
   const bool materials = !packing.materials.empty(), grains = !packing.forms.empty();
   out << (grains ? of_grains : of_disks) << (materials ? with_material : "") << '\n' << std::setprecision(17);
-  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+  for (std::size_t i = 0; i < packing.balls.size(); ++i)
   {
-    const Packing::Disk &disk = packing.disks[i];
+    const Packing<2>::Ball &disk = packing.balls[i];
     out << disk.center[0] << ',' << disk.center[1] << ',';
     if (grains)
       for (const auto &[name, kind] : kinds)
@@ -159,7 +160,7 @@ void write_packing(const std::string &file, const Packing &packing)
     out << disk.radius;
     if (grains)
       out << ','
-          << (packing.forms[i].kind == GrainForm::Kind::disk ? disk.radius : packing.forms[i].short_radius)
+          << (packing.forms[i].kind == GrainForm2D::Kind::disk ? disk.radius : packing.forms[i].short_radius)
           << ',' << packing.forms[i].corners << ',' << packing.forms[i].angle;
     out << (materials ? "," + packing.materials[i] : "") << '\n';
   }

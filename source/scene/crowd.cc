@@ -40,18 +40,18 @@ BodyGroup group_of(const BodyDescription<2> &body)
 }
 
 /// Disks that are still to be packed.
-std::optional<BodyGroup> group_of(const PackingMethod &method)
+std::optional<BodyGroup> group_of(const PackingMethod<2> &method)
 {
-  const std::optional<ExpectedDisks> disks = method.expected();
+  const std::optional<ExpectedGrains> disks = method.expected();
   if (!disks)
     return std::nullopt;
   BodyGroup group;
   group.name = "grain_1";
   group.count = disks->number;
-  group.area = disks->mean_area;
-  group.perimeter = 2. * std::sqrt(PI * disks->mean_area);
+  group.area = disks->mean_volume;
+  group.perimeter = 2. * std::sqrt(PI * disks->mean_volume);
   group.thickness = disks->smallest;
-  group.short_edge = 2. * std::sqrt(disks->mean_area / PI);
+  group.short_edge = 2. * std::sqrt(disks->mean_volume / PI);
   return group;
 }
 } // namespace

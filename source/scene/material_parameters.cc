@@ -4,6 +4,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <set>
+
 namespace softgrain
 {
 MaterialParameters::MaterialParameters(const std::vector<std::string> &names, const LawCatalogue &laws)
@@ -45,5 +48,27 @@ std::vector<MaterialDescription> MaterialParameters::parse_parameters(dealii::Pa
   }
   prm.leave_subsection();
   return materials;
+}
+
+std::vector<std::string> unused_law_subsections(const ParameterSection &all,
+                                                const std::vector<MaterialDescription> &materials,
+                                                const LawCatalogue &laws)
+{
+  std::set<std::string> subsections;
+  for (const std::string &law : laws.names)
+    subsections.insert(laws.subsection_of(law));
+  std::vector<std::string> lines;
+  const ParameterSection &of_materials = *all.section("Materials");
+  for (const MaterialDescription &material : materials)
+  {
+    const std::string used = laws.subsection_of(material.law);
+    for (const ParameterSection &section : of_materials.section(material.name)->sections)
+      if (section.name != used && subsections.count(section.name) > 0 &&
+          std::any_of(section.entries.begin(), section.entries.end(),
+                      [](const ParameterEntry &entry) { return entry.value != entry.default_value; }))
+        lines.push_back("'Materials/" + material.name + "/" + section.name +
+                        "' has no effect with 'Law' = '" + material.law + "', which reads '" + used + "'");
+  }
+  return lines;
 }
 } // namespace softgrain

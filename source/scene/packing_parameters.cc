@@ -34,18 +34,18 @@ unsigned int find_material(const std::string &name,
 }
 
 /// Materials of all disks: those that the file names, else 'Packing/Material'.
-std::vector<unsigned int> materials_of(const Packing &packing,
+std::vector<unsigned int> materials_of(const Packing<2> &packing,
                                        const std::string &name,
                                        const std::vector<MaterialDescription> &materials)
 {
   if (packing.materials.empty())
-    return std::vector<unsigned int>(packing.disks.size(),
+    return std::vector<unsigned int>(packing.balls.size(),
                                      find_material(name, materials, "'Packing/Material' = "));
   if (!name.empty())
     throw InputError("'Packing/Material' = '" + name + "' is not allowed with 'Packing/File' = '" +
                      packing.file + "', which names the material of every disk: leave one of them out");
   std::vector<unsigned int> result;
-  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+  for (std::size_t i = 0; i < packing.balls.size(); ++i)
     result.push_back(find_material(packing.materials[i], materials,
                                    "'Packing/File': line " + std::to_string(i + 2) + " of '" + packing.file +
                                        "': the material "));
@@ -53,28 +53,28 @@ std::vector<unsigned int> materials_of(const Packing &packing,
 }
 
 /// The method that the section asks for; null: none.
-std::shared_ptr<PackingMethod> chosen_method(const dealii::ParameterHandler &prm)
+std::shared_ptr<PackingMethod<2>> chosen_method(const dealii::ParameterHandler &prm)
 {
-  const Registry<PackingMethod> &methods = Registry<PackingMethod>::instance();
+  const Registry<PackingMethod<2>> &methods = Registry<PackingMethod<2>>::instance();
   const std::string name = prm.get("Method");
   if (name != automatic)
     return methods.create(name);
-  std::shared_ptr<PackingMethod> chosen;
+  std::shared_ptr<PackingMethod<2>> chosen;
   for (const std::string &candidate : methods.names())
   {
-    std::shared_ptr<PackingMethod> method = methods.create(candidate);
+    std::shared_ptr<PackingMethod<2>> method = methods.create(candidate);
     if (method->asked_for(prm))
       chosen = method; // random comes after file, and refuses one
   }
   return chosen;
 }
 
-std::shared_ptr<const Shape<2>> shape_of(const Packing::Disk &disk, const GrainForm &form)
+std::shared_ptr<const Shape<2>> shape_of(const Packing<2>::Ball &disk, const GrainForm2D &form)
 {
   const double angle = form.angle * dealii::numbers::PI / 180., c = std::cos(angle), s = std::sin(angle);
-  if (form.kind == GrainForm::Kind::disk)
+  if (form.kind == GrainForm2D::Kind::disk)
     return std::make_shared<Disk2D>(disk.center, disk.radius);
-  if (form.kind == GrainForm::Kind::ellipse)
+  if (form.kind == GrainForm2D::Kind::ellipse)
     return std::make_shared<Ellipse2D>(disk.center, dealii::Tensor<1, 2>({disk.radius, form.short_radius}),
                                        angle);
   Polygon corners;
@@ -91,7 +91,7 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Packing");
-  const Registry<PackingMethod> &methods = Registry<PackingMethod>::instance();
+  const Registry<PackingMethod<2>> &methods = Registry<PackingMethod<2>>::instance();
   prm.declare_entry(
       "Method", automatic, Selection(std::string(automatic) + "|" + methods.choice()),
       "Where the grains come from, as bodies grain_1, grain_2, …; automatic: random with 'Number', "
@@ -106,13 +106,13 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-PackingDescription PackingParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                                       const std::vector<MaterialDescription> &materials)
+PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandler &prm,
+                                                          const std::vector<MaterialDescription> &materials)
 {
-  PackingDescription packing;
+  PackingDescription<2> packing;
   prm.enter_subsection("Packing");
   packing.save_to = prm.get("Save to");
-  const std::shared_ptr<PackingMethod> method = chosen_method(prm);
+  const std::shared_ptr<PackingMethod<2>> method = chosen_method(prm);
   if (method)
   {
     packing.material = prm.get("Material");
@@ -132,18 +132,18 @@ void add_packing(Scene<2> &scene)
 {
   if (!scene.packing.method)
     return;
-  const Packing packing = scene.packing.method->make();
+  const Packing<2> packing = scene.packing.method->make();
   if (!scene.packing.save_to.empty())
     write_packing(scene.packing.save_to, packing);
   const std::vector<unsigned int> material_of =
       materials_of(packing, scene.packing.material, scene.materials);
   unsigned int number = 0;
-  for (const Packing::Disk &disk : packing.disks)
+  for (const Packing<2>::Ball &disk : packing.balls)
   {
     BodyDescription<2> body;
     body.material = material_of[number];
     body.name = "grain_" + std::to_string(++number);
-    body.shape = shape_of(disk, packing.form(number - 1));
+    body.shape = shape_of(disk, form_of(packing, number - 1));
     body.center = disk.center;
     body.velocity = body.body_force = "0; 0";
     scene.bodies.push_back(body);

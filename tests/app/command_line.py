@@ -174,5 +174,18 @@ class Listing(unittest.TestCase):
             self.assertIn(said, errors)
 
 
+class Warnings(unittest.TestCase):
+    def test_law_that_is_not_chosen(self):
+        """What is set for another law than that of the material is read by nobody."""
+        said = r"^warning: 'Materials/gel/(.*)' has no effect with 'Law' = '(.*)', which reads '(.*)'$"
+        for words, expected in (
+                ([], []),
+                (["--set", "Materials/gel/Law=hencky"], [("Neo-Hookean", "hencky", "Hencky")]),
+                (["--set", "Materials/gel/Gent/Poisson's ratio=0.3"], [("Gent", "neo_hookean", "Neo-Hookean")])):
+            status, printed, errors = softgrain("check", SCENE, *words)
+            self.assertEqual((status, errors), (0, ""))
+            self.assertEqual(re.findall(said, printed, re.M), expected)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -2,6 +2,7 @@
 // A path of stages, with real models: one disk is pressed, then squeezed by a wall that goes on, then let go.
 // Each stage ends where it says; a run that was stopped within a stage, and one that goes on from the end of
 // a stage, leave the same history.
+#include "mpm/gel.h"
 #include "stub_model.h"
 #include <softgrain/base/mpi_session.h>
 
@@ -15,18 +16,8 @@ subsection Mesh
   set Upper     = 8e-3, 12e-3
   set Cell size = 1e-3
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 990
-    subsection Neo-Hookean
-      set Young's modulus = 10e6
-      set Poisson's ratio = 0.45
-    end
-  end
-end
-subsection Bodies
+)" + softgrain::gel("0.45") +
+                          R"(subsection Bodies
   set Names = disk
   subsection disk
     set Center = 0, 5e-3

@@ -176,7 +176,8 @@ public:
               prm.enter_subsection("Soft law");
               prm.declare_entry("Young's modulus", "1e6", dealii::Patterns::Double(0), "Units: Pa.");
               prm.leave_subsection();
-            }};
+            },
+            [](const std::string &law) { return law == "soft" ? "Soft law" : "Hard law"; }};
   }
 
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override

@@ -7,26 +7,42 @@
 
 using namespace softgrain;
 
-int main()
+namespace
 {
-  PeriodicCell cell;
-  cell.periodic = {{true, true}};
-  cell.lower = {1., 2.};
-  cell.length = {{10., 5.}};
+/// Images of a place in a cell of which all directions repeat.
+template <int dim>
+PeriodicCell<dim> images(const std::vector<typename PeriodicCell<dim>::Image> &all,
+                         const typename PeriodicCell<dim>::Image &far)
+{
+  PeriodicCell<dim> cell;
+  typename PeriodicCell<dim>::Image up{};
+  up[1] = 1;
+  dealii::Tensor<1, dim> within, little;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    cell.periodic[d] = true;
+    cell.lower[d] = 1. + d;
+    cell.length[d] = 10. / (1. + d);
+    within[d] = d == 0 ? 3. : 1.;
+    little[d] = d == 0 ? 0.5 : -0.25;
+  }
   for (const double offset : {0., 3., 47.})
   {
     cell.offset = offset;
-    const dealii::Point<2> inside(4., 3.);
-    std::cout << "offset " << offset << ":";
-    for (const PeriodicCell::Image &n : {PeriodicCell::Image{{0, 0}}, {{3, 0}}, {{-2, 4}}, {{1, -7}}})
-    {
-      const PeriodicCell::Image found = cell.image_of(inside + cell.shift(n));
-      std::cout << ' ' << (found == n ? "right" : "wrong");
-    }
-    const PeriodicCell::Image above = cell.from_reduced({{0, 1}});
-    std::cout << ", reduced offset " << cell.shift(above)[0] << ", shortest "
-              << cell.shortest(cell.shift({{5, -3}}) + dealii::Tensor<1, 2>({0.5, -0.25})) << '\n';
+    std::cout << dim << "D, offset " << offset << ":";
+    for (const auto &n : all)
+      std::cout << ' ' << (cell.image_of(cell.lower + within + cell.shift(n)) == n ? "right" : "wrong");
+    std::cout << ", reduced offset " << cell.shift(cell.from_reduced(up))[0] << ", shortest "
+              << cell.shortest(cell.shift(far) + little) << '\n';
   }
+  return cell;
+}
+} // namespace
+
+int main()
+{
+  const PeriodicCell<2> cell = images<2>({{{0, 0}}, {{3, 0}}, {{-2, 4}}, {{1, -7}}}, {{5, -3}});
+  images<3>({{{0, 0, 0}}, {{3, 0, 1}}, {{-2, 4, -5}}, {{1, -7, 2}}}, {{5, -3, 2}});
 
   CellMotion motion;
   motion.cell = cell;

@@ -68,6 +68,18 @@ int main()
   std::cout << "length of left " << pressed_length(walls, 2) << ", without walls beside it "
             << pressed_length({walls[0], walls[1]}, 0) << '\n';
 
+  // A step that is refused is tried again from the same pressure: 0.4 of the way to what is asked.
+  disk.walls[1].drive = make_drive("mean_pressure", "Walls/top", {"Mean pressure=50"});
+  Wall beside = make_walls(disk)[1];
+  for (const bool accepted : {false, false, true, true})
+  {
+    beside.press(beside.demand(0., 1.).pressure, 1.);
+    if (accepted)
+      beside.accept_pressure();
+    std::cout << (accepted ? "accepted" : "refused") << " at " << beside.pressure << " Pa; ";
+  }
+  std::cout << "40, 40, 40 and 64 expected\n";
+
   // A wall that pushes down and to the right: 2 N s/m within 0.1 s.
   Balance balance;
   balance.initial_momentum[0] = 1.;

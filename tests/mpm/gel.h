@@ -6,17 +6,21 @@
 
 namespace softgrain
 {
-/// Text of the one material of a scene: a neo-Hookean gel of 10 MPa.
-inline std::string gel(const std::string &poisson_ratio)
+/// Text of the one material of a scene: a neo-Hookean gel, of 10 MPa where nothing else is said.
+inline std::string gel(const std::string &poisson_ratio,
+                       const std::string &young_modulus = "10e6",
+                       const std::string &density = "990")
 {
   return R"(
 subsection Materials
   set Names = gel
   subsection gel
     set Law     = neo_hookean
-    set Density = 990
+    set Density = )" +
+         density + R"(
     subsection Neo-Hookean
-      set Young's modulus = 10e6
+      set Young's modulus = )" +
+         young_modulus + R"(
       set Poisson's ratio = )" +
          poisson_ratio + R"(
     end

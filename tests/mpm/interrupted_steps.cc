@@ -120,6 +120,7 @@ int main(int argc, char **argv)
   set_n_threads(1);
   interrupt("driven", {});
   interrupt("driven, friction", {"Contact/Friction=0.5"});
-  interrupt("pressed", {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
-                        "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"});
+  interrupt("pressed",
+            {"Mesh/Cell size=9e-4", "Walls/top/Drive=pressure", "Walls/top/Velocity=0",
+             "Walls/top/Pressure=3e9*t", "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"});
 }

@@ -2,6 +2,7 @@
 // Obstacles and soft disks: one that rests on two ends presses on them along its radii; one in a groove
 // presses on both flanks alike; a plate that rises is the wall that rises so, with and without friction and
 // inertia; a disk in an arc swings with the period of a pendulum, sliding or rolling.
+#include "gel.h"
 #include "scene_of.h"
 
 #include <deal.II/base/mpi.h>
@@ -25,18 +26,8 @@ subsection Mesh
   set Upper     = 16e-3, 16e-3
   set Cell size = 1e-3
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1e6
-      set Poisson's ratio = 0.3
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.3", "1e6", "1000") +
+         R"(subsection Bodies
   set Names = disk
   subsection disk
     set Radius = 5e-3

@@ -99,7 +99,9 @@ int main(int argc, char **argv)
       {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=1e4", "Contact/Friction=0.3"},
       12);
   compare("pressed, in balance", "gallery/thirty_grains_quasi_static_mpm.prm",
-          {"Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
+          {"Packing/Number=15", "Packing/Packing fraction=0.7", "Packing/Upper=7.2e-3, 7.2e-3",
+           "Walls/top/Point=0, 7.2e-3", "Walls/right/Point=7.2e-3, 0", "Mesh/Upper=8.2e-3, 8.2e-3",
+           "Walls/top/Drive=pressure", "Walls/top/Velocity=0", "Walls/top/Pressure=3e9*t",
            "Walls/right/Drive=pressure", "Walls/right/Pressure=3e9*t"},
           4);
   const Changes sticky = {"Contact/Friction of pairs=gel / bottom: 0.4; gel / gel: 0.1",

@@ -187,12 +187,12 @@ class Running(unittest.TestCase):
         self.assertEqual({path: os.stat(path).st_mtime_ns for path, *_ in os.walk("output/studies/again/runs")}, files)
         # Another value: one more run. A folder that was removed: run again.
         write(name, text_of(name).replace("8e-3, 4e-3", "8e-3, 16e-3, 4e-3"))
-        self.assertIn("[1/1] step = 16e-3: completed", run("study.py", name)[1])
+        self.assertIn("[1/1] step = 16e-3: completed", run("study.py", name, "--no-pictures")[1])
         data = json.loads(text_of("output/studies/again/study.json"))
         shutil.rmtree(os.path.join("output/studies/again", data["points"][0]["tasks"][0]["folder"]))
-        code, printed, _ = run("study.py", name, "--no-run")
+        code, printed, _ = run("study.py", name, "--no-run", "--no-pictures")
         self.assertIn("not run", printed)
-        self.assertIn("[1/1] step = 8e-3: completed", run("study.py", name)[1])
+        self.assertIn("[1/1] step = 8e-3: completed", run("study.py", name, "--no-pictures")[1])
         # A file that only looks different asks for the same runs, another scene does not.
         write("scene.prm", "# a comment\n" + text_of(BAR))
         write(name, text_of(name).replace(BAR, "scene.prm"))

@@ -21,7 +21,7 @@ void look(const unsigned int n,
           const double smallest,
           const SizeDistribution::Form form)
 {
-  PackingRequest request;
+  PackingRequest2D request;
   request.number = n;
   request.sizes.smallest = smallest;
   request.sizes.largest = 2.;
@@ -29,36 +29,36 @@ void look(const unsigned int n,
   const double edge = std::sqrt(n * request.sizes.mean_area() / fraction);
   request.lower = dealii::Point<2>(-3., 5.);
   request.upper = request.lower + dealii::Point<2>(1.2 * edge, edge / 1.2);
-  const Packing packing = make_packing(request), again = make_packing(request);
+  const Packing<2> packing = make_packing(request), again = make_packing(request);
   double overlap = 0., outside = 0.;
   bool same = true;
-  for (std::size_t i = 0; i < packing.disks.size(); ++i)
+  for (std::size_t i = 0; i < packing.balls.size(); ++i)
   {
-    const Packing::Disk &disk = packing.disks[i];
-    same = same && disk.center == again.disks[i].center && disk.radius == again.disks[i].radius;
+    const Packing<2>::Ball &disk = packing.balls[i];
+    same = same && disk.center == again.balls[i].center && disk.radius == again.balls[i].radius;
     for (unsigned int d = 0; d < 2; ++d)
       outside = std::max({outside, request.lower[d] + disk.radius - disk.center[d],
                           disk.center[d] + disk.radius - request.upper[d]});
     for (std::size_t j = 0; j < i; ++j)
-      overlap = std::max(overlap, disk.radius + packing.disks[j].radius -
-                                      disk.center.distance(packing.disks[j].center));
+      overlap = std::max(overlap, disk.radius + packing.balls[j].radius -
+                                      disk.center.distance(packing.balls[j].center));
   }
-  const double ratio = packing.solid_area() / (n * request.sizes.mean_area());
-  std::cout << packing.disks.size() << " disks at " << fraction << ": overlap " << overlap << ", outside "
+  const double ratio = solid_area(packing) / (n * request.sizes.mean_area());
+  std::cout << packing.balls.size() << " disks at " << fraction << ": overlap " << overlap << ", outside "
             << outside << ", " << (same ? "repeatable" : "NOT REPEATABLE") << ", area "
             << (std::abs(ratio - 1.) < 3. / std::sqrt(1. * n) ? "as expected" : "WRONG") << '\n';
 }
 
 /// Overlap and contacts of a packing with sides or without, over which disks are near each other.
-void look_across(const std::string &name, const PackingRequest &request, const double from, const double to)
+void look_across(const std::string &name, const PackingRequest2D &request, const double from, const double to)
 {
-  const Packing packing = make_packing(request);
+  const Packing<2> packing = make_packing(request);
   const dealii::Tensor<1, 2> edges = request.upper - request.lower;
   double overlap = 0., mean = 0., outside = 0.;
-  for (const Packing::Disk &disk : packing.disks)
-    mean += disk.radius / packing.disks.size();
+  for (const Packing<2>::Ball &disk : packing.balls)
+    mean += disk.radius / packing.balls.size();
   unsigned int touching = 0, across = 0;
-  const auto &disks = packing.disks;
+  const auto &disks = packing.balls;
   for (std::size_t i = 0; i < disks.size(); ++i)
   {
     for (unsigned int d = 0; d < 2; ++d)
@@ -87,7 +87,7 @@ void look_across(const std::string &name, const PackingRequest &request, const d
       across += crosses && gap < 0.02 * mean;
     }
   }
-  const double fraction = packing.solid_area() / (edges[0] * edges[1]);
+  const double fraction = solid_area(packing) / (edges[0] * edges[1]);
   std::cout << name << ": overlap " << overlap << ", outside " << std::max(0., outside) << ", fraction "
             << (fraction >= from && fraction <= to ? "as expected" : "WRONG") << ", touching per disk "
             << (touching > 3. * disks.size() ? "above 3" : "below 3") << ", across the edge "
@@ -120,7 +120,7 @@ int main()
   look(20, 0.30, 2.0, Form::uniform_area);
   look(40, 0.70, 2.0, Form::uniform_area);
 
-  PackingRequest request;
+  PackingRequest2D request;
   request.number = 150;
   request.sizes.smallest = 1.2;
   request.sizes.largest = 2.;
@@ -141,7 +141,7 @@ int main()
   refused(
       []
       {
-        PackingRequest request;
+        PackingRequest2D request;
         request.number = 100;
         request.sizes.smallest = request.sizes.largest = 2.;
         request.lower = dealii::Point<2>(0., 0.);
@@ -149,23 +149,23 @@ int main()
         make_packing(request);
       });
 
-  Packing packing;
-  packing.disks = {{dealii::Point<2>(0.1, -2e-7), 1. / 3.}, {dealii::Point<2>(1e10, 0.), 2.}};
+  Packing<2> packing;
+  packing.balls = {{dealii::Point<2>(0.1, -2e-7), 1. / 3.}, {dealii::Point<2>(1e10, 0.), 2.}};
   write_packing("packing.csv", packing);
   const Packing back = read_packing("packing.csv");
-  bool same = back.disks.size() == 2;
+  bool same = back.balls.size() == 2;
   for (std::size_t i = 0; same && i < 2; ++i)
-    same = back.disks[i].center == packing.disks[i].center && back.disks[i].radius == packing.disks[i].radius;
+    same = back.balls[i].center == packing.balls[i].center && back.balls[i].radius == packing.balls[i].radius;
   std::cout << (same ? "read as written" : "NOT AS WRITTEN") << '\n';
   // From a spreadsheet of Windows: a byte-order mark, and lines that end with a carriage return.
   std::ofstream("windows.csv", std::ios::binary) << "\xEF\xBB\xBFx_m,y_m,radius_m\r\n1,2,0.5\r\n3,4,0.25\r\n";
   const Packing windows = read_packing("windows.csv");
-  std::cout << "with marks of Windows: " << windows.disks.size() << " disks, the last at "
-            << windows.disks.back().center << " of radius " << windows.disks.back().radius << '\n';
+  std::cout << "with marks of Windows: " << windows.balls.size() << " disks, the last at "
+            << windows.balls.back().center << " of radius " << windows.balls.back().radius << '\n';
   packing.materials = {"soft rubber", "gel"};
   write_packing("materials.csv", packing);
   const Packing mixed = read_packing("materials.csv");
-  std::cout << "with materials: " << mixed.disks.size() << " disks of " << mixed.materials[0] << " and "
+  std::cout << "with materials: " << mixed.balls.size() << " disks of " << mixed.materials[0] << " and "
             << mixed.materials[1] << '\n';
   refused([] { read_packing("nothing.csv"); });
   std::ofstream("bad.csv") << "x_m,y_m,radius_m\n0,0,1\n0,1,-1\n";

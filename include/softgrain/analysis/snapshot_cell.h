@@ -10,9 +10,9 @@
 namespace softgrain
 {
 /// The cell between those of the walls that are sides of one; it does not repeat when there are none.
-inline PeriodicCell cell_of(const std::vector<WallState<2>> &walls)
+inline PeriodicCell<2> cell_of(const std::vector<WallState<2>> &walls)
 {
-  std::vector<CellSide> sides;
+  std::vector<CellSide<2>> sides;
   double offset = 0.;
   for (const WallState<2> &wall : walls)
     if (wall.repeats)

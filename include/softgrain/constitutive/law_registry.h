@@ -43,6 +43,9 @@ bool register_law(const std::string &name, const std::string &description)
 /// Names that create_law() knows, in alphabetical order.
 std::vector<std::string> law_names();
 
+/// Name of the subsection with the parameters of a law that law_names() has.
+std::string law_title(const std::string &name);
+
 /**
  * @brief Declares the parameters of every registered law, each in the subsection of its title.
  *

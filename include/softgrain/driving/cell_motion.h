@@ -21,7 +21,7 @@ namespace softgrain
  */
 struct CellMotion
 {
-  PeriodicCell cell;
+  PeriodicCell<2> cell;
   dealii::Tensor<2, 2> gradient; ///< of the velocity [1/s]
   dealii::Tensor<1, 2> drift;    ///< velocity of the lower corner [m/s]
 
@@ -41,11 +41,11 @@ struct CellMotion
 };
 
 /// The cell between the walls that are sides of one; it does not repeat when there are none.
-PeriodicCell cell_of(const std::vector<Wall> &walls);
+PeriodicCell<2> cell_of(const std::vector<Wall> &walls);
 
 /// Puts the forces through its sides on them. @param virial sum over contacts of the force on a body times
 /// the branch vector to its centre from that of its partner [N]
-void load_sides(std::vector<Wall> &walls, const PeriodicCell &cell, const dealii::Tensor<2, 2> &virial);
+void load_sides(std::vector<Wall> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial);
 } // namespace softgrain
 
 #endif

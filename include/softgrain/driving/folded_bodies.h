@@ -15,7 +15,7 @@ class FoldedBodies
 {
 public:
   /// Brings every body of @p snapshot, its outline and its points into the cell as a whole.
-  FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell &cell);
+  FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell<2> &cell);
 
   /**
    * @brief Does the same to a contact of two of them.
@@ -23,12 +23,12 @@ public:
    * @param image     of body_b that body_a meets, before bodies were brought into the cell
    */
   void fold(ContactState<2> &contact,
-            const PeriodicCell::Image &body_fold,
-            const PeriodicCell::Image &image) const;
+            const PeriodicCell<2>::Image &body_fold,
+            const PeriodicCell<2>::Image &image) const;
 
 private:
-  const PeriodicCell cell;
-  std::vector<PeriodicCell::Image> copies; ///< in which a body was
+  const PeriodicCell<2> cell;
+  std::vector<PeriodicCell<2>::Image> copies; ///< in which a body was
 };
 
 /// Folds the bodies of @p snapshot into the cell between its walls; nothing when that does not repeat.

@@ -29,6 +29,7 @@ struct Wall
   double travel = 0;            ///< along the normal since the start [m]
   double speed = 0;             ///< along the normal; of a prescribed wall the mean over the last step [m/s]
   double pressure = 0;          ///< on a wall that is free [Pa]
+  double pressure_before = 0;   ///< the same in the last step that was accepted [Pa]
   double load = 0;              ///< force along the normal from outside, of a wall that is free [N/m]
   double mass = 0;              ///< of a wall that is free [kg/m]
   double usual_mass = 0;        ///< the same if none is given [kg/m]
@@ -78,9 +79,13 @@ struct Wall
    * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
    *
    * What depends on the stress beside it is approached: in a packing that yields, that stress answers a
-   * change of pressure with up to three times as much.
+   * change of pressure with up to three times as much. It is approached from accept_pressure() to
+   * accept_pressure(), so a step that is refused leaves nothing behind.
    */
   void press(double asked, double length);
+
+  /// Takes note that the step for which it was pressed was accepted.
+  void accept_pressure() { pressure_before = pressure; }
 
   /// Puts the stress along the tangent that is asked for on a wall that is free to slide.
   void shear(double asked, double length);

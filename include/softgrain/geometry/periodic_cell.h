@@ -5,74 +5,93 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace softgrain
 {
 /**
- * @brief A cell that repeats along x, y or both: every body has images, one in every copy of the cell.
+ * @brief A cell that repeats along some of its directions: every body has images, one in every copy of the
+ * cell.
  *
- * Images are told by two whole numbers n: the image of a place x is x + shift(n). The cells above may stand
- * to the side by an offset, which grows for ever in simple shear (Lees and Edwards, J. Phys. C 5, 1972): the
- * lattice is the same for offsets that differ by a length, so nothing is ever remapped, and the numbers of an
- * image never change.
+ * Images are told by whole numbers n, one per direction: the image of a place x is x + shift(n). The cells
+ * above may stand to the side by an offset, which grows for ever in simple shear (Lees and Edwards, J. Phys.
+ * C 5, 1972): the lattice is the same for offsets that differ by a length, so nothing is ever remapped, and
+ * the numbers of an image never change.
  */
+template <int dim>
 struct PeriodicCell
 {
-  using Image = std::array<int, 2>;
+  using Image = std::array<int, dim>;
 
-  std::array<bool, 2> periodic{};       ///< along x, y
-  dealii::Point<2> lower;               ///< corner [m]
-  std::array<double, 2> length{{1, 1}}; ///< width and height, of the directions that repeat [m]
-  double offset = 0;                    ///< along x of the cell above [m]
+  std::array<bool, dim> periodic{}; ///< along x, y and z
+  dealii::Point<dim> lower;         ///< corner [m]
+  std::array<double, dim> length;   ///< edges, of the directions that repeat [m]
+  double offset = 0;                ///< along x of the cell above, which is that along y [m]
+
+  PeriodicCell() { length.fill(1.); }
 
   /// Whether anything repeats.
-  bool repeats() const { return periodic[0] || periodic[1]; }
+  bool repeats() const
+  {
+    return std::any_of(periodic.begin(), periodic.end(), [](bool does) { return does; });
+  }
 
   /// From a body to its image @p n [m].
-  dealii::Tensor<1, 2> shift(const Image &n) const
+  dealii::Tensor<1, dim> shift(const Image &n) const
   {
-    return dealii::Tensor<1, 2>({n[0] * length[0] + n[1] * offset, n[1] * length[1]});
+    dealii::Tensor<1, dim> way;
+    way[0] = n[0] * length[0] + n[1] * offset;
+    for (unsigned int d = 1; d < dim; ++d)
+      way[d] = n[d] * length[d];
+    return way;
   }
 
   /// The copy of the cell in which @p x lies: x - shift(image_of(x)) lies in the cell itself.
-  Image image_of(const dealii::Point<2> &x) const;
+  Image image_of(const dealii::Point<dim> &x) const;
 
   /// The image that is @p n as counted in the lattice whose offset is the smallest, at most half a length.
   Image from_reduced(const Image &n) const;
 
   /// The vector between two places or their images that is the shortest, for vectors that are short against
   /// the cell [m].
-  dealii::Tensor<1, 2> shortest(const dealii::Tensor<1, 2> &way) const;
+  dealii::Tensor<1, dim> shortest(const dealii::Tensor<1, dim> &way) const;
 };
 
 /// A side of a cell, or of what stands where a cell does not repeat.
+template <int dim>
 struct CellSide
 {
-  dealii::Point<2> point;      ///< [m]
-  dealii::Tensor<1, 2> normal; ///< unit, into the cell
+  dealii::Point<dim> point;      ///< [m]
+  dealii::Tensor<1, dim> normal; ///< unit, into the cell
 };
 
-/// Direction that a side stands across: 0 or 1.
-inline unsigned int axis_of(const dealii::Tensor<1, 2> &normal)
+/// Direction that a side stands across.
+template <int dim>
+unsigned int axis_of(const dealii::Tensor<1, dim> &normal)
 {
-  return normal[1] * normal[1] > normal[0] * normal[0] ? 1 : 0;
+  unsigned int axis = 0;
+  for (unsigned int d = 1; d < dim; ++d)
+    if (normal[d] * normal[d] > normal[axis] * normal[axis])
+      axis = d;
+  return axis;
 }
 
 /// The cell between @p sides, of which there are two in every direction that repeats.
-template <typename Sides>
-PeriodicCell make_cell(const Sides &sides, const double offset)
+template <int dim>
+PeriodicCell<dim> make_cell(const std::vector<CellSide<dim>> &sides, const double offset)
 {
-  PeriodicCell cell;
+  PeriodicCell<dim> cell;
   cell.offset = offset;
-  std::array<double, 2> upper{};
-  for (const CellSide &side : sides)
+  std::array<double, dim> upper{};
+  for (const CellSide<dim> &side : sides)
   {
     const unsigned int d = axis_of(side.normal);
     cell.periodic[d] = true;
     (side.normal[d] > 0. ? cell.lower[d] : upper[d]) = side.point[d];
   }
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
     if (cell.periodic[d])
       cell.length[d] = upper[d] - cell.lower[d];
   return cell;

@@ -18,7 +18,7 @@ public:
   using Place = dealii::Point<2>;
   using Vector = dealii::Tensor<1, 2>;
 
-  ConvexGrain(double radius, const GrainForm &form);
+  ConvexGrain(double radius, const GrainForm2D &form);
 
   /// Puts it somewhere. @param angle of its first axis [rad]
   void put(const Place &center, double angle);
@@ -31,7 +31,7 @@ public:
   double radius() const { return a; }     ///< of the circle around it [m]
 
 private:
-  GrainForm::Kind kind;
+  GrainForm2D::Kind kind;
   double a, b;
   Place middle;
   double turned = 0, cosine = 1, sine = 0;

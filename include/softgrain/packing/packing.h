@@ -15,7 +15,7 @@
 namespace softgrain
 {
 /// What makes a grain of a packing another one than a disk; it lies inside of the disk.
-struct GrainForm
+struct GrainForm2D
 {
   enum class Kind
   {
@@ -38,24 +38,27 @@ struct GrainForm
 };
 
 /// Grains that do not overlap: what a scene with many bodies starts from.
+template <int dim>
 struct Packing
 {
-  struct Disk
+  /// In the plane a disk.
+  struct Ball
   {
-    dealii::Point<2> center; ///< [m]
-    double radius = 0;       ///< [m]
+    dealii::Point<dim> center; ///< [m]
+    double radius = 0;         ///< [m]
   };
-  std::vector<Disk> disks;
-  std::vector<GrainForm> forms; ///< of the grains inside of the disks; empty: they are the disks
+  std::vector<Ball> balls;
+  std::vector<GrainForm2D> forms; ///< of grains in the plane, inside of the disks; empty: they are the disks
   std::vector<std::string>
-      materials;    ///< name of each disk's material; empty: the disks have none of their own
-  std::string file; ///< that the disks were read from; empty: none
-
-  double solid_area() const;
-
-  /// Form of a grain, that of a disk where there are no others.
-  GrainForm form(std::size_t grain) const;
+      materials;    ///< name of each grain's material; empty: the grains have none of their own
+  std::string file; ///< that the grains were read from; empty: none
 };
+
+/// Of all its grains [m^2].
+double solid_area(const Packing<2> &packing);
+
+/// Form of a grain, that of a disk where there are no others.
+GrainForm2D form_of(const Packing<2> &packing, std::size_t grain);
 
 /// How disks are brought into their box.
 struct PackingProtocol
@@ -73,21 +76,21 @@ struct PackingProtocol
 };
 
 /// Which grains a packing is of; each kind that is asked for is drawn equally often.
-struct GrainMix
+struct GrainMix2D
 {
-  std::vector<GrainForm::Kind> kinds = {GrainForm::Kind::disk};
+  std::vector<GrainForm2D::Kind> kinds = {GrainForm2D::Kind::disk};
   double least_ratio = 1, greatest_ratio = 1;       ///< of the semi-axes, short over long
   unsigned int least_corners = 5, most_corners = 5; ///< of polygons
 
-  bool only_disks() const { return kinds.size() == 1 && kinds[0] == GrainForm::Kind::disk; }
+  bool only_disks() const { return kinds.size() == 1 && kinds[0] == GrainForm2D::Kind::disk; }
 };
 
 /// What make_packing() is to make.
-struct PackingRequest
+struct PackingRequest2D
 {
   unsigned int number = 0;
   SizeDistribution sizes; ///< diameters, of disks with the areas of the grains
-  GrainMix mix;
+  GrainMix2D mix;
   dealii::Point<2> lower, upper; ///< box at the end [m]
   double fraction = 0; ///< of the box that the disks fill, their sizes scaled alike; 0: sizes as drawn
   std::uint64_t seed = 1;
@@ -104,11 +107,11 @@ struct PackingRequest
  * About 0.80 is reached without friction, 0.84 when jammed.
  * @throw InputError when the disks do not fit into the box.
  */
-Packing pack_disks(const std::vector<double> &radii,
-                   const dealii::Point<2> &lower,
-                   const dealii::Point<2> &upper,
-                   Uniform &random,
-                   const PackingProtocol &protocol = {});
+Packing<2> pack_disks(const std::vector<double> &radii,
+                      const dealii::Point<2> &lower,
+                      const dealii::Point<2> &upper,
+                      Uniform &random,
+                      const PackingProtocol &protocol = {});
 
 /**
  * @brief Disks, ellipses and polygons in the box from @p lower to @p upper, without overlap.
@@ -119,21 +122,21 @@ Packing pack_disks(const std::vector<double> &radii,
  * @param grains places and angles do not matter
  * @throw InputError when the grains do not fit into the box
  */
-Packing
-pack_grains(Packing grains, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random);
+Packing<2>
+pack_grains(Packing<2> grains, const dealii::Point<2> &lower, const dealii::Point<2> &upper, Uniform &random);
 
 /// The radii that make_packing() draws; where there are others than disks, of disks with the same areas [m].
-std::vector<double> draw_radii(const PackingRequest &request, Uniform &random);
+std::vector<double> draw_radii(const PackingRequest2D &request, Uniform &random);
 
 /// pack_disks() with radii drawn at random, or pack_grains().
-Packing make_packing(const PackingRequest &request);
+Packing<2> make_packing(const PackingRequest2D &request);
 
 /// Reads `x_m,y_m,radius_m` or `x_m,y_m,shape,a_m,b_m,corners,angle_deg`, either with `,material`. @throw
 /// InputError naming file and line.
-Packing read_packing(const std::string &file);
+Packing<2> read_packing(const std::string &file);
 
 /// Writes what read_packing() reads, whole or not at all. @throw InputError when it cannot be written.
-void write_packing(const std::string &file, const Packing &packing);
+void write_packing(const std::string &file, const Packing<2> &packing);
 } // namespace softgrain
 
 #endif

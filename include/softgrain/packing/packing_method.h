@@ -15,16 +15,17 @@ class ParameterHandler;
 namespace softgrain
 {
 /// What a packing will bring, as far as that is known before it is made.
-struct ExpectedDisks
+struct ExpectedGrains
 {
   double number = 0;
-  double mean_area = 0; ///< [m^2]
-  double smallest = 0;  ///< diameter [m]
+  double mean_volume = 0; ///< in the plane an area [m^dim]
+  double smallest = 0;    ///< diameter [m]
 };
 
 /**
- * @brief A way to come by many disks: `Packing/Method` names a member of this family.
+ * @brief A way to come by many grains: `Packing/Method` names a member of this family.
  */
+template <int dim>
 class PackingMethod
 {
 public:
@@ -44,14 +45,14 @@ public:
 
   /// What make() is expected to bring, within a moment; nothing when it cannot say.
   /// @throw InputError when a file cannot be read
-  virtual std::optional<ExpectedDisks> expected() const { return std::nullopt; }
+  virtual std::optional<ExpectedGrains> expected() const { return std::nullopt; }
 
   /// The disks; may take long, on all threads. @throw InputError when they do not fit or cannot be read.
-  virtual Packing make() const = 0;
+  virtual Packing<dim> make() const = 0;
 };
 
 template <>
-Registry<PackingMethod> &Registry<PackingMethod>::instance();
+Registry<PackingMethod<2>> &Registry<PackingMethod<2>>::instance();
 } // namespace softgrain
 
 #endif

@@ -19,6 +19,8 @@ struct LawCatalogue
   std::vector<std::string> names;
   /// Declares one subsection per law where the handler stands, which is inside the section of a material.
   std::function<void(dealii::ParameterHandler &)> declare_law_subsections;
+  /// Name of the subsection of a law.
+  std::function<std::string(const std::string &law)> subsection_of;
 };
 } // namespace softgrain
 

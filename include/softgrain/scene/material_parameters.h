@@ -2,6 +2,7 @@
 #ifndef softgrain_scene_material_parameters_h
 #define softgrain_scene_material_parameters_h
 
+#include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/scene/law_catalogue.h>
 #include <softgrain/scene/scene.h>
 
@@ -23,6 +24,12 @@ private:
   const std::vector<std::string> names;
   const LawCatalogue laws;
 };
+
+/// A line for each subsection of a law that a material does not have, where something in it is set: that
+/// has no effect. @param all parameters of a file
+std::vector<std::string> unused_law_subsections(const ParameterSection &all,
+                                                const std::vector<MaterialDescription> &materials,
+                                                const LawCatalogue &laws);
 } // namespace softgrain
 
 #endif

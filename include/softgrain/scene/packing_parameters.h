@@ -21,8 +21,8 @@ public:
 
   /// What is to be packed, checked as far as it can be before it is. @throw InputError as the method's, and
   /// when the material is not known.
-  static PackingDescription parse_parameters(dealii::ParameterHandler &prm,
-                                             const std::vector<MaterialDescription> &materials);
+  static PackingDescription<2> parse_parameters(dealii::ParameterHandler &prm,
+                                                const std::vector<MaterialDescription> &materials);
 };
 
 /**

@@ -16,6 +16,7 @@
 namespace softgrain
 {
 class ContactLaw;
+template <int dim>
 class PackingMethod;
 template <int dim>
 class Shape;
@@ -78,11 +79,12 @@ struct ObstacleDescription
 };
 
 /// Many grains at once, made when everything else is known to be right; see add_packing().
+template <int dim>
 struct PackingDescription
 {
-  std::shared_ptr<const PackingMethod> method; ///< null: no packing
-  std::string material;                        ///< of disks whose file names none; empty: the only one
-  std::string save_to;                         ///< file for the disks; empty: none
+  std::shared_ptr<const PackingMethod<dim>> method; ///< null: no packing
+  std::string material;                             ///< of grains whose file names none; empty: the only one
+  std::string save_to;                              ///< file for the grains; empty: none
 };
 
 /// What a parameter file says of the world: bodies, walls and loads. Nothing of how it is solved.
@@ -91,7 +93,7 @@ struct Scene
 {
   std::vector<MaterialDescription> materials;
   std::vector<BodyDescription<dim>> bodies; ///< with those of the packing, once it is made
-  PackingDescription packing;
+  PackingDescription<dim> packing;
   std::vector<WallDescription<dim>> walls;
   std::vector<ObstacleDescription<dim>> obstacles;
   dealii::Tensor<1, dim> gravity; ///< [m/s^2]

@@ -69,7 +69,7 @@ private:
   /// Shear strain of a cell whose top slides over its bottom.
   static double sheared(const std::vector<WallState<2>> &before, const std::vector<WallState<2>> &now)
   {
-    const PeriodicCell old_cell = cell_of(before), cell = cell_of(now);
+    const PeriodicCell<2> old_cell = cell_of(before), cell = cell_of(now);
     return cell.repeats() ? std::abs(cell.offset / cell.length[1] - old_cell.offset / old_cell.length[1])
                           : 0.;
   }
@@ -86,7 +86,7 @@ private:
     };
     const dealii::Point<2> old_corner = corner(before.walls), new_corner = corner(assembly.snapshot.walls);
     const double stretch[2] = {std::exp(-strain.along_width), std::exp(-strain.along_height)};
-    const PeriodicCell old_cell = cell_of(before.walls), cell = cell_of(assembly.snapshot.walls);
+    const PeriodicCell<2> old_cell = cell_of(before.walls), cell = cell_of(assembly.snapshot.walls);
     const double shear = (cell.offset - stretch[0] * old_cell.offset) / old_cell.length[1];
     double sum = 0., diameter = 0.;
     for (unsigned int b = 0; b < before.bodies.size(); ++b)

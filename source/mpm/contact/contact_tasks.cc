@@ -9,7 +9,7 @@ namespace softgrain::mpm
 {
 namespace
 {
-PeriodicCell::Image opposite(const PeriodicCell::Image &image)
+PeriodicCell<2>::Image opposite(const PeriodicCell<2>::Image &image)
 {
   return {{-image[0], -image[1]}};
 }
@@ -18,7 +18,7 @@ PeriodicCell::Image opposite(const PeriodicCell::Image &image)
 void share_out(const ContactScene<2> &scene,
                const unsigned int a,
                const unsigned int b,
-               const PeriodicCell::Image &image,
+               const PeriodicCell<2>::Image &image,
                std::vector<std::vector<ContactTask>> &tasks)
 {
   const auto smooth = [&](const unsigned int i) { return scene.bodies[i].boundary.smooth; };
@@ -77,7 +77,7 @@ std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
 }
 
 MovedBoundary
-image_of(const MovedBoundary &boundary, const PeriodicCell::Image &image, const ContactScene<2> &scene)
+image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, const ContactScene<2> &scene)
 {
   const dealii::Tensor<1, 2> way = scene.cell->cell.shift(image);
   MovedBoundary moved = boundary;
@@ -86,16 +86,16 @@ image_of(const MovedBoundary &boundary, const PeriodicCell::Image &image, const 
 }
 
 /// Brings bodies into the cell. @return the copy of the cell each was in; empty when nothing repeats
-std::vector<PeriodicCell::Image> fold_into_cell(const ContactScene<2> &scene,
-                                                std::vector<MovedBoundary> &boundaries)
+std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
+                                                   std::vector<MovedBoundary> &boundaries)
 {
-  std::vector<PeriodicCell::Image> folds;
+  std::vector<PeriodicCell<2>::Image> folds;
   if (scene.cell == nullptr)
     return folds;
   for (MovedBoundary &boundary : boundaries)
   {
     folds.push_back(scene.cell->cell.image_of(boundary.start));
-    if (folds.back() != PeriodicCell::Image())
+    if (folds.back() != PeriodicCell<2>::Image())
       boundary = image_of(boundary, opposite(folds.back()), scene);
   }
   return folds;

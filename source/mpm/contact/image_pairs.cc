@@ -17,7 +17,7 @@ Box moved(const Box &box, const dealii::Tensor<1, 2> &way)
 }
 } // namespace
 
-std::vector<ImagePair> pairs_across(const std::vector<Box> &boxes, const PeriodicCell &cell)
+std::vector<ImagePair> pairs_across(const std::vector<Box> &boxes, const PeriodicCell<2> &cell)
 {
   std::vector<ImagePair> pairs;
   const auto tree = dealii::pack_rtree_of_indices(boxes);
@@ -28,7 +28,7 @@ std::vector<ImagePair> pairs_across(const std::vector<Box> &boxes, const Periodi
   for (int up = 0; up <= above; ++up)
     for (int right = up == 0 ? 1 : -beside; right <= beside; ++right)
     {
-      const PeriodicCell::Image image = cell.from_reduced({{right, up}});
+      const PeriodicCell<2>::Image image = cell.from_reduced({{right, up}});
       for (unsigned int b = 0; b < boxes.size(); ++b)
       {
         const Box there = moved(boxes[b], cell.shift(image));

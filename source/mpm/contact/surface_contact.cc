@@ -3,6 +3,7 @@
 #include <softgrain/mpm/contact/contact_tasks.h>
 #include <softgrain/mpm/contact/obstacle_contact.h>
 #include <softgrain/mpm/contact/seekers.h>
+#include <softgrain/mpm/contact/sliding_places.h>
 #include <softgrain/mpm/contact/surface_contact.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using Place = MovedBoundary::Place;
 using Row = ContactRow<2>;
 
 /// As the key of a partner: the low bits of its image take the place of the high ones of its number.
-unsigned int image_key(const Body<2> &partner, const PeriodicCell::Image &image)
+unsigned int image_key(const Body<2> &partner, const PeriodicCell<2>::Image &image)
 {
   return (partner.index & 0x7ffff) | ((image[0] & 3) << 21) | ((image[1] & 3) << 19);
 }
@@ -51,70 +52,6 @@ NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
   return at.weights;
 }
 
-/// The slide of the places of @p body that look along @p direction from its centre. @param partner the body
-/// at the end of it, round like this one, or null for a wall
-std::shared_ptr<const PlaceSlide<2>>
-place_slide(const Body<2> &body, const MovedBoundary &own, const Vector &direction, const Body<2> *partner)
-{
-  const Place first = own.place(own.facing(direction), true);
-  const Vector arm = first.position - own.center;
-  const Vector across = Vector({-arm[1], arm[0]}) / arm.norm();
-  // The outline crosses the ray at this rate per marker.
-  const double rate = across * Vector({-first.normal[1], first.normal[0]}) * first.speed;
-  if (!(rate > 0.1 * first.speed))
-    return nullptr; // folded: no place of a round body
-  const auto whole = [](const Body<2> &one, const Vector &form, Eigen::VectorXd &all)
-  {
-    const double mass = one.mass.sum();
-    for (unsigned int i = 0; i < one.mass.size(); ++i)
-      for (unsigned int d = 0; d < 2; ++d)
-        all[2 * i + d] += one.mass[i] / mass * form[d];
-  };
-  auto slide = std::make_shared<PlaceSlide<2>>();
-  slide->of_body = Eigen::VectorXd::Zero(body.field.n_dofs());
-  for (unsigned int k = 0; k < first.weights.node.size(); ++k)
-    for (unsigned int d = 0; d < 2; ++d)
-      slide->of_body[2 * first.weights.node[k] + d] -= first.weights.weight[k] * across[d] / rate;
-  if (partner != nullptr)
-  {
-    slide->of_centre = arm.norm() / (direction.norm_square() * rate) * Vector({-direction[1], direction[0]});
-    slide->of_partner = Eigen::VectorXd::Zero(partner->field.n_dofs());
-    whole(*partner, slide->of_centre, slide->of_partner);
-  }
-  whole(body, across / rate - slide->of_centre, slide->of_body);
-  return slide;
-}
-
-/// Gives a row without friction the slope of its gap, and takes what that has done so far off the gap at the
-/// start of the step.
-void add_slope(const ContactScene<2> &scene,
-               const Place &at,
-               const std::shared_ptr<const PlaceSlide<2>> &slide,
-               Row &row)
-{
-  if (slide == nullptr || row.friction > 0.)
-    return;
-  row.slide = slide;
-  row.slope = Vector({-at.normal[1], at.normal[0]}) * row.normal * at.speed;
-  if (scene.share == 0.)
-    return;
-  const auto slid = [&](const Eigen::VectorXd &form, const unsigned int b)
-  {
-    if (form.size() == 0)
-      return 0.;
-    if (scene.increment != nullptr)
-      return form.dot((*scene.increment)[b]);
-    const Body<2> &body = scene.bodies[b];
-    return body.velocity.size() > 0 ? scene.dt * form.dot(body.velocity) : 0.;
-  };
-  double way = slid(slide->of_body, row.body);
-  if (row.partner != Row::none)
-    way += slid(slide->of_partner, row.partner);
-  if (scene.cell != nullptr)
-    way -= scene.dt * (scene.cell->gradient * row.branch) * slide->of_centre;
-  row.gap -= scene.share * row.slope * way;
-}
-
 void find_wall_rows(const ContactScene<2> &scene,
                     const ContactReach &reach,
                     const Body<2> &body,
@@ -132,7 +69,7 @@ void find_wall_rows(const ContactScene<2> &scene,
       continue;
     std::shared_ptr<const PlaceSlide<2>> slide;
     if (own.is_free && scene.places_slide)
-      slide = place_slide(body, own, -wall.normal, nullptr);
+      slide = slide_of_places(body, own, -wall.normal, nullptr);
     for_places(own, -wall.normal,
                [&](const Seeker &seeker)
                {
@@ -201,7 +138,7 @@ public:
              const MovedBoundary &own,
              const Body<2> &partner,
              const MovedBoundary &other,
-             const PeriodicCell::Image &image)
+             const PeriodicCell<2>::Image &image)
       : scene(scene), margin(margin), body(body), own(own), partner(partner), other(other), image(image)
   {
     // Segments one cell further than the margin: the nearest point of a place within it lies on one of them.
@@ -305,7 +242,7 @@ private:
     if (scene.places_slide && own.is_free && other.boundary().circular && !partner.driven)
     {
       if (!slide)
-        slide = place_slide(body, own, direction(), &partner);
+        slide = slide_of_places(body, own, direction(), &partner);
       add_slope(scene, at, *slide, row);
     }
     rows.push_back(std::move(row));
@@ -318,7 +255,7 @@ private:
   const MovedBoundary &own;
   const Body<2> &partner;
   const MovedBoundary &other;
-  const PeriodicCell::Image image; ///< of the partner, as ContactRow::image
+  const PeriodicCell<2>::Image image; ///< of the partner, as ContactRow::image
   std::vector<unsigned int> segments;
   mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
@@ -336,7 +273,7 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
                  for (std::size_t b = begin; b < end; ++b)
                    boundaries[b] = MovedBoundary(scene.bodies[b], scene);
                });
-  const std::vector<PeriodicCell::Image> folds = fold_into_cell(scene, boundaries);
+  const std::vector<PeriodicCell<2>::Image> folds = fold_into_cell(scene, boundaries);
   const std::vector<std::vector<ContactTask>> tasks = find_tasks(scene, reach, boundaries);
   std::vector<std::vector<Row>> of_body(n);
   parallel_for(
@@ -355,14 +292,14 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
           for (const ContactTask &task : tasks[b])
           {
             MovedBoundary away;
-            if (task.image != PeriodicCell::Image())
+            if (task.image != PeriodicCell<2>::Image())
               away = image_of(boundaries[task.partner], task.image, scene);
             const MovedBoundary &other =
-                task.image != PeriodicCell::Image() ? away : boundaries[task.partner];
+                task.image != PeriodicCell<2>::Image() ? away : boundaries[task.partner];
             const double margin = reach((own.travel - other.travel).norm() + own.spread + other.spread);
             if (!own.near(other, margin))
               continue;
-            PeriodicCell::Image image{};
+            PeriodicCell<2>::Image image{};
             for (unsigned int d = 0; d < 2 && !folds.empty(); ++d)
               image[d] = task.image[d] - folds[task.partner][d] + folds[b][d] + body.home[d] -
                          scene.bodies[task.partner].home[d];

@@ -39,7 +39,7 @@ public:
     std::vector<std::string> names = constitutive::law_names();
     const auto standard = std::find(names.begin(), names.end(), "neo_hookean");
     std::rotate(names.begin(), standard, standard + (standard != names.end()));
-    return {names, &constitutive::declare_all_laws};
+    return {names, &constitutive::declare_all_laws, &constitutive::law_title};
   }
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }

@@ -241,9 +241,9 @@ void MpmModel::bring_into_cell(Body<2> &body) const
 {
   if (!state.repeats())
     return;
-  const PeriodicCell cell = cell_of(state.walls);
-  const PeriodicCell::Image image = cell.image_of(body.center());
-  if (image == PeriodicCell::Image())
+  const PeriodicCell<2> cell = cell_of(state.walls);
+  const PeriodicCell<2>::Image image = cell.image_of(body.center());
+  if (image == PeriodicCell<2>::Image())
     return;
   for (unsigned int d = 0; d < 2; ++d)
     body.home[d] += image[d];

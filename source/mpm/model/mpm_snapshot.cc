@@ -160,7 +160,7 @@ Snapshot<2> MpmModel::snapshot() const
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   // Rows count images from where bodies would be if none had ever been brought into the cell.
-  const auto here = [&](PeriodicCell::Image image, const unsigned int a, const unsigned int b)
+  const auto here = [&](PeriodicCell<2>::Image image, const unsigned int a, const unsigned int b)
   {
     for (unsigned int d = 0; d < 2; ++d)
       image[d] += (b == Row::none ? 0 : state.bodies[b].home[d]) - state.bodies[a].home[d];

@@ -128,6 +128,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     state.walls[w].travel += dt * motion[w].velocity;
+    state.walls[w].accept_pressure();
     if (state.walls[w].repeats())
       state.walls[w].offset = cell->offset_after(dt);
   }

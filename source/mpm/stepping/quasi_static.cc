@@ -128,7 +128,7 @@ double unbalanced_force(const Problem &problem, const State &state, const Worksp
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   std::vector<Vector> net(state.bodies.size());
-  std::map<std::tuple<unsigned int, unsigned int, unsigned int, PeriodicCell::Image>, Vector> pairs;
+  std::map<std::tuple<unsigned int, unsigned int, unsigned int, PeriodicCell<2>::Image>, Vector> pairs;
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     Vector force;
@@ -140,9 +140,9 @@ double unbalanced_force(const Problem &problem, const State &state, const Worksp
     if (rows[r].partner != ContactRow<2>::none)
       net[rows[r].partner] -= force;
     const bool swapped = rows[r].partner < rows[r].body;
-    const PeriodicCell::Image &n = rows[r].image;
+    const PeriodicCell<2>::Image &n = rows[r].image;
     pairs[{std::min(rows[r].body, rows[r].partner), std::max(rows[r].body, rows[r].partner), rows[r].wall,
-           swapped ? PeriodicCell::Image{{-n[0], -n[1]}} : n}] += swapped ? -force : force;
+           swapped ? PeriodicCell<2>::Image{{-n[0], -n[1]}} : n}] += swapped ? -force : force;
   }
   double mean = 0., worst = 0., floor = 0.;
   for (const auto &pair : pairs)

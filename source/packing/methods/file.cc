@@ -10,7 +10,7 @@ namespace softgrain
 namespace
 {
 /// Grains from a table.
-class PackingFromFile final : public PackingMethod
+class PackingFromFile final : public PackingMethod<2>
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
@@ -34,27 +34,27 @@ public:
   bool asked_for(const dealii::ParameterHandler &prm) const override { return !prm.get("File").empty(); }
   bool may_name_materials() const override { return true; }
 
-  std::optional<ExpectedDisks> expected() const override
+  std::optional<ExpectedGrains> expected() const override
   {
-    const Packing packing = read_packing(file);
-    ExpectedDisks disks{static_cast<double>(packing.disks.size()),
-                        packing.solid_area() / packing.disks.size(), 0.};
-    for (std::size_t i = 0; i < packing.disks.size(); ++i)
+    const Packing<2> packing = read_packing(file);
+    ExpectedGrains disks{static_cast<double>(packing.balls.size()),
+                         solid_area(packing) / packing.balls.size(), 0.};
+    for (std::size_t i = 0; i < packing.balls.size(); ++i)
     {
-      const double width = packing.form(i).width(packing.disks[i].radius);
+      const double width = form_of(packing, i).width(packing.balls[i].radius);
       if (disks.smallest == 0. || width < disks.smallest)
         disks.smallest = width;
     }
     return disks;
   }
 
-  Packing make() const override { return read_packing(file); }
+  Packing<2> make() const override { return read_packing(file); }
 
 private:
   std::string file;
 };
 
-[[maybe_unused]] const bool registered = Registry<PackingMethod>::instance().add(
+[[maybe_unused]] const bool registered = Registry<PackingMethod<2>>::instance().add(
     "file", "grains that 'File' lists", [] { return std::make_unique<PackingFromFile>(); });
 } // namespace
 } // namespace softgrain

@@ -16,7 +16,7 @@ namespace softgrain
 namespace
 {
 /// Grains thrown into a box that shrinks.
-class RandomPacking final : public PackingMethod
+class RandomPacking final : public PackingMethod<2>
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
@@ -93,38 +93,38 @@ public:
 
   bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
 
-  std::optional<ExpectedDisks> expected() const override
+  std::optional<ExpectedGrains> expected() const override
   {
     // The very radii that will be packed: with few disks the mean of the distribution says little.
     Uniform random(request.seed);
     std::vector<double> radii = draw_radii(request, random);
-    ExpectedDisks disks{static_cast<double>(request.number), 0., 0.};
+    ExpectedGrains disks{static_cast<double>(request.number), 0., 0.};
     for (const double r : radii)
-      disks.mean_area += dealii::numbers::PI * r * r / disks.number;
+      disks.mean_volume += dealii::numbers::PI * r * r / disks.number;
     const double thin = 2. * *std::min_element(radii.begin(), radii.end());
     disks.smallest = request.mix.only_disks() ? thin : thin * std::sqrt(request.mix.least_ratio);
     if (request.protocol.jam)
     {
       // All are scaled to fill the box as jammed disks do.
       const double box = (request.upper[0] - request.lower[0]) * (request.upper[1] - request.lower[1]);
-      const double larger = 0.83 * box / (disks.number * disks.mean_area);
-      disks.mean_area *= larger;
+      const double larger = 0.83 * box / (disks.number * disks.mean_volume);
+      disks.mean_volume *= larger;
       disks.smallest *= std::sqrt(larger);
     }
     return disks;
   }
 
-  Packing make() const override { return make_packing(request); }
+  Packing<2> make() const override { return make_packing(request); }
 
 private:
   void parse_mix(const dealii::ParameterHandler &prm)
   {
     const std::string shapes = prm.get("Shapes");
-    GrainMix &mix = request.mix;
+    GrainMix2D &mix = request.mix;
     mix.kinds.clear();
-    for (const auto &[name, kind] : {std::pair("disk", GrainForm::Kind::disk),
-                                     {"ellipse", GrainForm::Kind::ellipse},
-                                     {"polygon", GrainForm::Kind::polygon}})
+    for (const auto &[name, kind] : {std::pair("disk", GrainForm2D::Kind::disk),
+                                     {"ellipse", GrainForm2D::Kind::ellipse},
+                                     {"polygon", GrainForm2D::Kind::polygon}})
       if (shapes.find(name) != std::string::npos)
         mix.kinds.push_back(kind);
     if (mix.kinds.empty())
@@ -158,12 +158,12 @@ private:
     mix.most_corners = static_cast<unsigned int>(corners[1]);
   }
 
-  PackingRequest request;
+  PackingRequest2D request;
 };
 
 [[maybe_unused]] const bool registered =
-    Registry<PackingMethod>::instance().add("random",
-                                            "'Number' grains thrown into a box that shrinks",
-                                            [] { return std::make_unique<RandomPacking>(); });
+    Registry<PackingMethod<2>>::instance().add("random",
+                                               "'Number' grains thrown into a box that shrinks",
+                                               [] { return std::make_unique<RandomPacking>(); });
 } // namespace
 } // namespace softgrain

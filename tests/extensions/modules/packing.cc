@@ -6,7 +6,7 @@
 
 using namespace softgrain;
 
-class SquareLattice final : public PackingMethod
+class SquareLattice final : public PackingMethod<2>
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
@@ -21,12 +21,12 @@ public:
     spacing = prm.get_double("Spacing");
   }
 
-  Packing make() const override
+  Packing<2> make() const override
   {
-    Packing packing;
+    Packing<2> packing;
     for (unsigned int i = 0; i < side; ++i)
       for (unsigned int j = 0; j < side; ++j)
-        packing.disks.push_back({dealii::Point<2>((0.5 + i) * spacing, (0.5 + j) * spacing), 0.45 * spacing});
+        packing.balls.push_back({dealii::Point<2>((0.5 + i) * spacing, (0.5 + j) * spacing), 0.45 * spacing});
     return packing;
   }
 
@@ -35,5 +35,5 @@ private:
   double spacing = 1.;
 };
 
-[[maybe_unused]] const bool registered = Registry<PackingMethod>::instance().add(
+[[maybe_unused]] const bool registered = Registry<PackingMethod<2>>::instance().add(
     "square_lattice", "disks on a square lattice", [] { return std::make_unique<SquareLattice>(); });

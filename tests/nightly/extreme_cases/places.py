@@ -41,7 +41,10 @@ def cases():
         ("two plates in one place", ["Walls/Names=bottom, top, again", "Walls/again/Point=0, -5e-3", "Walls/again/Normal=0, 1"],
          {"checks": {"Johnson's force": force_about(385 / 0.91, 0.07)}, "quick": True}),
         ("as flat as it goes", ["Walls/top/Velocity=100e-3", "Time/Time step=2e-3"],
-         {"expected": (STOPPED,), "quick": True}),
+         {"expected": (STOPPED,)}),
+        ("as flat as it goes, cells twice as large",
+         ["Walls/top/Velocity=100e-3", "Time/Time step=2e-3", "Mesh/Cell size=2e-3"],
+         {"length": 2e-3, "expected": (STOPPED,), "quick": True}),
         ("nm", scaled(1e-7)[0], {"length": 1e-10}), ("km", scaled(1e6)[0], {"length": 1e3})])
     yield Case("one disk: no plates", less(ONE, ("set Names = bottom, top", "set Names ="), "bottom", "top"), expected=ANY, length=1e-3)
     yield from cases_of(TWO, 1e-3, "two disks", [

@@ -143,7 +143,7 @@ public:
   }
 
   /// Image of its second body that row @p row is a contact with; not one with a wall.
-  PeriodicCell::Image image_of_row(const std::size_t row) const { return list.image(pair_of_row[row]); }
+  PeriodicCell<2>::Image image_of_row(const std::size_t row) const { return list.image(pair_of_row[row]); }
 
   /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
   double attraction_of(std::size_t pair) const;
@@ -180,7 +180,7 @@ private:
   contact::ImageLattice lattice() const;
   void find_centers();
   /// In a cell: from the centre of the body of @p b, or its image, to that of @p a; zero in a body [m].
-  dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell::Image &image) const;
+  dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell<2>::Image &image) const;
   void prepare_cell(double dt, const std::vector<Wall> &walls);
   void load_cell(double dt, std::vector<Wall> &walls) const;
   void take_along(double dt, std::vector<Wall> &walls, DynamicsReport &report);

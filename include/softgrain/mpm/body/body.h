@@ -78,7 +78,7 @@ struct Body
   Eigen::VectorXd internal_force;     ///< end of the last step [N]
 
   /// Copy of the cell that repeats from which it has been brought to where it is.
-  PeriodicCell::Image home{};
+  typename PeriodicCell<dim>::Image home{};
 
   bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
 

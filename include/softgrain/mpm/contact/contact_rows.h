@@ -46,8 +46,11 @@ struct ContactRow
   /// In a cell that repeats: to the centre of the body from that of the image it meets, or from the wall, at
   /// the start of the step; the cell moves them apart at gradient * branch [m].
   dealii::Tensor<1, dim> branch;
-  PeriodicCell::Image image{}; ///< of the partner, that the body meets
-  PeriodicCell::Image fold{};  ///< of the body: `place` is where it is in the cell itself
+  /// Of the partner, that the body meets, as if no body had been brought into the cell.
+  typename PeriodicCell<dim>::Image image{};
+  /// Copy of the cell that the body would be in, as if no body had been brought into the cell: `place` is
+  /// where it is in the cell itself.
+  typename PeriodicCell<dim>::Image fold{};
 
   /// Of the sum of all that an impulse in this component does to the body; the partner feels the opposite.
   dealii::Tensor<1, dim> resultant(const unsigned int component) const

@@ -35,7 +35,7 @@ struct ContactTask
 {
   unsigned int partner;
   bool corners_only;
-  PeriodicCell::Image image{}; ///< of the partner
+  PeriodicCell<2>::Image image{}; ///< of the partner
 
   bool operator<(const ContactTask &task) const
   {
@@ -51,11 +51,11 @@ std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
 
 /// Image @p image of a boundary in a cell that repeats.
 MovedBoundary
-image_of(const MovedBoundary &boundary, const PeriodicCell::Image &image, const ContactScene<2> &scene);
+image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, const ContactScene<2> &scene);
 
 /// Brings boundaries into the cell. @return the copy of it each was in; empty when nothing repeats
-std::vector<PeriodicCell::Image> fold_into_cell(const ContactScene<2> &scene,
-                                                std::vector<MovedBoundary> &boundaries);
+std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
+                                                   std::vector<MovedBoundary> &boundaries);
 } // namespace softgrain::mpm
 
 #endif

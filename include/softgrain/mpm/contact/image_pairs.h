@@ -14,7 +14,7 @@ namespace softgrain::mpm
 struct ImagePair
 {
   unsigned int a, b;
-  PeriodicCell::Image image; ///< of b, that a meets
+  PeriodicCell<2>::Image image; ///< of b, that a meets
 };
 
 /**
@@ -23,7 +23,7 @@ struct ImagePair
  * @return in an order that depends on nothing else; a pair of a thing with itself when the cell is too small
  */
 std::vector<ImagePair> pairs_across(const std::vector<dealii::BoundingBox<2>> &boxes,
-                                    const PeriodicCell &cell);
+                                    const PeriodicCell<2> &cell);
 } // namespace softgrain::mpm
 
 #endif
