@@ -53,7 +53,8 @@ bool GivenEnergy::is_given(const bool settled) const
 
   std::vector<double> stored(state.bodies.size(), 0.), change(state.bodies.size(), 0.),
       floor(state.bodies.size(), 0.);
-  state.for_moving_bodies(
+  work.share.for_mine(
+      state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
@@ -71,6 +72,10 @@ bool GivenEnergy::is_given(const bool settled) const
         if (equations.external[b].size() > 0)
           change[b] -= equations.external[b].dot(equations.increment[b]);
       });
+  BodyShare::Message message(work.share);
+  for (std::vector<double> *const numbers : {&stored, &change, &floor})
+    message.add(*numbers);
+  message.send();
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), plan.dt);
   const double scale = dents + std::accumulate(stored.begin(), stored.end(), 0.) +
                        std::accumulate(floor.begin(), floor.end(), 0.) / allowed;

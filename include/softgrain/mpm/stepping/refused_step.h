@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_refused_step_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <string>
@@ -17,6 +18,10 @@ std::string short_number(double value);
 
 /// Why a step is no good in which the points of @p body came out as @p outcome tells.
 std::string why_not(const Body<2> &body, const StressOutcome &outcome);
+
+/// All ranks learn how the stress of every body came out, and, with it, what @p message holds. Of refusals
+/// they learn the first, which is the one that is told.
+void share_outcomes(const BodyShare &share, std::vector<StressOutcome> &stress, BodyShare::Message message);
 
 /// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
 void heed_laws(const std::vector<Body<2>> &bodies,

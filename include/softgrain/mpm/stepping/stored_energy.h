@@ -4,10 +4,11 @@
 
 namespace softgrain::mpm
 {
+class BodyShare;
 struct State;
 
 /// Elastic energy of the bodies and of the dents that the grid misses [J/m].
-double stored_energy(const State &state);
+double stored_energy(const State &state, const BodyShare &share);
 } // namespace softgrain::mpm
 
 #endif
