@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 namespace softgrain
@@ -325,34 +326,32 @@ void Simulation::print_end(const std::string &status)
                << std::setprecision(2) << std::setw(10) << seconds << " s" << std::setprecision(1)
                << std::setw(7) << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
   log.both() << std::defaultfloat << std::setprecision(6);
-  print_ranks(summary.wall_seconds);
+  print_ranks();
   log.both() << std::flush;
 }
 
-/// What sharing out the work has brought: whoever waits has too little of it.
-void Simulation::print_ranks(const double seconds)
+void Simulation::print_ranks()
 {
   if (ranks.alone())
     return;
   const RankTimes here = model.rank_times();
-  std::vector<double> busy(ranks.number()), waiting(ranks.number());
-  busy[ranks.here()] = here.busy;
-  waiting[ranks.here()] = here.waiting;
+  // Of the whole program: what is no rank's own is done alike by all.
+  const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning);
+  std::vector<double> own(ranks.number()), alike(ranks.number()), waiting(ranks.number());
   std::vector<Ranks::Piece> pieces;
   for (unsigned int r = 0; r < ranks.number(); ++r)
-    pieces.insert(pieces.end(), {{r, &busy[r], 1}, {r, &waiting[r], 1}});
+    pieces.insert(pieces.end(), {{r, &own[r], 1}, {r, &alike[r], 1}, {r, &waiting[r], 1}});
+  own[ranks.here()] = here.own;
+  alike[ranks.here()] = alike_here;
+  waiting[ranks.here()] = here.waiting;
   ranks.share(pieces);
-  double busiest = 0., mean = 0., mean_waiting = 0.;
-  for (unsigned int r = 0; r < ranks.number(); ++r)
-  {
-    busiest = std::max(busiest, busy[r]);
-    mean += busy[r] / ranks.number();
-    mean_waiting += waiting[r] / ranks.number();
-  }
-  log.both() << std::fixed << std::setprecision(1) << "  ranks wait for each other "
-             << 100. * mean_waiting / std::max(seconds, 1e-9) << " % of the time; the busiest has "
-             << std::setprecision(2) << (mean > 0. ? busiest / mean : 1.) << " times the mean work; "
-             << here.messages << " exchanges, " << std::setprecision(1) << here.bytes / 1e6 << " MB\n"
+  const auto mean = [](const std::vector<double> &numbers)
+  { return std::accumulate(numbers.begin(), numbers.end(), 0.) / numbers.size(); };
+  const double busiest = *std::max_element(own.begin(), own.end());
+  log.both() << std::fixed << std::setprecision(2) << "  processor seconds of a rank: its own work "
+             << mean(own) << " (the busiest " << busiest << "), what all do alike " << mean(alike)
+             << "\n  it waits for others " << mean(waiting) << " s, in " << here.messages << " exchanges of "
+             << std::setprecision(1) << here.bytes / 1e6 << " MB\n"
              << std::defaultfloat << std::setprecision(6);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -78,6 +79,29 @@ Failure kind_of(const std::exception_ptr &failure, std::string &text)
     throw std::runtime_error(text);
   }
 }
+
+double seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Books what passes while it lives as waiting.
+class Wait
+{
+public:
+  explicit Wait(RankTimes &times) : times(times), begin(seconds()), processor_begin(processor_seconds()) {}
+  ~Wait()
+  {
+    times.waiting += seconds() - begin;
+    times.spinning += processor_seconds() - processor_begin;
+    ++times.messages;
+  }
+  Wait(const Wait &) = delete;
+
+private:
+  RankTimes &times;
+  const double begin, processor_begin;
+};
 } // namespace
 
 Ranks::Ranks()
@@ -91,51 +115,18 @@ Ranks::Ranks()
   rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
 }
 
-double Ranks::now()
+double processor_seconds()
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return now.tv_sec + 1e-9 * now.tv_nsec;
 }
 
-void Ranks::agree(const std::exception_ptr &failure) const
+void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const
 {
   std::string text;
   const Failure kind = kind_of(failure, text);
-  // The lowest rank that has failed, and whether any is asked to stop, in one go.
-  int here[2] = {kind == Failure::none ? 0 : static_cast<int>(n - rank), interruption_noted() ? 1 : 0},
-      all[2];
-  const double begin = now();
-  MPI_Allreduce(here, all, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  times.waiting += now() - begin;
-  ++times.messages;
-  if (all[1] != 0)
-    tell_interruption();
-  if (all[0] == 0)
-    return;
-  const unsigned int failed = n - all[0];
-  const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
-  if (failure)
-    std::rethrow_exception(failure);
-  fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
-}
-
-bool Ranks::any(const bool here) const
-{
-  if (alone())
-    return here;
-  const double begin = now();
-  const int mine = here ? 1 : 0;
-  int result = 0;
-  MPI_Allreduce(&mine, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  times.waiting += now() - begin;
-  ++times.messages;
-  return result != 0;
-}
-
-void Ranks::share(const std::vector<Piece> &pieces) const
-{
-  if (alone())
-    return;
-  std::vector<std::size_t> count(n, 0);
+  std::vector<std::size_t> count(n, 1);
   for (const Piece &piece : pieces)
     count[piece.owner] += piece.size;
   const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
@@ -143,21 +134,39 @@ void Ranks::share(const std::vector<Piece> &pieces) const
     throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
   std::vector<int> counts(count.begin(), count.end()), starts(n, 0);
   std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  // In the order of ranks, within a rank in that of the list.
-  std::vector<double> all(total);
+  // Rank after rank: whether it failed, whether it was asked to stop, and its pieces in the order of the
+  // list.
+  all.resize(total);
   std::vector<double *> at(n);
   for (unsigned int r = 0; r < n; ++r)
     at[r] = all.data() + starts[r];
+  *at[rank] = (kind != Failure::none ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
+  double *own = at[rank] + 1;
   for (const Piece &piece : pieces)
     if (piece.owner == rank)
-      at[rank] = std::copy_n(piece.begin, piece.size, at[rank]);
-  at[rank] = all.data() + starts[rank];
-  const double begin = now();
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-                 MPI_COMM_WORLD);
-  times.waiting += now() - begin;
-  ++times.messages;
+      own = std::copy_n(piece.begin, piece.size, own);
+  {
+    const Wait wait(times);
+    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
+                   MPI_COMM_WORLD);
+  }
   times.bytes += (total - count[rank]) * sizeof(double);
+  unsigned int failed = n;
+  for (unsigned int r = n; r-- > 0;)
+  {
+    const double flags = *at[r]++;
+    if (flags == 1. || flags == 3.)
+      tell_interruption();
+    if (flags >= 2.)
+      failed = r;
+  }
+  if (failed < n)
+  {
+    const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
+    if (failure)
+      std::rethrow_exception(failure);
+    fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
+  }
   for (const Piece &piece : pieces)
   {
     if (piece.owner != rank)
@@ -166,14 +175,29 @@ void Ranks::share(const std::vector<Piece> &pieces) const
   }
 }
 
+bool Ranks::any(const bool here) const
+{
+  if (alone())
+    return here;
+  const int mine = here ? 1 : 0;
+  int result = 0;
+  const Wait wait(times);
+  MPI_Allreduce(&mine, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return result != 0;
+}
+
+void Ranks::share(const std::vector<Piece> &pieces) const
+{
+  if (!alone())
+    exchange(pieces, nullptr);
+}
+
 std::string Ranks::share(const std::string &text, const unsigned int owner) const
 {
   if (alone())
     return text;
-  const double begin = now();
+  const Wait wait(times);
   const std::string result = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, owner);
-  times.waiting += now() - begin;
-  times.messages += 2;
   times.bytes += result.size();
   return result;
 }
@@ -197,13 +221,13 @@ void Ranks::fail_alike(const std::string &why) const
   constexpr double patience = 10.; // [s]
   MPI_Request request;
   MPI_Ibarrier(MPI_COMM_WORLD, &request);
-  for (const double begin = now();;)
+  for (const double begin = seconds();;)
   {
     int done = 0;
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done)
       return;
-    if (now() - begin > patience)
+    if (seconds() - begin > patience)
       break;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

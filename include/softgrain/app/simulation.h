@@ -59,7 +59,7 @@ private:
   SizeReport expected;
   void print_head();
   void start_files();
-  void print_ranks(double seconds);
+  void print_ranks();
   /// @return the text of @p error, or that the output folder is gone, which explains it.
   std::string cause_of(const ComputationError &error) const;
   /// Keeps the state after a ComputationError. @return what to add to its @p message

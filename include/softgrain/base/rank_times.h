@@ -6,14 +6,18 @@
 
 namespace softgrain
 {
-/// What the exchange between ranks took so far on this one.
+/// What working with other ranks took so far on this one.
 struct RankTimes
 {
-  double busy = 0;            ///< in the work of this rank alone [s]
+  double own = 0;             ///< in work that is this rank's alone, of all its threads [processor s]
   double waiting = 0;         ///< for others, what they send included [s]
+  double spinning = 0;        ///< the same [processor s]: MPI looks for messages all the time
   std::uint64_t messages = 0; ///< times that all ranks met
   std::uint64_t bytes = 0;    ///< that came from others
 };
+
+/// Of all threads of this process so far.
+double processor_seconds();
 } // namespace softgrain
 
 #endif

@@ -32,6 +32,14 @@ public:
   /// Whether this rank is the one that writes and speaks.
   bool first() const { return rank == 0; }
 
+  /// Numbers in memory that one rank knows.
+  struct Piece
+  {
+    unsigned int owner;
+    double *begin;
+    std::size_t size; ///< the same on all ranks
+  };
+
   /**
    * @brief Calls @p work on every rank, each for its share, and waits until all are done.
    *
@@ -42,13 +50,21 @@ public:
   template <class Work>
   void together(const Work &work) const
   {
+    together(work, []() { return std::vector<Piece>(); });
+  }
+
+  /// The same, followed by share() of what @p pieces() then names, in one exchange. The sizes of pieces must
+  /// be alike on all ranks also when @p work has failed.
+  template <class Work, class Pieces>
+  void together(const Work &work, const Pieces &pieces) const
+  {
     if (alone())
     {
       work();
       return;
     }
     std::exception_ptr failure;
-    const double begin = now();
+    const double begin = processor_seconds();
     try
     {
       work();
@@ -57,8 +73,8 @@ public:
     {
       failure = std::current_exception();
     }
-    times.busy += now() - begin;
-    agree(failure);
+    times.own += processor_seconds() - begin;
+    exchange(pieces(), failure);
   }
 
   /// Calls @p work on the first rank only; how it ends, it ends for all.
@@ -75,14 +91,6 @@ public:
 
   /// Whether it is so on any rank.
   bool any(bool here) const;
-
-  /// Numbers in memory that one rank knows.
-  struct Piece
-  {
-    unsigned int owner;
-    double *begin;
-    std::size_t size; ///< the same on all ranks
-  };
 
   /// Copies pieces from their owners to all. Every rank has the same list, with its own places.
   void share(const std::vector<Piece> &pieces) const;
@@ -106,11 +114,11 @@ public:
   RankTimes taken() const { return times; }
 
 private:
-  static double now();
-  void agree(const std::exception_ptr &failure) const;
+  void exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const;
 
   unsigned int n = 1, rank = 0;
   mutable RankTimes times;
+  mutable std::vector<double> all; ///< what is exchanged; kept, for fresh memory is dear
 };
 } // namespace softgrain
 

@@ -29,21 +29,8 @@ void BodyShare::Message::add(const unsigned int b, double *const begin, const st
     pieces.push_back({share.owner(b), begin, size});
 }
 
-void BodyShare::share(std::vector<double> &numbers) const
+void BodyShare::send_lists(const std::vector<double> &sizes, std::vector<std::vector<double>> &lists) const
 {
-  Message message(*this);
-  message.add(numbers);
-  message.send();
-}
-
-void BodyShare::share_lists(std::vector<std::vector<double>> &lists) const
-{
-  if (alone())
-    return;
-  std::vector<double> sizes;
-  for (const std::vector<double> &list : lists)
-    sizes.push_back(list.size());
-  share(sizes);
   Message message(*this);
   for (unsigned int b = 0; b < lists.size(); ++b)
   {

@@ -237,21 +237,23 @@ void ContactSystem<dim>::condense(const BodyShare &share,
                                   const double theta)
 {
   std::vector<Eigen::MatrixXd> blocks(bodies.size());
-  share.for_mine(bodies,
-                 [&](const Body<dim> &body)
-                 {
-                   const unsigned int b = body.index;
-                   if (!body_components[b].empty())
-                     solvers[b]->condense(body_rows[b], blocks[b]);
-                 });
-  BodyShare::Message message(share);
-  for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (!bodies[b].driven && !share.alone())
-    {
-      blocks[b].resize(body_components[b].size(), body_components[b].size());
-      message.add(b, blocks[b].data(), blocks[b].size());
-    }
-  message.send();
+  share.for_mine(
+      bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        if (!body_components[b].empty())
+          solvers[b]->condense(body_rows[b], blocks[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (!bodies[b].driven)
+          {
+            blocks[b].resize(body_components[b].size(), body_components[b].size());
+            message.add(b, blocks[b].data(), blocks[b].size());
+          }
+      });
   contact::BlockDelassus W(rows.size() + free_walls.n_stops(), n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)

@@ -148,20 +148,24 @@ void for_parts(Parts &part, SomeRow &row)
 }
 } // namespace
 
-void share_rows(const BodyShare &share, const std::size_t n_bodies, std::vector<Row> &rows)
+void share_rows(const BodyShare &share,
+                const std::size_t n_bodies,
+                const std::function<void()> &find,
+                std::vector<Row> &rows)
 {
-  if (share.alone())
-    return;
   std::vector<std::vector<double>> packed(n_bodies);
-  for (std::size_t first = 0, end; first < rows.size(); first = end)
-  {
-    const unsigned int b = rows[first].body;
-    Packer pack(packed[b]);
-    for (end = first; end < rows.size() && rows[end].body == b; ++end)
-      if (share.mine(b))
-        for_parts(pack, rows[end]);
-  }
-  share.share_lists(packed);
+  share.share_lists(
+      [&]()
+      {
+        find();
+        for (std::size_t first = 0, end; first < rows.size(); first = end)
+        {
+          Packer pack(packed[rows[first].body]);
+          for (end = first; end < rows.size() && rows[end].body == rows[first].body; ++end)
+            for_parts(pack, rows[end]);
+        }
+      },
+      packed);
   std::vector<Row> all;
   all.reserve(rows.size());
   std::size_t own = 0;
@@ -184,18 +188,24 @@ void share_rows(const BodyShare &share, const std::size_t n_bodies, std::vector<
   rows = std::move(all);
 }
 
-GapsByRow
-share_gaps_where_found(const BodyShare &share, const std::size_t n_bodies, const std::vector<Row> &rows)
+GapsByRow share_gaps_where_found(const BodyShare &share,
+                                 const std::size_t n_bodies,
+                                 const std::function<void()> &find,
+                                 const std::vector<Row> &rows)
 {
   std::vector<std::vector<double>> packed(n_bodies);
-  for (const Row &row : rows)
-    if (share.mine(row.body))
-    {
-      Packer pack(packed[row.body]);
-      pack(row.key);
-      pack(row.gap_where_found);
-    }
-  share.share_lists(packed);
+  share.share_lists(
+      [&]()
+      {
+        find();
+        for (const Row &row : rows)
+        {
+          Packer pack(packed[row.body]);
+          pack(row.key);
+          pack(row.gap_where_found);
+        }
+      },
+      packed);
   GapsByRow gaps;
   for (const std::vector<double> &numbers : packed)
     for (Unpacker unpack(numbers); !unpack.done();)

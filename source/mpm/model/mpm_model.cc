@@ -105,6 +105,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   if (!problem.settings.scheme.implicit && steps % 20 == 0)
     check_energy();
   update_momentum_scale();
+  check_ranks_agree(report);
   return report;
 }
 
@@ -236,21 +237,22 @@ void MpmModel::renew_grids()
     if (problem.settings.scheme.implicit && work.share.mine(b))
       lay_out_stiffness(body.field, work.matrices[b]);
   }
-  work.share.for_mine(state.bodies,
-                      [&](Body<2> &body)
-                      {
-                        if (std::binary_search(leaving.begin(), leaving.end(), body.index))
-                          refresh_forces(body);
-                      });
-  BodyShare::Message message(work.share);
-  for (const unsigned int b : leaving)
-    if (!state.bodies[b].driven)
-    {
-      Eigen::VectorXd &force = state.bodies[b].internal_force;
-      force.conservativeResize(state.bodies[b].field.n_dofs());
-      message.add(b, force.data(), force.size());
-    }
-  message.send();
+  work.share.for_mine(
+      state.bodies,
+      [&](Body<2> &body)
+      {
+        if (std::binary_search(leaving.begin(), leaving.end(), body.index))
+          refresh_forces(body);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (const unsigned int b : leaving)
+          if (Body<2> &body = state.bodies[b]; !body.driven)
+          {
+            body.internal_force.conservativeResize(body.field.n_dofs());
+            message.add(b, body.internal_force.data(), body.internal_force.size());
+          }
+      });
 }
 
 std::vector<double> MpmModel::grid_distortions() const
@@ -258,9 +260,10 @@ std::vector<double> MpmModel::grid_distortions() const
   std::vector<double> distortion(state.bodies.size(), 1.);
   if (problem.settings.grid_update != GridUpdate::distortion)
     return distortion;
-  work.share.for_mine(state.bodies, [&](const Body<2> &body)
-                      { distortion[body.index] = grid_distortion(work.trial[body.index]); });
-  work.share.share(distortion);
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body) { distortion[body.index] = grid_distortion(work.trial[body.index]); },
+      [&](BodyShare::Message &message) { message.add(distortion); });
   return distortion;
 }
 

@@ -33,9 +33,23 @@ double weight_of(const Body<2> &body)
   return of_point * of_point * body.points.size() + band * band * body.field.n_dofs();
 }
 
-unsigned int numbers_per_point(const Body<2> &body)
+constexpr unsigned int n_stress = dealii::SymmetricTensor<2, 2>::n_independent_components;
+
+/// Of all points, one after the other.
+std::vector<double> stress_and_history(const Body<2> &body)
 {
-  return dealii::SymmetricTensor<2, 2>::n_independent_components + body.law->n_history();
+  std::vector<double> numbers;
+  const unsigned int n_history = body.law->n_history();
+  numbers.reserve(body.points.size() * (n_stress + n_history));
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+  {
+    const auto point = body.points[p];
+    for (unsigned int i = 0; i < n_stress; ++i)
+      numbers.push_back(point.stress().access_raw_entry(i));
+    if (n_history > 0)
+      numbers.insert(numbers.end(), point.history(), point.history() + n_history);
+  }
+  return numbers;
 }
 } // namespace
 
@@ -53,34 +67,37 @@ void MpmModel::share_out_bodies()
   work.share.give(bisect(centers, weights, work.share.ranks.number()));
 }
 
+void MpmModel::check_ranks_agree(const StepReport &report) const
+{
+  if (work.share.alone())
+    return;
+  double moved = 0.;
+  for (const Body<2> &body : state.bodies)
+    moved += body.displacement.squaredNorm();
+  work.share.ranks.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
+}
+
 void MpmModel::gather()
 {
   if (work.share.alone())
     return;
   std::vector<std::vector<double>> of_bodies(state.bodies.size());
-  for (const Body<2> &body : state.bodies)
-  {
-    std::vector<double> &numbers = of_bodies[body.index];
-    numbers.reserve(body.points.size() * numbers_per_point(body));
-    for (unsigned int p = 0; p < body.points.size() && work.share.mine(body.index); ++p)
-    {
-      const auto point = body.points[p];
-      for (unsigned int i = 0; i < dealii::SymmetricTensor<2, 2>::n_independent_components; ++i)
-        numbers.push_back(point.stress().access_raw_entry(i));
-      for (unsigned int i = 0; i < body.law->n_history(); ++i)
-        numbers.push_back(point.history()[i]);
-    }
-  }
-  work.share.share_lists(of_bodies);
+  work.share.share_lists(
+      [&]()
+      {
+        work.share.for_mine_here(state.bodies, [&](const Body<2> &body)
+                                 { of_bodies[body.index] = stress_and_history(body); });
+      },
+      of_bodies);
   for (Body<2> &body : state.bodies)
   {
-    if (work.share.mine(body.index))
+    if (work.share.mine(body.index) || body.driven)
       continue;
     const double *number = of_bodies[body.index].data();
     for (unsigned int p = 0; p < body.points.size(); ++p)
     {
       auto point = body.points[p];
-      for (unsigned int i = 0; i < dealii::SymmetricTensor<2, 2>::n_independent_components; ++i)
+      for (unsigned int i = 0; i < n_stress; ++i)
         point.stress().access_raw_entry(i) = *number++;
       for (unsigned int i = 0; i < body.law->n_history(); ++i)
         point.history()[i] = *number++;

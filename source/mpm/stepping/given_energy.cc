@@ -71,11 +71,12 @@ bool GivenEnergy::is_given(const bool settled) const
         change[b] = stored[b] - measure_points(body, body.displacement, none).energy;
         if (equations.external[b].size() > 0)
           change[b] -= equations.external[b].dot(equations.increment[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (std::vector<double> *const numbers : {&stored, &change, &floor})
+          message.add(*numbers);
       });
-  BodyShare::Message message(work.share);
-  for (std::vector<double> *const numbers : {&stored, &change, &floor})
-    message.add(*numbers);
-  message.send();
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), plan.dt);
   const double scale = dents + std::accumulate(stored.begin(), stored.end(), 0.) +
                        std::accumulate(floor.begin(), floor.end(), 0.) / allowed;

@@ -26,11 +26,8 @@ std::string why_not(const Body<2> &body, const StressOutcome &outcome)
   return text.str();
 }
 
-void share_outcomes(const BodyShare &share, std::vector<StressOutcome> &stress, BodyShare::Message message)
+void SharedOutcomes::add_to(BodyShare::Message &message)
 {
-  if (share.alone())
-    return;
-  std::vector<double> points, leaps, shares;
   for (const StressOutcome &outcome : stress)
   {
     points.push_back(outcome.good() ? -1. : outcome.bad_point);
@@ -39,7 +36,12 @@ void share_outcomes(const BodyShare &share, std::vector<StressOutcome> &stress, 
   }
   for (std::vector<double> *const numbers : {&points, &leaps, &shares})
     message.add(*numbers);
-  message.send();
+}
+
+void SharedOutcomes::take()
+{
+  if (share.alone())
+    return;
   bool told = false;
   for (unsigned int b = 0; b < stress.size(); ++b)
   {

@@ -39,8 +39,8 @@ StepEquations::StepEquations(const Problem &problem,
     , round_and_smooth(state.bodies.size(), 0)
     , turns_easily(state.bodies.size(), 0.)
     , spin(state.bodies.size(), 0.)
-    , holding(state.bodies.size(), 0.)
     , internal_norm(state.bodies.size(), 0.)
+    , holding(state.bodies.size(), 0.)
 {
   for (const Body<2> &body : state.bodies)
     if (body.driven)
@@ -120,6 +120,7 @@ bool StepEquations::evaluate(const Vectors &v)
         else
           increment[b] = dt * v[b];
       });
+  SharedOutcomes outcomes(work.share, stress);
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
@@ -157,12 +158,15 @@ bool StepEquations::evaluate(const Vectors &v)
           holding[b] = rotation_weight[b] * forbidden;
           P -= holding[b] * z;
         }
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, missing_impulse);
+        message.add(holding);
+        message.add(internal_norm);
+        outcomes.add_to(message);
       });
-  BodyShare::Message message(work.share);
-  message.add(state.bodies, missing_impulse);
-  message.add(holding);
-  message.add(internal_norm);
-  share_outcomes(work.share, stress, message);
+  outcomes.take();
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
     {
@@ -283,52 +287,66 @@ Eigen::VectorXd StepEquations::go(const unsigned int b,
   return x + step / (scheme.theta * dt);
 }
 
+void StepEquations::assemble(const Body<2> &body, const double shift_of_body, const bool pressure_follows)
+{
+  SystemMatrix &matrix = work.matrices[body.index];
+  const double factor = scheme.theta * scheme.theta * dt * dt;
+  matrix.set_zero();
+  const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
+  if (!pressure_follows)
+    turns_easily[body.index] =
+        scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
+  add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
+  matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + shift_of_body);
+  work.solvers[body.index]->set_update(
+      rotation[body.index], (pressure_follows ? 0.2 : 1.) * against_rotation + rotation_weight[body.index]);
+}
+
 std::string StepEquations::factorise()
 {
   std::vector<double> extra = shift;
   std::vector<double> pending(state.bodies.size(), 1.); // numbers, for other ranks to know them
   for (unsigned int attempt = 0;; ++attempt)
   {
+    // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
+    const bool pressure_follows = attempt > 0;
+    const auto assemble_mine = [&]()
     {
       dealii::TimerOutput::Scope section(*work.timer, "assembly");
-      work.share.for_mine(
-          state.bodies,
-          [&](const Body<2> &body)
-          {
-            if (!pending[body.index])
-              return;
-            SystemMatrix &matrix = work.matrices[body.index];
-            const double factor = scheme.theta * scheme.theta * dt * dt;
-            matrix.set_zero();
-            // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
-            const bool pressure_follows = attempt > 0;
-            const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
-            if (attempt == 0)
-              turns_easily[body.index] =
-                  scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
-            add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
-            matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
-            work.solvers[body.index]->set_update(rotation[body.index],
-                                                 (pressure_follows ? 0.2 : 1.) * against_rotation +
-                                                     rotation_weight[body.index]);
-          });
-    }
-    dealii::TimerOutput::Scope section(*work.timer, "factorisation");
-    work.share.for_mine(state.bodies,
-                        [&](const Body<2> &body)
-                        {
-                          const unsigned int b = body.index;
-                          if (pending[b])
-                            pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
-                          if (pending[b])
-                            if (attempt > 0)
-                              extra[b] = std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() /
+      work.share.for_mine_here(state.bodies,
+                               [&](const Body<2> &body)
+                               {
+                                 if (pending[body.index])
+                                   assemble(body, extra[body.index], pressure_follows);
+                               });
+    };
+    const auto factorise_mine = [&]()
+    {
+      dealii::TimerOutput::Scope section(*work.timer, "factorisation");
+      work.share.for_mine_here(state.bodies,
+                               [&](const Body<2> &body)
+                               {
+                                 const unsigned int b = body.index;
+                                 if (pending[b])
+                                   pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
+                                 if (pending[b])
+                                   if (attempt > 0)
+                                     extra[b] =
+                                         std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() /
                                                                       body.mass.sum());
-                        });
-    BodyShare::Message message(work.share);
-    message.add(pending);
-    message.add(turns_easily);
-    message.send();
+                               });
+    };
+    work.share.together(
+        [&]()
+        {
+          assemble_mine();
+          factorise_mine();
+        },
+        [&](BodyShare::Message &message)
+        {
+          message.add(pending);
+          message.add(turns_easily);
+        });
     bool done = true;
     for (const Body<2> &body : state.bodies)
       if (moves(body.index) && pending[body.index])
@@ -347,14 +365,13 @@ std::string StepEquations::factorise()
 void StepEquations::solve(const bool with_contact, Vectors &x) const
 {
   dealii::TimerOutput::Scope section(*work.timer, "linear solves");
-  work.share.for_mine(state.bodies,
-                      [&](const Body<2> &body)
-                      {
-                        const unsigned int b = body.index;
-                        work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
-                      });
-  BodyShare::Message message(work.share);
-  message.add(state.bodies, x);
-  message.send();
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
+      },
+      [&](BodyShare::Message &message) { message.add(state.bodies, x); });
 }
 } // namespace softgrain::mpm

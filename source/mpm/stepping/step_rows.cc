@@ -54,9 +54,11 @@ void find_rows(const Problem &problem,
   ContactScene<2> where = contact_scene(problem, state, work, motion, dt, increment, share, cell);
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
-  work.share.ranks.together([&]() { problem.geometry->find(where, rows); });
-  if (problem.geometry->looks_by_body())
-    share_rows(work.share, state.bodies.size(), rows);
+  const auto find = [&]() { problem.geometry->find(where, rows); };
+  if (!work.share.alone() && problem.geometry->looks_by_body())
+    share_rows(work.share, state.bodies.size(), find, rows);
+  else
+    find();
   if (start_gaps != nullptr)
     for (ContactRow<2> &row : rows)
     {
@@ -84,9 +86,10 @@ GapsByRow true_gaps(const Problem &problem,
   std::vector<ContactRow<2>> rows;
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   const ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
-  work.share.ranks.together([&]() { problem.geometry->find(where, rows); });
+  const auto find = [&]() { problem.geometry->find(where, rows); };
   if (!work.share.alone() && problem.geometry->looks_by_body())
-    return share_gaps_where_found(work.share, state.bodies.size(), rows);
+    return share_gaps_where_found(work.share, state.bodies.size(), find, rows);
+  find();
   GapsByRow gaps;
   gaps.reserve(rows.size());
   for (const ContactRow<2> &row : rows)

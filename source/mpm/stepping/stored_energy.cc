@@ -9,15 +9,15 @@ namespace softgrain::mpm
 double stored_energy(const State &state, const BodyShare &share)
 {
   std::vector<double> elastic(state.bodies.size(), 0.);
-  share.for_mine(state.bodies,
-                 [&](const Body<2> &body)
-                 {
-                   elastic[body.index] =
-                       measure_points(body, body.displacement,
-                                      Eigen::VectorXd(Eigen::VectorXd::Zero(body.field.n_dofs())))
-                           .energy;
-                 });
-  share.share(elastic);
+  share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        elastic[body.index] = measure_points(body, body.displacement,
+                                             Eigen::VectorXd(Eigen::VectorXd::Zero(body.field.n_dofs())))
+                                  .energy;
+      },
+      [&](BodyShare::Message &message) { message.add(elastic); });
   double sum = state.balance.subgrid_energy;
   for (const double energy : elastic)
     sum += energy;

@@ -39,17 +39,20 @@ public:
   template <class Bodies, class Work>
   void for_mine(Bodies &bodies, const Work &work) const
   {
-    ranks.together(
-        [&]()
-        {
-          parallel_for(bodies.size(), 1,
-                       [&](const std::size_t begin, const std::size_t end)
-                       {
-                         for (std::size_t b = begin; b < end; ++b)
-                           if (!bodies[b].driven && mine(b))
-                             work(bodies[b]);
-                       });
-        });
+    ranks.together([&]() { for_mine_here(bodies, work); });
+  }
+
+  /// The same without waiting for other ranks, as a part of what is done together().
+  template <class Bodies, class Work>
+  void for_mine_here(Bodies &bodies, const Work &work) const
+  {
+    parallel_for(bodies.size(), 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     if (!bodies[b].driven && mine(b))
+                       work(bodies[b]);
+                 });
   }
 
   /// What owners of bodies have to tell, collected to be sent at once. With one rank nothing is collected.
@@ -68,16 +71,50 @@ public:
     void send() const { share.ranks.share(pieces); }
 
   private:
+    friend class BodyShare;
     const BodyShare &share;
     std::vector<Ranks::Piece> pieces;
   };
 
-  /// One number per body, from its owner to all.
-  void share(std::vector<double> &numbers) const;
-  /// Lists of any length, one per body.
-  void share_lists(std::vector<std::vector<double>> &lists) const;
+  /// for_mine(), after which all ranks learn what @p fill adds to a message: all in one exchange.
+  template <class Bodies, class Work, class Fill>
+  void for_mine(Bodies &bodies, const Work &work, const Fill &fill) const
+  {
+    together([&]() { for_mine_here(bodies, work); }, fill);
+  }
+
+  /// The same of any work, see Ranks::together().
+  template <class Work, class Fill>
+  void together(const Work &work, const Fill &fill) const
+  {
+    ranks.together(work,
+                   [&]()
+                   {
+                     Message message(*this);
+                     fill(message);
+                     return std::move(message.pieces);
+                   });
+  }
+
+  /// Lists of any length, one per body, that @p work makes on every rank for its own bodies.
+  template <class Work>
+  void share_lists(const Work &work, std::vector<std::vector<double>> &lists) const
+  {
+    std::vector<double> sizes;
+    together(work,
+             [&](Message &message)
+             {
+               for (const std::vector<double> &list : lists)
+                 sizes.push_back(list.size());
+               message.add(sizes);
+             });
+    if (!alone())
+      send_lists(sizes, lists);
+  }
 
 private:
+  void send_lists(const std::vector<double> &sizes, std::vector<std::vector<double>> &lists) const;
+
   std::vector<unsigned int> owner_of; ///< rank of every body
 };
 } // namespace softgrain::mpm

@@ -75,6 +75,8 @@ private:
   void share_out_bodies();
   /// What came of that.
   void add_ranks(SizeReport &report) const;
+  /// @throw ComputationError when ranks have come to different steps
+  void check_ranks_agree(const StepReport &report) const;
   void check_energy() const;
   void update_momentum_scale();
   void refresh_forces(Body<2> &body);

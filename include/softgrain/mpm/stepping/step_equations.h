@@ -92,6 +92,8 @@ public:
 private:
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
+  /// A of one body, with @p shift_of_body times its mass.
+  void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
   /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
   Eigen::VectorXd free_way(unsigned int b) const;
 
