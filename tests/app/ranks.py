@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -32,11 +33,13 @@ SCENES = {
                      "Output/Snapshots every=6.4e-5", "Stop/End time=1.28e-4"],
     "biaxial": ["gallery/biaxial_thirty_grains_mpm.prm", *HELD, "Stages/compress/Stop/End time=6.4e-5",
                 "Stages/shear/Stop/Axial strain=0.005"],
-    "periodic": ["gallery/simple_shear_periodic.prm", *HELD, "Stages/compress/Stop/End time=6.4e-5",
+    "periodic": ["gallery/simple_shear_periodic.prm", COARSE, "Packing/Number=16", "Packing/Packing fraction=0.7",
+                 "Stages/compress/Stop/End time=6.4e-5",
                  "Stages/shear/Stop/End time=1.28e-4"],
-    "thesis_method": ["thesis/uniaxial_compaction_mpm_thesis_method.prm", "Packing/Number=6", COARSE,
-                      "Mesh/Lower=-4e-3, -4e-3", "Mesh/Upper=40e-3, 40e-3", "Stop/End time=2e-6",
-                      "Output/Snapshots every=1e-6"],
+    "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
+                      "Material points/Shape function=linear", "Material points/Fill limit=0.01",
+                      "Material points/Grid update=every step", "Contact/Geometry=nodes", "Contact/Nodal gap=false",
+                      "Contact/Solver=lumped", "Time/Scheme=newmark", "Time/Time step=1e-5", "Stop/End time=3e-4"],
 }
 
 
@@ -212,29 +215,34 @@ class Ends(RankRuns):
         self.assertEqual(said.count("the state is saved in"), 1, said)
         self.assertEqual(len(states(folder)), 1)
 
+    def ranks_of(self, process, number):
+        """Process ids of the ranks that mpirun has started."""
+        lines = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True,
+                               check=True).stdout.splitlines()
+        found = [int(line.split()[0]) for line in lines if str(PROGRAM) in line]
+        self.assertEqual(len(found), number)
+        return found
+
     def test_killed(self):
         folder, process = self.start(3, [*MANY_STEPS, "Output/Checkpoint every=1e-3"])
-        ranks = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True,
-                               check=True).stdout.splitlines()
-        ranks = [int(line.split()[0]) for line in ranks if str(PROGRAM) in line]
-        self.assertEqual(len(ranks), 3)
-        os.kill(ranks[1], signal.SIGKILL)
+        os.kill(self.ranks_of(process, 3)[1], signal.SIGKILL)
         process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
+        self.assertEqual(status(folder), "running")  # nobody was left to say more
         self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS[1:], ["--restart"])
 
     def test_full_disk(self):
-        folder, _ = self.run_on(2, SCENES["two_disks"], "run", ["Output/Number of field outputs=0", "Stop/End time=3e-4"])
-        old = states(folder)
-        limit = max(path.stat().st_size for path in old) // 2
-        done = subprocess.run(["prlimit", f"--fsize={limit}", *launch(2, words(
-            SCENES["two_disks"], folder, ["Output/Number of field outputs=0"], ["--restart"]))], capture_output=True,
-                              text=True, check=False, env=ENVIRONMENT, timeout=100)
-        self.assertEqual(done.returncode, 1, done)
-        self.assertEqual(done.stderr.count("softgrain: error: "), 1, done)
-        self.assertIn(f"the newest checkpoint is {old[-1]}", done.stderr)
+        folder, process = self.start(2, [*MANY_STEPS, "Output/Checkpoint every=1e-3"])
+        limit = max(path.stat().st_size for path in states(folder)) // 2
+        for rank in self.ranks_of(process, 2):
+            resource.prlimit(rank, resource.RLIMIT_FSIZE, (limit, limit))
+        _, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1, error)
+        self.assertEqual(error.count("softgrain: error: "), 1, error)
+        self.assertIn("File too large", error)
+        self.assertIn(f"the newest checkpoint is {states(folder)[-1]}", error)
         self.assertEqual(status(folder), "failed")
-        self.assertEqual(states(folder), old)
+        self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS[1:], ["--restart"])
 
 
 whole_runs.main()
