@@ -334,9 +334,13 @@ void Simulation::print_ranks()
 {
   if (ranks.alone())
     return;
-  const RankTimes here = model.rank_times();
+  RankTimes here = model.rank_times();
+  const RankTimes output = ranks.taken();
+  here.own += output.own;
+  here.waiting += output.waiting;
+  here.messages += output.messages;
   // Of the whole program: what is no rank's own is done alike by all.
-  const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning);
+  const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning - output.spinning);
   std::vector<double> own(ranks.number()), alike(ranks.number()), waiting(ranks.number());
   std::vector<Ranks::Piece> pieces;
   for (unsigned int r = 0; r < ranks.number(); ++r)
