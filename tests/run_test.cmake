@@ -5,9 +5,14 @@
 # column (the Nth word of a line) for it alone:
 # # tolerance: ABSOLUTE RELATIVE
 # # tolerance of column N: ABSOLUTE RELATIVE
+# With RANKS it runs on so many, whatever the cores: MPIRUN starts them.
+set(launcher "")
+if(RANKS)
+  set(launcher OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ${MPIRUN} --oversubscribe -n ${RANKS})
+endif()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-execute_process(COMMAND ${CMAKE_COMMAND} -E env DEAL_II_NUM_THREADS=${THREADS} OMP_NUM_THREADS=1
+execute_process(COMMAND ${CMAKE_COMMAND} -E env DEAL_II_NUM_THREADS=${THREADS} OMP_NUM_THREADS=1 ${launcher}
     ${PROGRAM} ${ARGUMENTS}
   WORKING_DIRECTORY ${WORK} OUTPUT_FILE ${WORK}/output ERROR_FILE ${WORK}/errors RESULT_VARIABLE status)
 if(NOT status EQUAL 0)

@@ -11,7 +11,9 @@
 #include <softgrain/app/usage.h>
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/base/ranks.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/parameters/parameter_listing.h>
@@ -34,9 +36,13 @@ const char *const exit_codes =
     "Exit codes: 0 done, 1 the computation failed (the last good state is saved), 2 bad input (nothing is "
     "touched), 3 interrupted by a signal (the state is saved; --restart goes on).";
 
-/// One line, whatever the message holds.
+/// One line, whatever the message holds; of several ranks that come here the first says it.
 int report_error(std::string message, const int exit_code)
 {
+  const Ranks ranks;
+  ranks.fail_alike(message);
+  if (!ranks.first())
+    return exit_code;
   std::replace(message.begin(), message.end(), '\n', ' ');
   // What a file holds may be quoted; a terminal would obey some of it.
   std::replace_if(
@@ -216,29 +222,65 @@ int CommandLine::execute()
   }
 }
 
+std::unique_ptr<Input> CommandLine::read_input() const
+{
+  const Ranks ranks;
+  std::unique_ptr<Input> input;
+  ranks.together(
+      [&]()
+      {
+        input = std::make_unique<Input>(parameter_file, assignments);
+        const std::string &model = input->run().model;
+        if (!ranks.alone() && !Registry<ModelFactory>::instance().create(model)->works_on_ranks())
+          throw InputError("'Model' = '" + model + "' runs on one rank so far, and mpirun has started " +
+                           std::to_string(ranks.number()) +
+                           ": leave mpirun out and choose the number of threads with --threads");
+      });
+  // With several ranks deal.II has shared the cores of a machine out already.
+  if (ranks.alone() || input->run().threads != 0)
+    set_n_threads(input->run().threads);
+  return input;
+}
+
 bool CommandLine::run() const
 {
-  Input input(parameter_file, assignments);
-  set_n_threads(input.run().threads);
+  const Ranks ranks;
+  if (!ranks.alone())
+    await_telling_of_interruption();
+  const std::unique_ptr<Input> read = read_input();
+  Input &input = *read;
   const std::string folder = input.run().output_directory;
-  const RunLock lock(folder);
+  const RunLock lock(folder, ranks);
   // All that may be refused comes before the model, which may take long to build.
   std::unique_ptr<CheckpointReader> state;
-  const std::string state_file = restart && checkpoint.empty() ? latest_checkpoint(folder) : checkpoint;
+  std::string state_file = checkpoint;
   std::vector<std::string> changes;
-  if (restart)
-  {
-    check_may_go_on(folder, state_file);
-    state = std::make_unique<CheckpointReader>(state_file);
-    input.complete_scene();
-    changes = input.check_restart(*state, state_file);
-  }
-  else
-    check_may_begin_anew(folder, overwrite);
+  ranks.at_first(
+      [&]()
+      {
+        if (restart && checkpoint.empty())
+          state_file = latest_checkpoint(folder);
+        if (restart)
+          check_may_go_on(folder, state_file);
+        else
+          check_may_begin_anew(folder, overwrite);
+      });
+  state_file = ranks.share(state_file, 0);
+  ranks.together(
+      [&]()
+      {
+        if (!restart)
+          return;
+        state = std::make_unique<CheckpointReader>(state_file);
+        input.complete_scene();
+        changes = input.check_restart(*state, state_file);
+      });
   const std::optional<RunOutline> outline = outline_of(input);
   const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  ranks.together([&]() { input.complete_scene(); });
   const std::unique_ptr<Model<2>> created = input.create_model(state.get());
-  Simulation simulation(input, *created, lock, std::cout);
+  std::ostream silence(nullptr);
+  Simulation simulation(input, *created, lock, ranks.first() ? std::cout : silence);
   if (forecast)
   {
     SizeReport expected = cost_report(*outline, *forecast);
@@ -253,15 +295,16 @@ bool CommandLine::run() const
 
 void CommandLine::check() const
 {
-  Input input(parameter_file, assignments);
-  set_n_threads(input.run().threads);
+  const std::unique_ptr<Input> read = read_input();
+  Input &input = *read;
   const std::optional<RunOutline> outline = outline_of(input);
   const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
   std::unique_ptr<Model<2>> model;
   // What is built in a moment is built: that finds more mistakes.
   if (build || !forecast || forecast->is_soon_built())
     model = input.create_model();
-  print_check_report(std::cout, input, outline, forecast, model.get());
+  if (Ranks().first())
+    print_check_report(std::cout, input, outline, forecast, model.get());
 }
 
 void CommandLine::measure() const

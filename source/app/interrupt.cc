@@ -16,7 +16,7 @@ extern "C" void note_signal(const int signal)
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   const auto second = static_cast<std::sig_atomic_t>(now.tv_sec);
-  if (!interruption_requested())
+  if (!interruption_noted())
     second_of_first_signal = second;
   else if (second - second_of_first_signal > 1)
   {

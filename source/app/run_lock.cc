@@ -37,7 +37,13 @@ bool names_living_process(const std::string &owner)
 
 const char *const RunLock::file_name = "run.lock";
 
-RunLock::RunLock(const std::string &directory) : directory(directory), path(directory + "/" + file_name)
+RunLock::RunLock(const std::string &directory, const Ranks &ranks)
+    : directory(directory), path(directory + "/" + file_name)
+{
+  ranks.at_first([this]() { take(); });
+}
+
+void RunLock::take()
 {
   const std::string what = "'Output directory' = '" + directory + "' ";
   std::error_code error;
@@ -74,6 +80,8 @@ RunLock::RunLock(const std::string &directory) : directory(directory), path(dire
 
 RunLock::~RunLock()
 {
+  if (descriptor < 0)
+    return;
   if (is_ours())
   {
     ::unlink(path.c_str());

@@ -3,6 +3,7 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/base/ranks.h>
 #include <softgrain/model/state_file.h>
 
 #include <algorithm>
@@ -57,6 +58,7 @@ Summary RunStatistics::summary(const std::string &status, const Model<2> &model)
   summary.simulated_time = model.time();
   summary.wall_seconds = wall_seconds();
   summary.threads = n_threads();
+  summary.ranks = Ranks().number();
   summary.bodies = model.n_bodies();
   summary.points = model.n_points();
   summary.max_contact_residual = max_contact_residual;

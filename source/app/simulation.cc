@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 namespace softgrain
@@ -61,19 +62,23 @@ void Simulation::restart(StateReader &checkpoint,
   model.load(checkpoint);
   statistics.load(checkpoint);
   planner.set_natural_step(checkpoint.read_doubles("driver/natural_step").at(0));
-  history.resume(model.step());
-  fields.resume(model.time());
   field_schedule.skip_to(model.time(), planner.slack());
-  snapshots.resume(model.time());
   snapshot_schedule.skip_to(model.time(), planner.slack());
   seen = load_stop_memory(checkpoint, stop_seen_name);
-  if (!measures.measures().empty())
-  {
-    measure_table.resume(model.step(), measure_columns(measures.measures()));
-    remember_snapshots(measures, parameters.output_directory, model.time());
-  }
+  ranks.at_first(
+      [this]()
+      {
+        history.resume(model.step());
+        fields.resume(model.time());
+        snapshots.resume(model.time());
+        if (!measures.measures().empty())
+        {
+          measure_table.resume(model.step(), measure_columns(measures.measures()));
+          remember_snapshots(measures, parameters.output_directory, model.time());
+        }
+        log.open(parameters.output_directory, true);
+      });
   restarted = true;
-  log.open(parameters.output_directory, true);
   for (const std::string &change : changes)
     log.both() << "changed since the checkpoint: " << change << '\n';
   log.both() << "going on from " << file_name << ", step " << model.step() << '\n';
@@ -95,6 +100,7 @@ std::string Simulation::run()
   }
   catch (const ComputationError &error)
   {
+    ranks.fail_alike(error.what());
     progress.finish();
     const std::string cause = cause_of(error);
     const std::string message = cause + save_after_failure(cause);
@@ -103,6 +109,7 @@ std::string Simulation::run()
   }
   catch (const std::exception &error)
   {
+    ranks.fail_alike(error.what());
     // Nobody knows what state the model is in, so the checkpoints on the disk stay the last good ones.
     progress.finish();
     note_failure();
@@ -116,7 +123,7 @@ std::string Simulation::cause_of(const ComputationError &error) const
   // A folder may be lost between any two of its files. Whichever file missed it first, this is what happened.
   try
   {
-    lock.check_folder();
+    ranks.at_first([this]() { lock.check_folder(); });
     return error.what();
   }
   catch (const ComputationError &lost)
@@ -147,6 +154,8 @@ std::string Simulation::save_after_failure(const std::string &message)
 
 void Simulation::note_failure()
 {
+  if (!ranks.first())
+    return;
   const Summary summary = statistics.summary("failed", model);
   try
   {
@@ -162,12 +171,16 @@ void Simulation::note_failure()
 void Simulation::start_files()
 {
   const std::filesystem::path folder = parameters.output_directory;
-  if (!restarted)
-  {
-    remove_old_results(folder.string());
-    log.open(folder.string(), false);
-  }
-  write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
+  ranks.at_first(
+      [&]()
+      {
+        if (!restarted)
+        {
+          remove_old_results(folder.string());
+          log.open(folder.string(), false);
+        }
+        write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
+      });
   write_summary("running");
   if (!restarted)
   {
@@ -197,8 +210,9 @@ std::string Simulation::loop()
     if (!path.is_last() && path.stage_is_done(planner.slack()))
       enter_next_stage(report);
     progress.update(model.time(), model.step(), report, fraction_done());
+    // The clock of the first rank counts.
     if (parameters.checkpoint_minutes > 0 &&
-        seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes)
+        ranks.any(ranks.first() && seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes))
     {
       write_checkpoint();
       write_summary("running");
@@ -286,7 +300,8 @@ void Simulation::enter_next_stage(const StepReport &report)
 void Simulation::print_head()
 {
   log.both() << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", "
-             << n_threads() << " threads)\n"
+             << (ranks.alone() ? "" : std::to_string(ranks.number()) + " ranks, each with ") << n_threads()
+             << " threads)\n"
              << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
   SizeReport report = model.size_report();
   report.insert(report.end(), expected.begin(), expected.end());
@@ -310,7 +325,38 @@ void Simulation::print_end(const std::string &status)
     log.both() << "  " << std::left << std::setw(30) << name << std::right << std::fixed
                << std::setprecision(2) << std::setw(10) << seconds << " s" << std::setprecision(1)
                << std::setw(7) << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
-  log.both() << std::defaultfloat << std::setprecision(6) << std::flush;
+  log.both() << std::defaultfloat << std::setprecision(6);
+  print_ranks();
+  log.both() << std::flush;
+}
+
+void Simulation::print_ranks()
+{
+  if (ranks.alone())
+    return;
+  RankTimes here = model.rank_times();
+  const RankTimes output = ranks.taken();
+  here.own += output.own;
+  here.waiting += output.waiting;
+  here.messages += output.messages;
+  // Of the whole program: what is no rank's own is done alike by all.
+  const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning - output.spinning);
+  std::vector<double> own(ranks.number()), alike(ranks.number()), waiting(ranks.number());
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int r = 0; r < ranks.number(); ++r)
+    pieces.insert(pieces.end(), {{r, &own[r], 1}, {r, &alike[r], 1}, {r, &waiting[r], 1}});
+  own[ranks.here()] = here.own;
+  alike[ranks.here()] = alike_here;
+  waiting[ranks.here()] = here.waiting;
+  ranks.share(pieces);
+  const auto mean = [](const std::vector<double> &numbers)
+  { return std::accumulate(numbers.begin(), numbers.end(), 0.) / numbers.size(); };
+  const double busiest = *std::max_element(own.begin(), own.end());
+  log.both() << std::fixed << std::setprecision(2) << "  processor seconds of a rank: its own work "
+             << mean(own) << " (the busiest " << busiest << "), what all do alike " << mean(alike)
+             << "\n  it waits for others " << mean(waiting) << " s, in " << here.messages << " exchanges of "
+             << std::setprecision(1) << here.bytes / 1e6 << " MB\n"
+             << std::defaultfloat << std::setprecision(6);
 }
 
 void print_size_report(std::ostream &out, const SizeReport &report)

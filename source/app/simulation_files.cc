@@ -31,7 +31,6 @@ void Simulation::write_due_output(const StepReport &report)
 
 void Simulation::write_history(const StepReport &report)
 {
-  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const std::vector<WallState<2>> walls = model.walls();
@@ -69,7 +68,12 @@ void Simulation::write_history(const StepReport &report)
   row.emplace_back("contact_sweeps", report.contact_sweeps);
   const HistoryRow extra = model.extra_history();
   row.insert(row.end(), extra.begin(), extra.end());
-  history.write(row);
+  ranks.at_first(
+      [&]()
+      {
+        lock.check_folder();
+        history.write(row);
+      });
   last_history_step = model.step();
   statistics.add_output_seconds(seconds_since(begin));
 }
@@ -78,44 +82,59 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
 {
   if (!write_fields && !write_snapshots)
     return;
-  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
+  model.gather();
   const Snapshot<2> snapshot = model.snapshot();
-  if (write_fields)
-    fields.write(snapshot);
-  if (write_snapshots)
-    snapshots.append(snapshot);
-  if (write_snapshots && !measures.measures().empty())
-    measure_table.write(measure_row(measures, snapshot));
+  ranks.at_first(
+      [&]()
+      {
+        lock.check_folder();
+        if (write_fields)
+          fields.write(snapshot);
+        if (write_snapshots)
+          snapshots.append(snapshot);
+        if (write_snapshots && !measures.measures().empty())
+          measure_table.write(measure_row(measures, snapshot));
+      });
   last_picture_step = model.step();
   statistics.add_output_seconds(seconds_since(begin));
 }
 
 void Simulation::write_state(const std::string &file)
 {
-  CheckpointWriter writer(file);
-  model.save(writer);
-  statistics.save(writer);
-  path.save(writer);
-  save(writer, stop_seen_name, seen);
-  writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
-  save_description(writer, effective_parameters, scene);
-  writer.commit();
+  model.gather();
+  ranks.at_first(
+      [&]()
+      {
+        CheckpointWriter writer(file);
+        model.save(writer);
+        statistics.save(writer);
+        path.save(writer);
+        save(writer, stop_seen_name, seen);
+        writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
+        save_description(writer, effective_parameters, scene);
+        writer.commit();
+      });
 }
 
 void Simulation::write_checkpoint()
 {
-  lock.check_folder();
   const auto begin = std::chrono::steady_clock::now();
+  ranks.at_first([this]() { lock.check_folder(); });
   write_state(checkpoint_path(parameters.output_directory, model.step()));
-  // Those of a way that was given up for an older checkpoint would be taken for newer ones.
-  remove_checkpoints_after(parameters.output_directory, model.step());
-  remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
+  ranks.at_first(
+      [this]()
+      {
+        // Those of a way that was given up for an older checkpoint would be taken for newer ones.
+        remove_checkpoints_after(parameters.output_directory, model.step());
+        remove_old_checkpoints(parameters.output_directory, parameters.checkpoints_kept);
+      });
   statistics.add_output_seconds(seconds_since(begin));
 }
 
 void Simulation::write_summary(const std::string &status)
 {
-  softgrain::write_summary(parameters.output_directory, statistics.summary(status, model));
+  ranks.at_first(
+      [&]() { softgrain::write_summary(parameters.output_directory, statistics.summary(status, model)); });
 }
 } // namespace softgrain

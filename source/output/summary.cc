@@ -32,6 +32,7 @@ std::string text_of(const Summary &summary)
   json["simulated_time_s"] = summary.simulated_time;
   json["wall_seconds"] = summary.wall_seconds;
   json["threads"] = summary.threads;
+  json["ranks"] = summary.ranks;
   json["bodies"] = summary.bodies;
   json[summary.points_name] = summary.points;
   json["microseconds_per_point_step"] = summary.microseconds_per_point_step();

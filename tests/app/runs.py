@@ -142,17 +142,6 @@ class OneFolder(Runs):
         # moment one may abort. A run needs none, so it does not mind that none can be made.
         self.run_scene("mpm", env={**os.environ, "OMPI_MCA_orte_tmpdir_base": "/proc/none"})
 
-    def test_mpirun(self):
-        mpirun = shutil.which("mpirun")
-        if mpirun is None:
-            self.skipTest("there is no mpirun")
-        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        done = subprocess.run([mpirun, "--oversubscribe", "-n", "2", *command("mpm", self.folder)], capture_output=True,
-                              text=True, check=False, env=environment)
-        self.assertEqual(done.returncode, 2, done)
-        self.assertEqual(done.stderr.count("softgrain: error: started as several processes"), 1, done)
-        self.assertFalse(self.folder.exists())
-
     def lost(self, lose):
         with self.running("mpm", settings=MANY_STEPS) as process:
             lose()

@@ -48,7 +48,8 @@ endif()
 # Whole runs of the program: what comes in their way, and what both models share.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   foreach(name runs.FullDisk runs.OldResults runs.OneFolder runs.Signals runs.RunLog
-      models.OtherSettings models.BothModels models.PackingOfMaterials models.LinearSolvers models.DissipativeLaw)
+      models.OtherSettings models.BothModels models.PackingOfMaterials models.LinearSolvers models.DissipativeLaw
+      ranks.SameBits ranks.Restarts ranks.Ends)
     string(REGEX MATCH "^[a-z]+" script ${name})
     string(REGEX MATCH "[A-Za-z]+$" class ${name})
     add_test(NAME app/${name}

@@ -3,12 +3,15 @@
 #define softgrain_app_command_line_h
 
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace softgrain
 {
+class Input;
+
 /**
  * @brief What the user typed after `softgrain`.
  *
@@ -38,6 +41,8 @@ private:
     script
   };
 
+  /// On all ranks; chooses the number of threads, too.
+  std::unique_ptr<Input> read_input() const;
   /// @return whether it came to its end
   bool run() const;
   void check() const;

@@ -2,6 +2,8 @@
 #ifndef softgrain_app_run_lock_h
 #define softgrain_app_run_lock_h
 
+#include <softgrain/base/ranks.h>
+
 #include <string>
 
 namespace softgrain
@@ -11,25 +13,28 @@ namespace softgrain
  *
  * The system gives the lock back when the program ends, however it ends, so a file that a killed run has left
  * keeps nobody out. Where the file system knows no locks, the process named in the file counts, if it runs on
- * this machine.
+ * this machine. Of several ranks the first holds the lock.
  */
 class RunLock
 {
 public:
   static const char *const file_name;
 
-  /// Makes the folder when it is missing. @throw InputError when another run is writing to it.
-  explicit RunLock(const std::string &directory);
+  /// Makes the folder when it is missing; all ranks come here.
+  /// @throw InputError when another run is writing to it.
+  explicit RunLock(const std::string &directory, const Ranks &ranks = Ranks());
   /// Removes the lock, and the folder if it was made for nothing.
   ~RunLock();
   RunLock(const RunLock &) = delete;
   RunLock &operator=(const RunLock &) = delete;
 
+  /// On the rank that holds the lock.
   /// @throw ComputationError when the folder is no longer the one that was locked: removed, renamed,
   /// replaced.
   void check_folder() const;
 
 private:
+  void take();
   bool is_ours() const;
   std::string owner() const;
 

@@ -11,6 +11,7 @@
 #include <softgrain/app/run_log.h>
 #include <softgrain/app/run_statistics.h>
 #include <softgrain/app/stage_path.h>
+#include <softgrain/base/ranks.h>
 #include <softgrain/output/history.h>
 #include <softgrain/output/snapshot_file.h>
 
@@ -23,6 +24,8 @@ namespace softgrain
 {
 /**
  * @brief Drives a model from step to step until the scene's stop conditions, and writes what the run leaves.
+ *
+ * All ranks drive their part of the model through the same steps; the first one writes.
  */
 class Simulation
 {
@@ -56,6 +59,7 @@ private:
   SizeReport expected;
   void print_head();
   void start_files();
+  void print_ranks();
   /// @return the text of @p error, or that the output folder is gone, which explains it.
   std::string cause_of(const ComputationError &error) const;
   /// Keeps the state after a ComputationError. @return what to add to its @p message
@@ -90,6 +94,7 @@ private:
   const RunParameters &parameters;
   const std::string effective_parameters;
   const RunLock &lock;
+  const Ranks ranks; ///< the first one writes
   RunLog log;
 
   const std::vector<WallState<2>> walls_at_start;

@@ -26,6 +26,16 @@ bool interruption_requested() noexcept;
 /// @throw Interrupted when it was requested
 void stop_if_interrupted();
 ///@}
+
+/// @name Of a program of several ranks, which have to stop at the same place: a request is noted where it
+/// comes, and counts when all ranks have been told (Ranks::together()).
+///@{
+/// From now on a request only counts when it has been told.
+void await_telling_of_interruption() noexcept;
+/// Whether this process has been requested to stop, told or not.
+bool interruption_noted() noexcept;
+void tell_interruption() noexcept;
+///@}
 } // namespace softgrain
 
 #endif

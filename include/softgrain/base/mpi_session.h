@@ -11,8 +11,7 @@
 namespace softgrain
 {
 /**
- * @brief MPI for the life of this object, for a program that is one process; Trilinos and HDF5 are built with
- * it.
+ * @brief MPI for the life of this object; Trilinos and HDF5 are built with it, and ranks need it.
  *
  * Open MPI gives a process that no launcher has started a folder below the temporary one, and the same to
  * every other such process of a user: of programs that start and end at the same moment some then abort,

@@ -3,6 +3,7 @@
 #define softgrain_model_model_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/base/rank_times.h>
 
 #include <cstddef>
 #include <iosfwd>
@@ -69,6 +70,12 @@ public:
 
   virtual double time() const = 0; ///< [s]
   virtual std::size_t step() const = 0;
+
+  /// With several ranks: brings together on each what lies with one, so that snapshot() and save() tell all.
+  /// What else a model tells is told by all ranks alike.
+  virtual void gather() {}
+  /// What working with other ranks has taken so far.
+  virtual RankTimes rank_times() const { return {}; }
 
   /// The neutral state: what pictures and measures are made of. Costs a pass over the points.
   virtual Snapshot<dim> snapshot() const = 0;

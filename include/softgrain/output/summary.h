@@ -17,7 +17,8 @@ struct Summary
   std::uint64_t steps = 0;
   double simulated_time = 0; ///< [s]
   double wall_seconds = 0;   ///< of all parts of a run that was restarted
-  unsigned int threads = 1;
+  unsigned int threads = 1;  ///< of each rank
+  unsigned int ranks = 1;
   std::uint64_t bodies = 0;
   std::uint64_t points = 0;
   double max_contact_residual = 0;

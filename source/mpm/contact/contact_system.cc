@@ -229,20 +229,31 @@ void ContactSystem<dim>::add_impulses(const unsigned int b,
 }
 
 template <int dim>
-void ContactSystem<dim>::condense(const std::vector<Body<dim>> &bodies,
+void ContactSystem<dim>::condense(const BodyShare &share,
+                                  const std::vector<Body<dim>> &bodies,
                                   std::vector<std::unique_ptr<RankOneSolver>> &solvers,
                                   const SubgridCompliance &subgrid,
                                   const double dt,
                                   const double theta)
 {
   std::vector<Eigen::MatrixXd> blocks(bodies.size());
-  parallel_for(bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!bodies[b].driven && !body_components[b].empty())
-                     solvers[b]->condense(body_rows[b], blocks[b]);
-               });
+  share.for_mine(
+      bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        if (!body_components[b].empty())
+          solvers[b]->condense(body_rows[b], blocks[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (!bodies[b].driven)
+          {
+            blocks[b].resize(body_components[b].size(), body_components[b].size());
+            message.add(b, blocks[b].data(), blocks[b].size());
+          }
+      });
   contact::BlockDelassus W(rows.size() + free_walls.n_stops(), n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (blocks[b].size() > 0)

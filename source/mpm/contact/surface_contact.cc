@@ -282,6 +282,8 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
       {
         for (std::size_t b = begin; b < end; ++b)
         {
+          if (scene.looking != nullptr && !scene.looking->mine(b))
+            continue;
           const Body<2> &body = scene.bodies[b];
           const MovedBoundary &own = boundaries[b];
           if (!body.driven)

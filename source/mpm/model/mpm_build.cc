@@ -87,6 +87,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     work.drive.push_back(body.drive);
   }
   work.trial.resize(state.bodies.size());
+  share_out_bodies();
   if (settings.scheme.implicit)
   {
     work.matrices.resize(state.bodies.size());
@@ -95,7 +96,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     for (const Body<2> &body : state.bodies)
     {
       work.solvers.emplace_back();
-      if (body.driven)
+      if (body.driven || !work.share.mine(body.index))
         continue;
       lay_out_stiffness(body.field, work.matrices[body.index]);
       work.solvers.back() = std::make_unique<RankOneSolver>(

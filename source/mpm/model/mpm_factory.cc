@@ -33,6 +33,8 @@ public:
     return names;
   }
 
+  bool works_on_ranks() const override { return true; }
+
   LawCatalogue laws() const override
   {
     // The first is that of a material whose file names none, and must not depend on which laws there are.

@@ -105,6 +105,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   if (!problem.settings.scheme.implicit && steps % 20 == 0)
     check_energy();
   update_momentum_scale();
+  check_ranks_agree(report);
   return report;
 }
 
@@ -207,9 +208,10 @@ void MpmModel::renew_grids()
   // state.
   std::vector<unsigned int> leaving;
   std::vector<std::vector<dealii::Point<2>>> places;
+  const std::vector<double> distortion = grid_distortions();
   for (Body<2> &body : state.bodies)
     if (problem.settings.grid_update == GridUpdate::every_step ||
-        grid_distortion(work.trial[body.index]) >= problem.settings.distortion_limit)
+        distortion[body.index] >= problem.settings.distortion_limit)
     {
       bring_into_cell(body); // so that the mesh need not reach where it goes
       leaving.push_back(body.index);
@@ -217,6 +219,7 @@ void MpmModel::renew_grids()
     }
   if (leaving.empty())
     return;
+  share_trial_volumes(leaving);
   for (unsigned int i = 0; i < leaving.size(); ++i)
     leave_grid(state.bodies[leaving[i]], work.trial[leaving[i]], places[i], context);
   state.sort_points();
@@ -231,10 +234,50 @@ void MpmModel::renew_grids()
           body.velocity[2 * i + d] = work.drive[b][d];
       continue;
     }
-    refresh_forces(body);
-    if (problem.settings.scheme.implicit)
-      lay_out_stiffness(body.field, work.matrices[body.index]);
+    if (problem.settings.scheme.implicit && work.share.mine(b))
+      lay_out_stiffness(body.field, work.matrices[b]);
   }
+  work.share.for_mine(
+      state.bodies,
+      [&](Body<2> &body)
+      {
+        if (std::binary_search(leaving.begin(), leaving.end(), body.index))
+          refresh_forces(body);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (const unsigned int b : leaving)
+          if (Body<2> &body = state.bodies[b]; !body.driven)
+          {
+            body.internal_force.conservativeResize(body.field.n_dofs());
+            message.add(b, body.internal_force.data(), body.internal_force.size());
+          }
+      });
+}
+
+std::vector<double> MpmModel::grid_distortions() const
+{
+  std::vector<double> distortion(state.bodies.size(), 1.);
+  if (problem.settings.grid_update != GridUpdate::distortion)
+    return distortion;
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body) { distortion[body.index] = grid_distortion(work.trial[body.index]); },
+      [&](BodyShare::Message &message) { message.add(distortion); });
+  return distortion;
+}
+
+/// All ranks move the points of all bodies to their new grids, and volumes of small strain belong to that.
+void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
+{
+  BodyShare::Message message(work.share);
+  for (const unsigned int b : of_bodies)
+    if (const Body<2> &body = state.bodies[b]; body.small_strain() && !body.driven)
+    {
+      work.trial[b].volume.resize(body.points.size());
+      message.add(b, work.trial[b].volume.data(), body.points.size());
+    }
+  message.send();
 }
 
 void MpmModel::bring_into_cell(Body<2> &body) const

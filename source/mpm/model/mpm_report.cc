@@ -4,6 +4,7 @@
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -45,7 +46,7 @@ Energies MpmModel::energies() const
     for (const Wall &wall : state.walls)
       energies.kinetic += wall.kinetic_energy();
   }
-  energies.elastic = stored_energy(state);
+  energies.elastic = stored_energy(state, work.share);
   energies.dissipated = state.balance.dissipated();
   energies.external_work = state.balance.external_work();
   return energies;
@@ -77,15 +78,33 @@ SizeReport MpmModel::size_report() const
   for (const Body<2> &body : state.bodies)
     dofs += body.driven ? 0 : body.field.n_dofs();
   const auto &cells = problem.lattice->n_cells();
-  return {{"bodies", std::to_string(n_bodies())},
-          {"material points", std::to_string(n_points())},
-          {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
-                                  text(problem.lattice->cell_size(), " m")},
-          {"unknowns", std::to_string(dofs)},
-          {"shape functions", problem.settings.shape},
-          {"time scheme", scheme_in_words(problem.settings.scheme)},
-          {"CFL step", text(cfl_step(), " s")},
-          {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
+  SizeReport report = {
+      {"bodies", std::to_string(n_bodies())},
+      {"material points", std::to_string(n_points())},
+      {"background mesh", std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells of " +
+                              text(problem.lattice->cell_size(), " m")},
+      {"unknowns", std::to_string(dofs)},
+      {"shape functions", problem.settings.shape},
+      {"time scheme", scheme_in_words(problem.settings.scheme)},
+      {"CFL step", text(cfl_step(), " s")},
+      {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
+  add_ranks(report);
+  return report;
+}
+
+void MpmModel::add_ranks(SizeReport &report) const
+{
+  if (work.share.alone())
+    return;
+  std::vector<unsigned int> bodies(work.share.ranks.number(), 0);
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+      ++bodies[work.share.owner(body.index)];
+  const auto [fewest, most] = std::minmax_element(bodies.begin(), bodies.end());
+  report.emplace_back("bodies of a rank", std::to_string(*fewest) + " to " + std::to_string(*most));
+  if (const auto idle = std::count(bodies.begin(), bodies.end(), 0u); idle > 0)
+    report.emplace_back("warning", std::to_string(idle) + " of " + std::to_string(bodies.size()) +
+                                       " ranks have no body and nothing to do");
 }
 
 std::map<std::string, double> MpmModel::phases() const

@@ -194,7 +194,7 @@ void MpmModel::load(StateReader &in)
       const std::vector<double> home = in.read_doubles(at + "home");
       body.home = {{static_cast<int>(home.at(0)), static_cast<int>(home.at(1))}};
     }
-    if (problem.settings.scheme.implicit && !body.driven)
+    if (problem.settings.scheme.implicit && !body.driven && work.share.mine(body.index))
       lay_out_stiffness(body.field, work.matrices[body.index]);
   }
 }

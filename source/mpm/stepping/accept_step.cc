@@ -113,12 +113,18 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
         if (body.velocity.size() > 0)
           std::swap(body.velocity, v);
         move_boundary(body);
+      });
+  work.share.for_mine(
+      state.bodies,
+      [&](Body<2> &body)
+      {
         const StepState<2> &trial = work.trial[body.index];
         keep_stress(trial, body);
         if (body.law->n_history() > 0)
           for (unsigned int p = 0; p < body.points.size(); ++p)
             law_loss[body.index] += trial.dissipation[p] * trial.volume[p];
-      });
+      },
+      [&](BodyShare::Message &message) { message.add(law_loss); });
   for (const double loss : law_loss)
     state.balance.law_loss += loss;
   if (cell && problem.settings.scheme.inertia)

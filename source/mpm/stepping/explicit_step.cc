@@ -89,7 +89,9 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
   for (unsigned int b = 0; b < n_bodies; ++b)
     increment[b] = dt * v[b];
-  state.for_moving_bodies(
+  SharedOutcomes outcomes(work.share, stress);
+  work.share.for_mine(
+      state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
@@ -97,7 +99,13 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
                                     {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
         if (stress[b].good())
           internal_force(body, work.trial[b], forces[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, forces);
+        outcomes.add_to(message);
       });
+  outcomes.take();
   for (unsigned int b = 0; b < n_bodies; ++b)
     if (!stress[b].good())
     {

@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace softgrain::mpm
 {
@@ -12,6 +13,11 @@ namespace
 constexpr double allowed = 1e-5;   ///< share of what all bodies store that contact may give in a step
 constexpr double strongest = 100.; ///< regularisation of held steps so short that what they gain is rounding
 constexpr double floor_strain = 1e-7; ///< energy of such a strain is rounding
+
+double sum(const std::vector<double> &numbers)
+{
+  return std::accumulate(numbers.begin(), numbers.end(), 0.);
+}
 } // namespace
 
 GivenEnergy::GivenEnergy(const Problem &problem,
@@ -51,21 +57,28 @@ bool GivenEnergy::is_given(const bool settled) const
     return false;
 
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), plan.dt);
-  const double stored = elastic_energy(state, &equations.increment) + dents;
-  double kinetic = 0., floor = 0., external_work = 0.;
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-    {
-      if (problem.settings.scheme.inertia)
-        kinetic += body.kinetic_energy();
-      floor += floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
-      if (equations.external[body.index].size() > 0)
-        external_work += equations.external[body.index].dot(equations.increment[body.index]);
-    }
-  const double limit = allowed * (stored + kinetic) + floor;
+  const double stored = elastic_energy(state, work.share, &equations.increment) + dents;
+  std::vector<double> kinetic(state.bodies.size(), 0.), floor = kinetic, external_work = kinetic;
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        if (problem.settings.scheme.inertia)
+          kinetic[b] = body.kinetic_energy();
+        floor[b] = floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
+        if (equations.external[b].size() > 0)
+          external_work[b] = equations.external[b].dot(equations.increment[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (std::vector<double> *const numbers : {&kinetic, &floor, &external_work})
+          message.add(*numbers);
+      });
+  const double limit = allowed * (stored + sum(kinetic)) + sum(floor);
   if (!descends)
     return gain > limit;
-  gain += stored - stored_energy(state) - external_work;
+  gain += stored - stored_energy(state, work.share) - sum(external_work);
   // What pushes bodies out of each other that were too deep is not given.
   return gain > limit && gain - work_of_overlaps(0.) > limit;
 }

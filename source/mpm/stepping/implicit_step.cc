@@ -237,6 +237,7 @@ std::string ImplicitStep::too_deep()
 
 void ImplicitStep::accept(State &state_to_change)
 {
+  equations.share_internal();
   Vectors rate(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
     rate[b] = equations.increment[b] / plan.dt;

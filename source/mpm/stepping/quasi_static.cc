@@ -53,9 +53,9 @@ StepOutcome held_step(const Problem &problem, State &state, Workspace &work, con
 }
 
 /// Energy that no column of the balance explains [J/m].
-double not_booked(const State &state)
+double not_booked(const State &state, const BodyShare &share)
 {
-  return stored_energy(state) + state.balance.dissipated() - state.balance.external_work();
+  return stored_energy(state, share) + state.balance.dissipated() - state.balance.external_work();
 }
 
 std::string largest_move_in_cells(const Problem &problem, const StepOutcome &held)
@@ -185,10 +185,10 @@ quasi_static_step(const Problem &problem, State &state, Workspace &work, const d
 
 StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, const double dt)
 {
-  const double before = not_booked(state);
+  const double before = not_booked(state, work.share);
   const StepOutcome outcome = make_held_steps(problem, state, work, dt);
   if (outcome.held_steps > 0)
-    state.balance.released_energy += before - not_booked(state);
+    state.balance.released_energy += before - not_booked(state, work.share);
   return outcome;
 }
 } // namespace softgrain::mpm

@@ -26,6 +26,34 @@ std::string why_not(const Body<2> &body, const StressOutcome &outcome)
   return text.str();
 }
 
+void SharedOutcomes::add_to(BodyShare::Message &message)
+{
+  for (const StressOutcome &outcome : stress)
+  {
+    points.push_back(outcome.good() ? -1. : outcome.bad_point);
+    leaps.push_back(outcome.leaps);
+    shares.push_back(outcome.share);
+  }
+  for (std::vector<double> *const numbers : {&points, &leaps, &shares})
+    message.add(*numbers);
+}
+
+void SharedOutcomes::take()
+{
+  if (share.alone())
+    return;
+  bool told = false;
+  for (unsigned int b = 0; b < stress.size(); ++b)
+  {
+    stress[b].bad_point = points[b] < 0. ? StressOutcome::none : static_cast<std::size_t>(points[b]);
+    stress[b].leaps = leaps[b] != 0.;
+    stress[b].share = shares[b];
+    if (!stress[b].good() && !told)
+      stress[b].refusal = share.ranks.share(stress[b].refusal, share.owner(b));
+    told = told || !stress[b].good();
+  }
+}
+
 void heed_laws(const std::vector<Body<2>> &bodies,
                const std::vector<StressOutcome> &stress,
                StepOutcome &outcome)

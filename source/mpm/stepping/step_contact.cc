@@ -38,7 +38,7 @@ void StepContact::condense(const bool new_factors)
   if (!new_factors && !condensed_is_old)
     return;
   dealii::TimerOutput::Scope section(*work.timer, "condensation");
-  work.contact.condense(state.bodies, work.solvers, problem.subgrid(), plan.dt,
+  work.contact.condense(work.share, state.bodies, work.solvers, problem.subgrid(), plan.dt,
                         problem.settings.scheme.theta);
   condensed_is_old = false;
 }

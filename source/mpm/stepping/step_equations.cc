@@ -37,8 +37,9 @@ StepEquations::StepEquations(const Problem &problem,
     , shift(state.bodies.size(), 0.)
     , rotation_weight(state.bodies.size(), 0.)
     , round_and_smooth(state.bodies.size(), 0)
-    , turns_easily(state.bodies.size(), 0)
+    , turns_easily(state.bodies.size(), 0.)
     , spin(state.bodies.size(), 0.)
+    , internal_norm(state.bodies.size(), 0.)
     , holding(state.bodies.size(), 0.)
 {
   for (const Body<2> &body : state.bodies)
@@ -118,11 +119,19 @@ bool StepEquations::evaluate(const Vectors &v)
           increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
         else
           increment[b] = dt * v[b];
+      });
+  SharedOutcomes outcomes(work.share, stress);
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
                                     {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
           return;
         internal_force(body, work.trial[b], internal[b]);
+        internal_norm[b] = internal[b].norm();
         Eigen::VectorXd &P = missing_impulse[b];
         // Forces at both ends are turned with the body to where it is halfway: there they and the contacts
         // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
@@ -149,7 +158,15 @@ bool StepEquations::evaluate(const Vectors &v)
           holding[b] = rotation_weight[b] * forbidden;
           P -= holding[b] * z;
         }
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, missing_impulse);
+        message.add(holding);
+        message.add(internal_norm);
+        outcomes.add_to(message);
       });
+  outcomes.take();
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
     {
@@ -188,7 +205,7 @@ double StepEquations::residual() const
         Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
         work.contact.add_impulses(b, work.contact.impulses(), contact);
         norms[b] = (missing_impulse[b] + contact).norm();
-        double scale = std::max(contact.norm(), dt * internal[b].norm());
+        double scale = std::max(contact.norm(), dt * internal_norm[b]);
         if (scheme.inertia)
           for (unsigned int i = 0; i < body.mass.size(); ++i)
             scale = std::max(scale, 1e-6 * body.mass[i] * body.velocity.segment<2>(2 * i).norm());
@@ -199,6 +216,13 @@ double StepEquations::residual() const
         scales[b] = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
       });
   return *std::max_element(norms.begin(), norms.end()) / *std::max_element(scales.begin(), scales.end());
+}
+
+void StepEquations::share_internal()
+{
+  BodyShare::Message message(work.share);
+  message.add(state.bodies, internal);
+  message.send();
 }
 
 double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
@@ -239,7 +263,8 @@ Eigen::VectorXd StepEquations::free_way(const unsigned int b) const
 
 bool StepEquations::rotation_chases_rows() const
 {
-  return !rotation_is_gauge() && std::find(turns_easily.begin(), turns_easily.end(), 1) != turns_easily.end();
+  return !rotation_is_gauge() &&
+         std::find(turns_easily.begin(), turns_easily.end(), 1.) != turns_easily.end();
 }
 
 bool StepEquations::rotation_is_gauge() const
@@ -262,46 +287,65 @@ Eigen::VectorXd StepEquations::go(const unsigned int b,
   return x + step / (scheme.theta * dt);
 }
 
+void StepEquations::assemble(const Body<2> &body, const double shift_of_body, const bool pressure_follows)
+{
+  SystemMatrix &matrix = work.matrices[body.index];
+  const double factor = scheme.theta * scheme.theta * dt * dt;
+  matrix.set_zero();
+  const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
+  if (!pressure_follows)
+    turns_easily[body.index] =
+        scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
+  add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
+  matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + shift_of_body);
+  work.solvers[body.index]->set_update(
+      rotation[body.index], (pressure_follows ? 0.2 : 1.) * against_rotation + rotation_weight[body.index]);
+}
+
 std::string StepEquations::factorise()
 {
   std::vector<double> extra = shift;
-  std::vector<char> pending(state.bodies.size(), 1);
+  std::vector<double> pending(state.bodies.size(), 1.); // numbers, for other ranks to know them
   for (unsigned int attempt = 0;; ++attempt)
   {
+    // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
+    const bool pressure_follows = attempt > 0;
+    const auto assemble_mine = [&]()
     {
       dealii::TimerOutput::Scope section(*work.timer, "assembly");
-      state.for_moving_bodies(
-          [&](const Body<2> &body)
-          {
-            if (!pending[body.index])
-              return;
-            SystemMatrix &matrix = work.matrices[body.index];
-            const double factor = scheme.theta * scheme.theta * dt * dt;
-            matrix.set_zero();
-            // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
-            const bool pressure_follows = attempt > 0;
-            const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
-            if (attempt == 0)
-              turns_easily[body.index] =
-                  scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
-            add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
-            matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + extra[body.index]);
-            work.solvers[body.index]->set_update(rotation[body.index],
-                                                 (pressure_follows ? 0.2 : 1.) * against_rotation +
-                                                     rotation_weight[body.index]);
-          });
-    }
-    dealii::TimerOutput::Scope section(*work.timer, "factorisation");
-    state.for_moving_bodies(
-        [&](const Body<2> &body)
+      work.share.for_mine_here(state.bodies,
+                               [&](const Body<2> &body)
+                               {
+                                 if (pending[body.index])
+                                   assemble(body, extra[body.index], pressure_follows);
+                               });
+    };
+    const auto factorise_mine = [&]()
+    {
+      dealii::TimerOutput::Scope section(*work.timer, "factorisation");
+      work.share.for_mine_here(state.bodies,
+                               [&](const Body<2> &body)
+                               {
+                                 const unsigned int b = body.index;
+                                 if (pending[b])
+                                   pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
+                                 if (pending[b])
+                                   if (attempt > 0)
+                                     extra[b] =
+                                         std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() /
+                                                                      body.mass.sum());
+                               });
+    };
+    work.share.together(
+        [&]()
         {
-          const unsigned int b = body.index;
-          if (pending[b])
-            pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
-          if (pending[b])
-            if (attempt > 0)
-              extra[b] =
-                  std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() / body.mass.sum());
+          assemble_mine();
+          factorise_mine();
+        },
+        [&](BodyShare::Message &message)
+        {
+          message.add(pending);
+          message.add(turns_easily);
         });
     bool done = true;
     for (const Body<2> &body : state.bodies)
@@ -321,11 +365,13 @@ std::string StepEquations::factorise()
 void StepEquations::solve(const bool with_contact, Vectors &x) const
 {
   dealii::TimerOutput::Scope section(*work.timer, "linear solves");
-  state.for_moving_bodies(
+  work.share.for_mine(
+      state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
         work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
-      });
+      },
+      [&](BodyShare::Message &message) { message.add(state.bodies, x); });
 }
 } // namespace softgrain::mpm

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/share_rows.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 
 #include <deal.II/base/timer.h>
@@ -32,6 +33,7 @@ ContactScene<2> contact_scene(const Problem &problem,
                         state.adhesion.reach()};
   scene.obstacles = state.obstacles.empty() ? nullptr : &state.obstacles;
   scene.cell = cell ? &*cell : nullptr;
+  scene.looking = &work.share;
   return scene;
 }
 } // namespace
@@ -52,7 +54,11 @@ void find_rows(const Problem &problem,
   ContactScene<2> where = contact_scene(problem, state, work, motion, dt, increment, share, cell);
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
-  problem.geometry->find(where, rows);
+  const auto find = [&]() { problem.geometry->find(where, rows); };
+  if (!work.share.alone() && problem.geometry->looks_by_body())
+    share_rows(work.share, state.bodies.size(), find, rows);
+  else
+    find();
   if (start_gaps != nullptr)
     for (ContactRow<2> &row : rows)
     {
@@ -80,7 +86,10 @@ GapsByRow true_gaps(const Problem &problem,
   std::vector<ContactRow<2>> rows;
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   const ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
-  problem.geometry->find(where, rows);
+  const auto find = [&]() { problem.geometry->find(where, rows); };
+  if (!work.share.alone() && problem.geometry->looks_by_body())
+    return share_gaps_where_found(work.share, state.bodies.size(), find, rows);
+  find();
   GapsByRow gaps;
   gaps.reserve(rows.size());
   for (const ContactRow<2> &row : rows)

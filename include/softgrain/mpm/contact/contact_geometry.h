@@ -5,6 +5,7 @@
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -36,6 +37,7 @@ struct ContactScene
   double foresight = 2.;
   const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
   const CellMotion *cell = nullptr;                 ///< null: nothing repeats
+  const BodyShare *looking = nullptr;               ///< bodies of this rank look for contact; null: all do
 };
 
 /// Gives a row what the two that meet there do to each other.
@@ -61,6 +63,10 @@ public:
   /// Rows with the gaps that they have at the start of the step, in an order that does not depend on the
   /// number of threads.
   virtual void find(const ContactScene<dim> &scene, std::vector<ContactRow<dim>> &rows) const = 0;
+
+  /// Whether find() heeds ContactScene::looking, and gives rows in the order of the bodies that look. Else
+  /// every rank finds those of all bodies.
+  virtual bool looks_by_body() const { return false; }
 };
 } // namespace softgrain::mpm
 

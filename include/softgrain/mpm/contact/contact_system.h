@@ -5,6 +5,7 @@
 #include <softgrain/contact/gauss_seidel.h>
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/free_walls.h>
@@ -65,11 +66,13 @@ public:
   /**
    * @brief W from the bodies' factorised matrices, and from the sub-grid compliance of every pair under the
    * present impulses.
+   * @param share   whose body is whose: its matrix is there
    * @param subgrid what the grid misses
    * @param dt      of the step [s]
    * @param theta   of the time scheme: a compliance C [m^2/N] adds C / (theta dt^2) to W
    */
-  void condense(const std::vector<Body<dim>> &bodies,
+  void condense(const BodyShare &share,
+                const std::vector<Body<dim>> &bodies,
                 std::vector<std::unique_ptr<RankOneSolver>> &solvers,
                 const SubgridCompliance &subgrid,
                 double dt,

@@ -19,6 +19,7 @@ class SurfaceContact final : public ContactGeometry<2>
 {
 public:
   void find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const override;
+  bool looks_by_body() const override { return true; }
 };
 } // namespace softgrain::mpm
 

@@ -45,6 +45,8 @@ public:
   double momentum_error() const override;
   std::size_t n_points() const override;
   std::size_t n_bodies() const override;
+  void gather() override;
+  RankTimes rank_times() const override { return work.share.ranks.taken(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
@@ -66,6 +68,15 @@ private:
   /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
   bool keeps_state_before_step() const { return !problem.settings.scheme.inertia; }
   void renew_grids();
+  /// Of the grids of all bodies, see grid_distortion(); only where it is asked for.
+  std::vector<double> grid_distortions() const;
+  void share_trial_volumes(const std::vector<unsigned int> &of_bodies);
+  /// Gives every body to a rank, as long as there is more than one.
+  void share_out_bodies();
+  /// What came of that.
+  void add_ranks(SizeReport &report) const;
+  /// @throw ComputationError when ranks have come to different steps
+  void check_ranks_agree(const StepReport &report) const;
   void check_energy() const;
   void update_momentum_scale();
   void refresh_forces(Body<2> &body);

@@ -4,6 +4,7 @@
 
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/body/step_state.h>
 #include <softgrain/mpm/contact/contact_system.h>
 
@@ -18,10 +19,11 @@ namespace softgrain::mpm
 /// What steps work with and every step fills anew: nothing of it is part of a result.
 struct Workspace
 {
-  std::vector<StepState<2>> trial;                     ///< one per body
+  BodyShare share;                                     ///< which rank works on which body
+  std::vector<StepState<2>> trial;                     ///< one per body; filled by its rank
   std::vector<dealii::Tensor<1, 2>> drive;             ///< of driven bodies in the step, one per body [m/s]
-  std::vector<SystemMatrix> matrices;                  ///< one per body, implicit schemes
-  std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< one per body, implicit schemes
+  std::vector<SystemMatrix> matrices;                  ///< one per body of this rank, implicit schemes
+  std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< likewise
   ContactSystem<2> contact;                            ///< rows found, and the problem that they pose
   dealii::TimerOutput *timer = nullptr;
 };

@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_refused_step_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <string>
@@ -17,6 +18,23 @@ std::string short_number(double value);
 
 /// Why a step is no good in which the points of @p body came out as @p outcome tells.
 std::string why_not(const Body<2> &body, const StressOutcome &outcome);
+
+/// How the stress of every body came out, for all ranks to know. Of refusals they learn the first, which is
+/// the one that is told.
+class SharedOutcomes
+{
+public:
+  SharedOutcomes(const BodyShare &share, std::vector<StressOutcome> &stress) : share(share), stress(stress) {}
+  /// When this rank's are there.
+  void add_to(BodyShare::Message &message);
+  /// After the exchange.
+  void take();
+
+private:
+  const BodyShare &share;
+  std::vector<StressOutcome> &stress;
+  std::vector<double> points, leaps, shares;
+};
 
 /// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
 void heed_laws(const std::vector<Body<2>> &bodies,

@@ -43,6 +43,8 @@ public:
   double unbalanced_norm() const;
   /// The largest such norm of a body over the largest impulse of the step on a body.
   double residual() const;
+  /// All ranks learn the internal forces as last evaluated.
+  void share_internal();
   /// Takes new contact rows into account.
   void rows_changed();
 
@@ -80,7 +82,7 @@ public:
 
   /// Displacements over the step for the velocities last evaluated [m].
   Vectors increment;
-  /// Internal forces for them [N].
+  /// Internal forces for them [N]. Until share_internal() those of other ranks' bodies are old.
   Vectors internal;
   /// Loads of the bodies, empty where there are none [N].
   Vectors external;
@@ -90,6 +92,8 @@ public:
 private:
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
+  /// A of one body, with @p shift_of_body times its mass.
+  void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
   /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
   Eigen::VectorXd free_way(unsigned int b) const;
 
@@ -104,9 +108,10 @@ private:
   bool has_followed = false;           ///< some matrix of the step was made with pressure that follows
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
-  std::vector<char> turns_easily;      ///< bodies whose pressure turns them sooner than inertia holds them
-  std::vector<double> spin;            ///< of such a body: its change by loads, with inertia [1/s]
-  std::vector<double> holding;         ///< torque that holds a body's rotation, times the step [N s m/m]
+  std::vector<double> turns_easily; ///< 1 for bodies whose pressure turns them sooner than inertia holds them
+  std::vector<double> spin;         ///< of such a body: its change by loads, with inertia [1/s]
+  std::vector<double> internal_norm; ///< of the internal forces [N]
+  std::vector<double> holding;       ///< torque that holds a body's rotation, times the step [N s m/m]
   unsigned int bad_body = 0;
   std::vector<StressOutcome> stress;
   StressOutcome trouble;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_body_body_share_h
+#define softgrain_mpm_body_body_share_h
+
+#include <softgrain/base/parallel.h>
+#include <softgrain/base/ranks.h>
+#include <softgrain/mpm/body/body.h>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Which rank does the work on which body, and how the others come to know what it has found.
+ *
+ * A body has one rank, its owner: it alone knows the stress and the history of the points, and has the matrix
+ * and its factors. Everything that holds numbers of nodes or fewer is the same on all ranks.
+ *
+ * Results do not depend on who owns what: the work on a body is the same on any rank, and sums over bodies
+ * are taken by all ranks in the order of the bodies.
+ */
+class BodyShare
+{
+public:
+  const Ranks ranks;
+
+  bool alone() const { return ranks.alone(); }
+  bool mine(const unsigned int b) const { return ranks.alone() || owner_of[b] == ranks.here(); }
+  unsigned int owner(const unsigned int b) const { return ranks.alone() ? 0 : owner_of[b]; }
+
+  /// From now on these ranks own the bodies.
+  void give(std::vector<unsigned int> owners) { owner_of = std::move(owners); }
+
+  /// Calls @p work for every body of this rank that is not driven, on all threads; it may write only to what
+  /// is its body's. Ends when all ranks are done, see Ranks::together().
+  template <class Bodies, class Work>
+  void for_mine(Bodies &bodies, const Work &work) const
+  {
+    ranks.together([&]() { for_mine_here(bodies, work); });
+  }
+
+  /// The same without waiting for other ranks, as a part of what is done together().
+  template <class Bodies, class Work>
+  void for_mine_here(Bodies &bodies, const Work &work) const
+  {
+    parallel_for(bodies.size(), 1,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     if (!bodies[b].driven && mine(b))
+                       work(bodies[b]);
+                 });
+  }
+
+  /// What owners of bodies have to tell, collected to be sent at once. With one rank nothing is collected.
+  class Message
+  {
+  public:
+    explicit Message(const BodyShare &share) : share(share) {}
+
+    /// One number per body.
+    void add(std::vector<double> &numbers);
+    /// A vector per body that is not driven, on its degrees of freedom; one of another size is zeroed.
+    void add(const std::vector<Body<2>> &bodies, std::vector<Eigen::VectorXd> &vectors);
+    /// Numbers of one body, as many on all ranks.
+    void add(unsigned int b, double *begin, std::size_t size);
+
+    void send() const { share.ranks.share(pieces); }
+
+  private:
+    friend class BodyShare;
+    const BodyShare &share;
+    std::vector<Ranks::Piece> pieces;
+  };
+
+  /// for_mine(), after which all ranks learn what @p fill adds to a message: all in one exchange.
+  template <class Bodies, class Work, class Fill>
+  void for_mine(Bodies &bodies, const Work &work, const Fill &fill) const
+  {
+    together([&]() { for_mine_here(bodies, work); }, fill);
+  }
+
+  /// The same of any work, see Ranks::together().
+  template <class Work, class Fill>
+  void together(const Work &work, const Fill &fill) const
+  {
+    ranks.together(work,
+                   [&]()
+                   {
+                     Message message(*this);
+                     fill(message);
+                     return std::move(message.pieces);
+                   });
+  }
+
+  /// Lists of any length, one per body, that @p work makes on every rank for its own bodies.
+  template <class Work>
+  void share_lists(const Work &work, std::vector<std::vector<double>> &lists) const
+  {
+    std::vector<double> sizes;
+    together(work,
+             [&](Message &message)
+             {
+               for (const std::vector<double> &list : lists)
+                 sizes.push_back(list.size());
+               message.add(sizes);
+             });
+    if (!alone())
+      send_lists(sizes, lists);
+  }
+
+private:
+  void send_lists(const std::vector<double> &sizes, std::vector<std::vector<double>> &lists) const;
+
+  std::vector<unsigned int> owner_of; ///< rank of every body
+};
+} // namespace softgrain::mpm
+
+#endif

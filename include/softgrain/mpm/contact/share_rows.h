@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_share_rows_h
+#define softgrain_mpm_contact_share_rows_h
+
+#include <softgrain/mpm/body/body_share.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+
+#include <functional>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// Makes of the rows that @p find puts into @p rows, on every rank for its own bodies, those of all bodies,
+/// on all ranks: in the order of the bodies that look, as one rank finds them. There are several ranks.
+void share_rows(const BodyShare &share,
+                std::size_t n_bodies,
+                const std::function<void()> &find,
+                std::vector<ContactRow<2>> &rows);
+
+/// The same where only the gaps matter.
+GapsByRow share_gaps_where_found(const BodyShare &share,
+                                 std::size_t n_bodies,
+                                 const std::function<void()> &find,
+                                 const std::vector<ContactRow<2>> &rows);
+} // namespace softgrain::mpm
+
+#endif

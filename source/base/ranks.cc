@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
+#include <softgrain/base/ranks.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <thread>
+
+namespace softgrain
+{
+namespace
+{
+/// What a rank may throw, so that the others throw the same.
+enum class Failure
+{
+  none,
+  input,
+  computation,
+  interrupted,
+  memory,
+  other
+};
+
+Failure kind_of(const std::exception_ptr &failure, std::string &text)
+{
+  if (!failure)
+    return Failure::none;
+  try
+  {
+    std::rethrow_exception(failure);
+  }
+  catch (const InputError &error)
+  {
+    text = error.what();
+    return Failure::input;
+  }
+  catch (const ComputationError &error)
+  {
+    text = error.what();
+    return Failure::computation;
+  }
+  catch (const Interrupted &)
+  {
+    return Failure::interrupted;
+  }
+  catch (const std::bad_alloc &)
+  {
+    return Failure::memory;
+  }
+  catch (const std::exception &error)
+  {
+    text = error.what();
+    return Failure::other;
+  }
+}
+
+[[noreturn]] void fail(const Failure kind, const std::string &text)
+{
+  switch (kind)
+  {
+  case Failure::input:
+    throw InputError(text);
+  case Failure::computation:
+    throw ComputationError(text);
+  case Failure::interrupted:
+    throw Interrupted();
+  case Failure::memory:
+    throw std::bad_alloc();
+  default:
+    throw std::runtime_error(text);
+  }
+}
+
+double seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Books what passes while it lives as waiting.
+class Wait
+{
+public:
+  explicit Wait(RankTimes &times) : times(times), begin(seconds()), processor_begin(processor_seconds()) {}
+  ~Wait()
+  {
+    times.waiting += seconds() - begin;
+    times.spinning += processor_seconds() - processor_begin;
+    ++times.messages;
+  }
+  Wait(const Wait &) = delete;
+
+private:
+  RankTimes &times;
+  const double begin, processor_begin;
+};
+} // namespace
+
+Ranks::Ranks()
+{
+  int initialised = 0, finalised = 0;
+  MPI_Initialized(&initialised);
+  MPI_Finalized(&finalised);
+  if (!initialised || finalised)
+    return;
+  n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+}
+
+double processor_seconds()
+{
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const
+{
+  std::string text;
+  const Failure kind = kind_of(failure, text);
+  std::vector<std::size_t> count(n, 1);
+  for (const Piece &piece : pieces)
+    count[piece.owner] += piece.size;
+  const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
+  if (total > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
+  std::vector<int> counts(count.begin(), count.end()), starts(n, 0);
+  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+  // Rank after rank: whether it failed, whether it was asked to stop, and its pieces in the order of the
+  // list.
+  all.resize(total);
+  std::vector<double *> at(n);
+  for (unsigned int r = 0; r < n; ++r)
+    at[r] = all.data() + starts[r];
+  *at[rank] = (kind != Failure::none ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
+  double *own = at[rank] + 1;
+  for (const Piece &piece : pieces)
+    if (piece.owner == rank)
+      own = std::copy_n(piece.begin, piece.size, own);
+  {
+    const Wait wait(times);
+    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
+                   MPI_COMM_WORLD);
+  }
+  times.bytes += (total - count[rank]) * sizeof(double);
+  unsigned int failed = n;
+  for (unsigned int r = n; r-- > 0;)
+  {
+    const double flags = *at[r]++;
+    if (flags == 1. || flags == 3.)
+      tell_interruption();
+    if (flags >= 2.)
+      failed = r;
+  }
+  if (failed < n)
+  {
+    const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
+    if (failure)
+      std::rethrow_exception(failure);
+    fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
+  }
+  for (const Piece &piece : pieces)
+  {
+    if (piece.owner != rank)
+      std::copy_n(at[piece.owner], piece.size, piece.begin);
+    at[piece.owner] += piece.size;
+  }
+}
+
+bool Ranks::any(const bool here) const
+{
+  if (alone())
+    return here;
+  const int mine = here ? 1 : 0;
+  int result = 0;
+  const Wait wait(times);
+  MPI_Allreduce(&mine, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return result != 0;
+}
+
+void Ranks::share(const std::vector<Piece> &pieces) const
+{
+  if (!alone())
+    exchange(pieces, nullptr);
+}
+
+std::string Ranks::share(const std::string &text, const unsigned int owner) const
+{
+  if (alone())
+    return text;
+  const Wait wait(times);
+  const std::string result = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, owner);
+  times.bytes += result.size();
+  return result;
+}
+
+void Ranks::check_alike(const std::vector<double> &numbers) const
+{
+  if (alone())
+    return;
+  std::vector<double> of_first = numbers;
+  share({{0, of_first.data(), of_first.size()}});
+  if (any(std::memcmp(of_first.data(), numbers.data(), numbers.size() * sizeof(double)) != 0))
+    throw ComputationError(
+        "ranks have come to different results, so the run cannot go on: all have to run on processors of the "
+        "same kind, with the same program and libraries");
+}
+
+void Ranks::fail_alike(const std::string &why) const
+{
+  if (alone())
+    return;
+  constexpr double patience = 10.; // [s]
+  MPI_Request request;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  for (const double begin = seconds();;)
+  {
+    int done = 0;
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done)
+      return;
+    if (seconds() - begin > patience)
+      break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::cerr << "softgrain: error: rank " << rank << " failed alone: " << why << std::endl;
+  MPI_Abort(MPI_COMM_WORLD, 1);
+}
+} // namespace softgrain

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/share_rows.h>
+
+#include <iterator>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Row = ContactRow<2>;
+using Slide = std::shared_ptr<const PlaceSlide<2>>;
+
+/// A row, number by number. What packs and what unpacks it name its parts in the same order.
+class Packer
+{
+public:
+  explicit Packer(std::vector<double> &numbers) : numbers(numbers) {}
+
+  void operator()(const double value) { numbers.push_back(value); }
+  void operator()(const unsigned int value) { numbers.push_back(value); }
+  void operator()(const bool value) { numbers.push_back(value); }
+  void operator()(const std::uint64_t value)
+  {
+    // Halves: a double has fewer bits.
+    numbers.push_back(static_cast<double>(value >> 32));
+    numbers.push_back(static_cast<double>(value & 0xffffffff));
+  }
+  void operator()(const dealii::Tensor<1, 2> &value)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      numbers.push_back(value[d]);
+  }
+  void operator()(const PeriodicCell<2>::Image &value)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      numbers.push_back(value[d]);
+  }
+  void operator()(const NodeWeights &value)
+  {
+    numbers.push_back(value.node.size());
+    numbers.insert(numbers.end(), value.node.begin(), value.node.end());
+    numbers.insert(numbers.end(), value.weight.begin(), value.weight.end());
+  }
+  void operator()(const Eigen::VectorXd &value)
+  {
+    numbers.push_back(value.size());
+    numbers.insert(numbers.end(), value.data(), value.data() + value.size());
+  }
+  /// The rows of a pair have the same: it is packed once.
+  void operator()(const Slide &value)
+  {
+    const bool is_new = value != nullptr && value != last;
+    numbers.push_back(value == nullptr ? 0. : is_new ? 2. : 1.);
+    if (!is_new)
+      return;
+    (*this)(value->of_body);
+    (*this)(value->of_partner);
+    (*this)(value->of_centre);
+    last = value;
+  }
+
+private:
+  std::vector<double> &numbers;
+  Slide last;
+};
+
+class Unpacker
+{
+public:
+  explicit Unpacker(const std::vector<double> &numbers) : at(numbers.data()), end(at + numbers.size()) {}
+
+  bool done() const { return at == end; }
+
+  void operator()(double &value) { value = *at++; }
+  void operator()(unsigned int &value) { value = static_cast<unsigned int>(*at++); }
+  void operator()(bool &value) { value = *at++ != 0.; }
+  void operator()(std::uint64_t &value)
+  {
+    value = static_cast<std::uint64_t>(*at++) << 32;
+    value |= static_cast<std::uint64_t>(*at++);
+  }
+  void operator()(dealii::Tensor<1, 2> &value)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      value[d] = *at++;
+  }
+  void operator()(PeriodicCell<2>::Image &value)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      value[d] = static_cast<int>(*at++);
+  }
+  void operator()(NodeWeights &value)
+  {
+    const auto n = static_cast<std::size_t>(*at++);
+    value.node.assign(at, at + n);
+    value.weight.assign(at + n, at + 2 * n);
+    at += 2 * n;
+  }
+  void operator()(Eigen::VectorXd &value)
+  {
+    const auto n = static_cast<Eigen::Index>(*at++);
+    value = Eigen::Map<const Eigen::VectorXd>(at, n);
+    at += n;
+  }
+  void operator()(Slide &value)
+  {
+    const double kind = *at++;
+    if (kind == 2.)
+    {
+      const auto slide = std::make_shared<PlaceSlide<2>>();
+      (*this)(slide->of_body);
+      (*this)(slide->of_partner);
+      (*this)(slide->of_centre);
+      last = slide;
+    }
+    value = kind == 0. ? nullptr : last;
+  }
+
+private:
+  const double *at, *end;
+  Slide last;
+};
+
+/// Every part of a row, but for the body that looks.
+template <typename Parts, typename SomeRow>
+void for_parts(Parts &part, SomeRow &row)
+{
+  part(row.partner);
+  part(row.wall);
+  part(row.obstacle);
+  part(row.body_weights);
+  part(row.partner_weights);
+  part(row.place);
+  part(row.normal);
+  part(row.gap);
+  part(row.gap_where_found);
+  part(row.length);
+  part(row.friction);
+  part(row.adhesion);
+  part(row.pull);
+  part(row.partner_velocity);
+  part(row.slide);
+  part(row.slope);
+  part(row.key);
+  part(row.branch);
+  part(row.image);
+  part(row.fold);
+}
+} // namespace
+
+void share_rows(const BodyShare &share,
+                const std::size_t n_bodies,
+                const std::function<void()> &find,
+                std::vector<Row> &rows)
+{
+  std::vector<std::vector<double>> packed(n_bodies);
+  share.share_lists(
+      [&]()
+      {
+        find();
+        for (std::size_t first = 0, end; first < rows.size(); first = end)
+        {
+          Packer pack(packed[rows[first].body]);
+          for (end = first; end < rows.size() && rows[end].body == rows[first].body; ++end)
+            for_parts(pack, rows[end]);
+        }
+      },
+      packed);
+  std::vector<Row> all;
+  all.reserve(rows.size());
+  std::size_t own = 0;
+  for (unsigned int b = 0; b < n_bodies; ++b)
+  {
+    const std::size_t first = own;
+    while (own < rows.size() && rows[own].body == b)
+      ++own;
+    if (share.mine(b))
+      all.insert(all.end(), std::make_move_iterator(rows.begin() + first),
+                 std::make_move_iterator(rows.begin() + own));
+    else
+      for (Unpacker unpack(packed[b]); !unpack.done();)
+      {
+        all.emplace_back();
+        all.back().body = b;
+        for_parts(unpack, all.back());
+      }
+  }
+  rows = std::move(all);
+}
+
+GapsByRow share_gaps_where_found(const BodyShare &share,
+                                 const std::size_t n_bodies,
+                                 const std::function<void()> &find,
+                                 const std::vector<Row> &rows)
+{
+  std::vector<std::vector<double>> packed(n_bodies);
+  share.share_lists(
+      [&]()
+      {
+        find();
+        for (const Row &row : rows)
+        {
+          Packer pack(packed[row.body]);
+          pack(row.key);
+          pack(row.gap_where_found);
+        }
+      },
+      packed);
+  GapsByRow gaps;
+  for (const std::vector<double> &numbers : packed)
+    for (Unpacker unpack(numbers); !unpack.done();)
+    {
+      std::uint64_t key = 0;
+      double gap = 0.;
+      unpack(key);
+      unpack(gap);
+      gaps[key] = gap;
+    }
+  return gaps;
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs on several ranks: what they write is that of one process, to the last bit, and a rank that is lost ends the run."""
+import csv
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+
+import whole_runs
+from whole_runs import LONG_STEPS, MANY_STEPS, PARAMETERS, PROGRAM, WORK, states, status
+
+MPIRUN = shutil.which("mpirun")
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+COARSE = "Mesh/Cell size=6.4e-4"
+THIRTY = ["gallery/thirty_grains_mpm.prm", COARSE, "Walls/top/Velocity=20", "Output/Fields every=5e-5",
+          "Output/Snapshots every=2.5e-5", "Stop/End time=5e-5"]
+HELD = [COARSE, "Packing/Number=12", "Packing/Packing fraction=0.65"]
+# A few steps each: with friction, with history, with grids that are laid anew, with walls of points, in balance.
+SCENES = {
+    "two_disks": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4"],
+    "thirty": THIRTY,
+    "friction": [*THIRTY, "Contact/Friction=0.3"],
+    "plastic": [*THIRTY, "Materials/gel/Law=j2_plastic", "Material points/Grid update=every step"],
+    "explicit": [*THIRTY, "Stop/End time=2e-5", "Time/Scheme=explicit", "Time/CFL multiple=0.3", "Contact/Solver=lumped"],
+    "quasi_static": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, "Walls/top/Velocity=5", "Output/Fields every=0",
+                     "Output/Snapshots every=6.4e-5", "Stop/End time=1.28e-4"],
+    "biaxial": ["gallery/biaxial_thirty_grains_mpm.prm", *HELD, "Stages/compress/Stop/End time=6.4e-5",
+                "Stages/shear/Stop/Axial strain=0.005"],
+    "periodic": ["gallery/simple_shear_periodic.prm", COARSE, "Packing/Number=16", "Packing/Packing fraction=0.7",
+                 "Stages/compress/Stop/End time=6.4e-5",
+                 "Stages/shear/Stop/End time=1.28e-4"],
+    "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
+                      "Material points/Shape function=linear", "Material points/Fill limit=0.01",
+                      "Material points/Grid update=every step", "Contact/Geometry=nodes", "Contact/Nodal gap=false",
+                      "Contact/Solver=lumped", "Time/Scheme=newmark", "Time/Time step=1e-5", "Stop/End time=3e-4"],
+}
+
+
+def words(scene, folder, settings=(), more=()):
+    file, *own = scene
+    sets = [word for setting in [*own, *settings] for word in ("--set", setting)]
+    return [PROGRAM, "run", PARAMETERS / file, "--threads", "1", "--output", folder, *sets, *more]
+
+
+def launch(ranks, command):
+    """None: no launcher at all."""
+    return command if ranks is None else [MPIRUN, "--oversubscribe", "-n", str(ranks), *command]
+
+
+def data_of(path):
+    """Every data set of an HDF5 file, as bytes; but for the time a run took, and the name of its folder."""
+    found = {}
+
+    def note(name, item):
+        if isinstance(item, h5py.Dataset) and name not in ("driver/statistics", "driver/parameters"):
+            value = item[()]
+            found[name] = (item.shape, value.tobytes() if hasattr(value, "tobytes") else value)
+
+    with h5py.File(path) as file:
+        file.visititems(note)
+    return found
+
+
+@unittest.skipIf(MPIRUN is None, "there is no mpirun")
+class RankRuns(unittest.TestCase):
+    def setUp(self):
+        self.base = WORK / self.id().split(".", 1)[1]
+        shutil.rmtree(self.base, ignore_errors=True)
+        self.base.mkdir(parents=True)
+
+    def run_on(self, ranks, scene, name, settings=(), more=(), expect=0):
+        folder = self.base / name
+        done = subprocess.run(launch(ranks, words(scene, folder, settings, more)), capture_output=True, text=True,
+                              check=False, env=ENVIRONMENT, timeout=200)
+        self.assertEqual(done.returncode, expect, done)
+        if expect == 0:
+            # A launcher of another MPI starts so many runs of one rank each, which agree with each other.
+            self.assertEqual(json.loads((folder / "summary.json").read_text())["ranks"], ranks or 1)
+            self.assertEqual(re.findall(r"(\d+) ranks, each with 1 threads", done.stdout),
+                             [str(ranks)] if ranks and ranks > 1 else [])
+        return folder, done
+
+    def assert_same_data(self, one, other):
+        first, second = data_of(one), data_of(other)
+        self.assertEqual(list(first), list(second))
+        self.assertGreater(len(first), 0)
+        self.assertEqual([name for name in first if first[name] != second[name]], [], other)
+
+    def assert_same(self, one, other):
+        self.assertEqual((one / "history.csv").read_bytes(), (other / "history.csv").read_bytes())
+        self.assertEqual([path.name for path in states(one)], [path.name for path in states(other)])
+        self.assertGreater(len(states(one)), 0)
+        for path in states(one):
+            self.assert_same_data(path, other / path.name)
+        self.assertEqual((one / "snapshots.h5").exists(), (other / "snapshots.h5").exists())
+        if (one / "snapshots.h5").exists():
+            self.assert_same_data(one / "snapshots.h5", other / "snapshots.h5")
+        pictures = sorted(path.relative_to(one) for path in one.glob("fields/*.vtu"))
+        self.assertEqual(pictures, sorted(path.relative_to(other) for path in other.glob("fields/*.vtu")))
+        for path in pictures:
+            self.assertEqual((one / path).read_bytes(), (other / path).read_bytes(), path)
+
+
+class SameBits(RankRuns):
+    """history.csv, snapshots, pictures and the end state do not depend on the number of ranks."""
+
+    def check(self, name, ranks=(2, 3)):
+        one, _ = self.run_on(None, SCENES[name], "none")
+        with open(one / "history.csv") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 2)
+        self.assertGreater(max(float(row["coordination"]) for row in rows), 0)
+        for number in ranks:
+            several, _ = self.run_on(number, SCENES[name], str(number))
+            self.assert_same(one, several)
+
+    def test_two_disks(self):
+        self.check("two_disks", (1, 2, 3, 4))  # and ranks without a body
+        said = (self.base / "4" / "run.log").read_text()
+        self.assertRegex(said, r"warning +2 of 4 ranks have no body")
+
+    def test_thirty(self):
+        self.check("thirty", (2, 3, 4))
+
+    def test_friction(self):
+        self.check("friction", (2, 4))
+
+    def test_plastic(self):
+        self.check("plastic")
+
+    def test_explicit(self):
+        self.check("explicit")
+
+    def test_quasi_static(self):
+        self.check("quasi_static")
+        # If this made no difference, what agrees would show nothing.
+        other, _ = self.run_on(2, SCENES["quasi_static"], "other", ["Packing/Seed=7"])
+        self.assertNotEqual((other / "history.csv").read_bytes(), (self.base / "2" / "history.csv").read_bytes())
+
+    def test_biaxial(self):
+        self.check("biaxial", (2, 4))
+
+    def test_periodic(self):
+        self.check("periodic")
+
+    def test_thesis_method(self):
+        self.check("thesis_method")
+
+
+class Restarts(RankRuns):
+    """A checkpoint knows nothing of ranks: 4, then 3, then one process give what one process gives three times."""
+
+    def check(self, name, ends):
+        folders = {}
+        for way in ((None, None, None), (4, 3, None)):
+            for ranks, end in zip(way, ends):
+                more = ["--restart"] if end != ends[0] else []
+                folders[way], _ = self.run_on(ranks, SCENES[name], "way" + str(way[0]), [f"Stop/End time={end}"], more)
+        self.assert_same(*folders.values())
+
+    def test_friction(self):
+        self.check("friction", ("3e-5", "4e-5", "5e-5"))
+
+    def test_plastic(self):
+        self.check("plastic", ("2e-5", "3e-5", "4e-5"))
+
+
+class Ends(RankRuns):
+    """However a run on several ranks ends, it ends, says so once, and leaves what can be gone on from."""
+
+    def start(self, ranks, settings, seconds=1.):
+        folder = self.base / "run"
+        process = subprocess.Popen(launch(ranks, words(SCENES["two_disks"], folder, settings)), stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+        self.addCleanup(lambda: process.poll() is None and process.kill())
+        deadline = time.monotonic() + 60
+        while not (folder / "history.csv").exists() and process.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.02)
+        time.sleep(seconds)
+        self.assertIsNone(process.poll())
+        return folder, process
+
+    def test_refused(self):
+        scene = ["gallery/one_grain_bpm.prm"]
+        folder, done = self.run_on(2, scene, "bpm", expect=2)
+        self.assertEqual(done.stderr.count("softgrain: error: "), 1, done)
+        self.assertIn("'Model' = 'bpm' runs on one rank so far, and mpirun has started 2", done.stderr)
+        self.assertFalse(folder.exists())
+        _, done = self.run_on(3, SCENES["two_disks"], "wrong", ["Contact/Friction=-1"], expect=2)
+        self.assertEqual(done.stderr.count("softgrain: error: "), 1, done)
+
+    def test_lock(self):
+        folder, process = self.start(2, MANY_STEPS)
+        _, done = self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS, expect=2)
+        self.assertEqual(done.stderr.count("is in use by another run (process "), 1, done)
+        process.send_signal(signal.SIGUSR1)  # which mpirun hands to all ranks
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3)
+        self.assertEqual(status(folder), "interrupted")
+        self.run_on(2, SCENES["two_disks"], "run", more=["--restart"])
+        self.assertFalse((folder / "run.lock").exists())
+
+    def test_within_a_step(self):
+        folder, process = self.start(2, LONG_STEPS["mpm"])
+        process.send_signal(signal.SIGUSR1)
+        said, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, error)
+        self.assertEqual(said.count("the state is saved in"), 1, said)
+        self.assertEqual(len(states(folder)), 1)
+
+    def ranks_of(self, process, number):
+        """Process ids of the ranks that mpirun has started."""
+        lines = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True,
+                               check=True).stdout.splitlines()
+        found = [int(line.split()[0]) for line in lines if str(PROGRAM) in line]
+        self.assertEqual(len(found), number)
+        return found
+
+    def test_killed(self):
+        folder, process = self.start(3, [*MANY_STEPS, "Output/Checkpoint every=1e-3"])
+        os.kill(self.ranks_of(process, 3)[1], signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertEqual(status(folder), "running")  # nobody was left to say more
+        self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS[1:], ["--restart"])
+
+    def test_full_disk(self):
+        folder, process = self.start(2, [*MANY_STEPS, "Output/Checkpoint every=1e-3"])
+        limit = max(path.stat().st_size for path in states(folder)) // 2
+        for rank in self.ranks_of(process, 2):
+            resource.prlimit(rank, resource.RLIMIT_FSIZE, (limit, limit))
+        _, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1, error)
+        self.assertEqual(error.count("softgrain: error: "), 1, error)
+        self.assertIn("File too large", error)
+        self.assertIn(f"the newest checkpoint is {states(folder)[-1]}", error)
+        self.assertEqual(status(folder), "failed")
+        self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS[1:], ["--restart"])
+
+
+whole_runs.main()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What ranks tell each other. Known: numbers go from their owners to all, to the bit; a failure of one is
+// everybody's, that of the lowest rank first; a request to stop that comes to one rank stops all at the same
+// place.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/interruption.h>
+#include <softgrain/base/mpi_session.h>
+#include <softgrain/base/ranks.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+using namespace softgrain;
+
+/// Of number i; odd bits, and one that is no number.
+double value(const unsigned int i)
+{
+  return i == 5 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(2. + i);
+}
+
+/// Numbers that differ from what their owners have, after they were shared: rank i % n owns i % 4 of them.
+unsigned int wrong_numbers(const Ranks &ranks)
+{
+  std::vector<std::vector<double>> lists(17);
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int i = 0; i < lists.size(); ++i)
+  {
+    const unsigned int owner = i % ranks.number();
+    lists[i].assign(i % 4, owner == ranks.here() ? value(i) : 0.);
+    pieces.push_back({owner, lists[i].data(), lists[i].size()});
+  }
+  ranks.share(pieces);
+  unsigned int wrong = 0;
+  for (unsigned int i = 0; i < lists.size(); ++i)
+    for (const double number : lists[i])
+      wrong += !(number == value(i) || (std::isnan(number) && std::isnan(value(i))));
+  return wrong;
+}
+
+/// What this rank catches when those from @p lowest on fail.
+std::string failure(const Ranks &ranks, const unsigned int lowest)
+{
+  try
+  {
+    ranks.together(
+        [&]()
+        {
+          if (ranks.here() >= lowest)
+            throw InputError("no good on " + std::to_string(ranks.here()));
+        });
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "none";
+}
+
+int main(int argc, char **argv)
+{
+  const MPISession mpi(argc, argv);
+  const Ranks ranks;
+  const unsigned int last = ranks.number() - 1;
+  std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
+      parted(ranks.number());
+  const unsigned int here = ranks.here();
+  wrong[here] = wrong_numbers(ranks);
+  caught[here] = failure(ranks, last) == "no good on " + std::to_string(last) &&
+                 failure(ranks, ranks.number()) == "none";
+  await_telling_of_interruption();
+  forget_interruption();
+  ranks.together([]() {});
+  if (here == last)
+    request_interruption();
+  const bool too_early = interruption_requested();
+  ranks.together([]() {});
+  stopped[here] = !too_early && interruption_requested();
+  ranks.check_alike({1., value(3)});
+  try
+  {
+    ranks.check_alike({1., here == last ? std::nextafter(value(3), 2.) : value(3)});
+  }
+  catch (const ComputationError &)
+  {
+    parted[here] = 1.;
+  }
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int r = 0; r < ranks.number(); ++r)
+    for (std::vector<double> *const numbers : {&wrong, &caught, &stopped, &parted})
+      pieces.push_back({r, &(*numbers)[r], 1});
+  ranks.share(pieces);
+  const std::string told = ranks.share(ranks.first() ? "" : "rank " + std::to_string(here), last);
+  if (!ranks.first())
+    return 0;
+  std::cout << "ranks " << ranks.number() << ", the last one says '" << told << "'\n";
+  for (unsigned int r = 0; r < ranks.number(); ++r)
+    std::cout << "rank " << r << ": wrong numbers " << wrong[r] << ", failures as told " << caught[r]
+              << ", stops when told " << stopped[r] << ", notices one bit " << parted[r] << '\n';
+}
