@@ -206,9 +206,15 @@ void Ranks::check_alike(const std::vector<double> &numbers) const
 {
   if (alone())
     return;
-  std::vector<double> of_first = numbers;
-  share({{0, of_first.data(), of_first.size()}});
-  if (any(std::memcmp(of_first.data(), numbers.data(), numbers.size() * sizeof(double)) != 0))
+  // Everyone sees those of all, and so comes to the same verdict.
+  std::vector<std::vector<double>> of_ranks(n, numbers);
+  std::vector<Piece> pieces;
+  for (unsigned int r = 0; r < n; ++r)
+    pieces.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
+  share(pieces);
+  const auto differs = [&](const std::vector<double> &others)
+  { return std::memcmp(others.data(), of_ranks[0].data(), others.size() * sizeof(double)) != 0; };
+  if (std::any_of(of_ranks.begin(), of_ranks.end(), differs))
     throw ComputationError(
         "ranks have come to different results, so the run cannot go on: all have to run on processors of the "
         "same kind, with the same program and libraries");
