@@ -10,25 +10,26 @@ import sys
 from running import RunFailed, run
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
+ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
 
 
+def height(number):
+    return SIDE * math.sqrt(number / GRAINS) * (1. if number == GRAINS else ROOM)
+
+
 def box(model, number):
-    """Changes that give the gallery's scene another number of grains at the same packing fraction."""
+    """Changes that give the gallery's scene another number of grains at about the same packing fraction."""
     if number == GRAINS:
         return {}
-    side = f"{SIDE * math.sqrt(number / GRAINS):.6g}"
+    side = f"{height(number):.6g}"
     changes = {"Packing/Number": str(number), "Packing/Upper": f"{side}, {side}", "Walls/top/Point": f"0, {side}",
                "Walls/right/Point": f"{side}, 0"}
     if model == "mpm":
         mesh = f"{1.3 * float(side):.6g}"  # sheared boxes are wider
         changes["Mesh/Upper"] = f"{mesh}, {mesh}"
     return changes
-
-
-def height(number):
-    return SIDE * math.sqrt(number / GRAINS)
 
 
 def shear(first, strain, unload, speed, pressure):
@@ -44,12 +45,13 @@ def shear(first, strain, unload, speed, pressure):
 
 
 def material_points(case):
-    """Without inertia: time only orders the steps; the wall goes 0.2 cells in each."""
-    step, ramp = 6.4e-5, 1.92e-4 * (3 if case.pressure > 5e5 else 1)
+    """Without inertia: time only orders the steps; the wall goes 0.2 cells in each, or --way."""
+    step = 6.4e-5 * case.way / 0.2
+    ramp = 6.4e-5 * (3 if case.number == GRAINS and case.pressure < 5e5 else 10)
     pressed = f"{case.pressure:g}*min(t/{ramp:g}, 1)"
     changes = {"Stages/compress/Stop/End time": f"{ramp:g}", "Stages/compress/top/Pressure": pressed,
                "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
-               "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{2 * step:g}", **box("mpm", case.number),
+               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{2 * step:g}", **box("mpm", case.number),
                **shear("compress", case.strain, case.unload, 1., case.pressure)}
     return "gallery/biaxial_thirty_grains_mpm.prm", changes
 
@@ -94,6 +96,7 @@ def main():
     parser.add_argument("--strain", type=float, default=0.8, help="shear strain of every stage (default: %(default)s)")
     parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
+    parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")
     parser.add_argument("--threads", type=int, default=0)
