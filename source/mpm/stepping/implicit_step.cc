@@ -55,7 +55,7 @@ public:
     {
       stop_if_interrupted();
       const bool settled = rows.settled(equations.increment);
-      if (in_balance() && (settled || rows.searches() >= most_searches()))
+      if (in_balance() && (settled || rows.searches() >= problem.settings.max_searches))
         return at_end(settled);
       if (rows_go_on(settled))
         find_rows_again();
@@ -75,10 +75,6 @@ public:
   StepOutcome outcome;
 
 private:
-  unsigned int most_searches() const
-  {
-    return plan.held ? problem.settings.max_searches_held : problem.settings.max_searches;
-  }
   bool first_guess();
   void find_rows(bool again);
   void find_rows_again();
@@ -145,7 +141,8 @@ bool ImplicitStep::rows_go_on(const bool settled) const
   if (settled)
     return problem.settings.rows_follow() && problem.settings.scheme.inertia &&
            outcome.newton_iterations > 0 && equations.rotation_chases_rows();
-  return rows.searches() < most_searches() || !equations.rotation_is_gauge() || equations.pressure_follows();
+  return rows.searches() < problem.settings.max_searches || !equations.rotation_is_gauge() ||
+         equations.pressure_follows();
 }
 
 // Goes to these increments, unless a point turns inside out there.

@@ -66,11 +66,10 @@ struct Settings
   bool contact_on_boundaries = true; ///< else at nodes, see ContactGeometryKind
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
-  double marker_spacing = 0.5;        ///< [cells]
-  double largest_penetration = 0.1;   ///< at the end of a step [cells]
-  bool subgrid = true;                ///< see SubgridCompliance
-  unsigned int max_searches = 8;      ///< for contact rows within a step
-  unsigned int max_searches_held = 3; ///< within a held step, which is followed by others
+  double marker_spacing = 0.5;      ///< [cells]
+  double largest_penetration = 0.1; ///< at the end of a step [cells]
+  bool subgrid = true;              ///< see SubgridCompliance
+  unsigned int max_searches = 8;    ///< for contact rows within a step
   contact::SolverSettings contact_solver;
   std::string failed_problem_directory; ///< where contact problems that do not converge are kept
 
