@@ -217,7 +217,7 @@ private:
   /// Contacts that part faster than this many times the speed of approach are left out: most rows are of
   /// bodies close to each other that will not meet. Should one of them close, Newton finds it.
   static constexpr double far = 1.1;
-  /// Over what an elastic contact needs to stop the approach.
+  /// Unit of impulse, as a share of what an elastic contact needs to stop the approach.
   static constexpr double usual_impulse = 0.1;
 
   const Problem &problem;

@@ -13,7 +13,7 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 /// Way of bodies over a step [cells] up to which gaps are linear in it: as far as a body is not smaller than
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
-constexpr double lag = 0.1; ///< share of the way of a step by which rows may be behind and still follow
+constexpr double lag = 0.1; ///< share of the way of a step by which rows may lag behind and still follow
 constexpr double mixing_range = 0.02; ///< move of nodes below which searches are mixed [cells]
 
 double deepest(const GapsByRow &gaps)

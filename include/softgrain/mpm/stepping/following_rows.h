@@ -39,7 +39,7 @@ public:
   /// Whether the rows are those of a step with these displacements [m].
   bool settled(const Vectors &increment) const;
 
-  /// Whether they are those of a step with these displacements but for a small part of its way [m].
+  /// Whether they lag behind a step with these displacements [m] by a small share of its way only.
   bool follow(const Vectors &increment) const;
 
   /**
