@@ -42,8 +42,7 @@ InterruptGuard::InterruptGuard()
   };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1})
     install(signal, note_signal);
-  for (const int signal : {SIGXFSZ, SIGPIPE})
-    install(signal, SIG_IGN);
+  install(SIGPIPE, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard()

@@ -3,8 +3,10 @@
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/history.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -103,8 +105,9 @@ void HistoryWriter::write(const HistoryRow &row)
   if (!std::filesystem::exists(path))
     throw ComputationError(path + " was removed during the run");
   // Each row is handed to the system at once, so that what is seen from outside is whole rows.
+  errno = 0;
   file << values << '\n' << std::flush;
   if (!file)
-    throw ComputationError(path + ": cannot be written, is the disk full?");
+    throw ComputationError(path + ": cannot be written: " + std::strerror(errno));
 }
 } // namespace softgrain

@@ -175,9 +175,9 @@ class Restarts(RankRuns):
 class Ends(RankRuns):
     """However a run on several ranks ends, it ends, says so once, and leaves what can be gone on from."""
 
-    def start(self, ranks, settings, seconds=1.):
+    def start(self, ranks, settings, seconds=1., scene=SCENES["two_disks"]):
         folder = self.base / "run"
-        process = subprocess.Popen(launch(ranks, words(SCENES["two_disks"], folder, settings)), stdout=subprocess.PIPE,
+        process = subprocess.Popen(launch(ranks, words(scene, folder, settings)), stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
         self.addCleanup(lambda: process.poll() is None and process.kill())
         deadline = time.monotonic() + 60
@@ -208,7 +208,7 @@ class Ends(RankRuns):
         self.assertFalse((folder / "run.lock").exists())
 
     def test_within_a_step(self):
-        folder, process = self.start(2, LONG_STEPS["mpm"])
+        folder, process = self.start(2, LONG_STEPS["held"], scene=whole_runs.SCENES["held"])
         process.send_signal(signal.SIGUSR1)
         said, error = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 3, error)

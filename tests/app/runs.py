@@ -36,6 +36,17 @@ class FullDisk(Runs):
         self.run_scene(model, "--restart", settings=ends[1])
         self.assertEqual(status(self.folder), "completed")
 
+    def test_history(self):
+        """The history, not a state, is what the disk refuses first."""
+        with self.running("mpm", settings=[*MANY_STEPS, "Output/Checkpoint every=0"], seconds=0) as process:
+            self.wait_for_rows(10)
+            limit = (self.folder / "history.csv").stat().st_size
+            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
+            error = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, error)
+        self.assertRegex(error, r"\Asoftgrain: error: [^\n]*history.csv: cannot be written: File too large[^\n]+\n\Z")
+        self.assertEqual(status(self.folder), "failed")
+
     def test_mpm(self):
         self.check("mpm", (["Stop/End time=3e-4", "Output/Number of field outputs=0"],
                            ["Stop/End time=1.2e-3", "Output/Number of field outputs=0"]))
@@ -193,7 +204,7 @@ class Signals(Runs):
     def test_terminate_mpm(self):
         self.check("mpm", signal.SIGTERM, [signal.SIGTERM])
         # As if never stopped.
-        allowed = ["Mesh/Cell size=2.5e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
+        allowed = ["Mesh/Cell size=1.8e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
         self.run_scene("mpm", "--restart", settings=allowed)
         resumed = (self.folder / "history.csv").read_text()
         self.run_scene("mpm", settings=allowed)
@@ -207,21 +218,21 @@ class Signals(Runs):
         self.check("held", signal.SIGTERM, seconds=2)
 
     def test_as_if_never_stopped_held(self):
+        many = ["Time/Time step=3.2e-6"]
         for n_before in range(3):
-            with self.running("held", *(["--restart"] if n_before else []), seconds=0.2) as process:
-                while (self.folder / "run.log").read_text().count("going on from") < n_before and process.poll() is None:
-                    time.sleep(0.02)
-                time.sleep(0.2)
+            with self.running("held", *(["--restart"] if n_before else []), settings=many, seconds=0) as process:
+                self.wait_for_rows(30 * (n_before + 1))
                 process.send_signal(signal.SIGTERM)
                 self.assertEqual(process.wait(60), 3)
-        self.run_scene("held", "--restart")
+        self.run_scene("held", "--restart", settings=many)
         resumed = (self.folder / "history.csv").read_text()
-        self.run_scene("held")
+        self.run_scene("held", settings=many)
         self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 
     def test_as_if_never_stopped_bpm(self):
         many = ["Time/Step fraction=0.01", "Output/Fields every=0"]
-        with self.running("bpm", settings=many, seconds=0.1) as process:
+        with self.running("bpm", settings=many, seconds=0) as process:
+            self.wait_for_rows(30)
             process.send_signal(signal.SIGTERM)
             self.assertEqual(process.wait(60), 3)
         self.run_scene("bpm", "--restart", settings=many)

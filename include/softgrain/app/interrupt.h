@@ -12,8 +12,8 @@ namespace softgrain
  *
  * They are Ctrl-C, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR1, which schedulers send before a limit. One that
  * comes a second later or more ends the program at once; sooner it is the same wish, sent to the group of
- * processes too. What is ignored when the program starts (nohup) stays ignored. A full disk or a closed
- * terminal comes back as an error of writing, not as a signal.
+ * processes too. What is ignored when the program starts (nohup) stays ignored. A closed terminal comes back
+ * as an error of writing, not as a signal.
  */
 class InterruptGuard
 {
