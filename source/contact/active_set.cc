@@ -5,8 +5,8 @@
 #include <softgrain/contact/diagonal_delassus.h>
 #include <softgrain/contact/frictional_newton.h>
 #include <softgrain/contact/frictionless_newton.h>
-#include <softgrain/contact/interior_point.h>
 #include <softgrain/contact/mass_delassus.h>
+#include <softgrain/contact/path_following.h>
 #include <softgrain/contact/residual.h>
 #include <softgrain/contact/shifted_cones.h>
 
@@ -159,7 +159,7 @@ SolverReport solve(Operator &op,
   std::vector<double> best = impulses, trial;
   double lowest = report.residual;
   unsigned int chunk = 50, rounds = 0;
-  bool from_nothing = false;
+  bool started_again = false;
 
   const auto evaluate = [&]
   {
@@ -190,12 +190,14 @@ SolverReport solve(Operator &op,
       attempt.max_newton_iterations =
           std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
     double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
+    // In the plane at once: sweeps would lead away from impulses that may be close.
+    const bool plane = problem.n_components == 2;
     if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 &&
-        !from_nothing && (rounds > 0 || !warm))
+        !started_again && (plane || rounds > 0 || !warm))
     {
-      from_nothing = true; // a second time would end the same
+      started_again = true; // a second time would end the same
       std::vector<double> other = impulses;
-      const auto method = problem.n_components == 2 ? interior_point : friction_continuation;
+      const auto method = plane ? follow_path : friction_continuation;
       const double residual = method(W, problem, compliance, settings, other, newton);
       if (residual < after)
       {
