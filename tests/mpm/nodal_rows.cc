@@ -41,7 +41,7 @@ public:
                                Registry<constitutive::Law<2>>::instance().create("linear_elastic"), 1000.,
                                context));
     points.sort();
-    const auto lists = points.by_body(bodies.size());
+    const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)
       body.points.renew(lists[body.index]);
     start_body(bodies.back(), description, context);

@@ -41,7 +41,7 @@ unsigned int n_wrong(const mpm::PointStore<2> &store, const mpm::Lattice<2> &lat
 std::vector<unsigned int> order(const mpm::PointStore<2> &store)
 {
   std::vector<unsigned int> ids;
-  for (const auto &list : store.by_body(3))
+  for (const auto &list : store.by_body(mpm::PointStore<2>::LevelsOfBodies(3, nullptr)))
     for (const auto handle : list)
       ids.push_back(store.id(handle));
   return ids;

@@ -120,7 +120,7 @@ private:
     const BuildContext context{lattice, *shape, settings, points};
     bodies.push_back(make_body(description, bodies.size(), law(), 1000., context));
     points.sort();
-    const auto lists = points.by_body(bodies.size());
+    const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)
       body.points.renew(lists[body.index]);
     start_body(bodies.back(), description, context);

@@ -15,7 +15,7 @@ namespace
 void make_points(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   const GeneratedPoints<2> generated =
-      generate_points(description, context.lattice, context.settings.points_per_direction);
+      generate_points(description, context.lattice, context.settings.points_per_direction, body.levels.get());
   const std::size_t n = generated.position.size();
   if (n == 0)
     throw InputError("'Bodies/" + description.name + "' holds no material point: its area is zero");
@@ -100,7 +100,8 @@ Body<2> make_body(const BodyDescription<2> &description,
                   const unsigned int index,
                   std::shared_ptr<const constitutive::Law<2>> law,
                   const double density,
-                  const BuildContext &context)
+                  const BuildContext &context,
+                  std::shared_ptr<const CellLevels<2>> levels)
 {
   Body<2> body;
   body.name = description.name;
@@ -110,6 +111,7 @@ Body<2> make_body(const BodyDescription<2> &description,
   body.driven = description.driven;
   body.f_bar = context.settings.f_bar == "on" ||
                (context.settings.f_bar == "automatic" && body.law->poisson_ratio() > 0.47);
+  body.levels = std::move(levels);
   // The parameter's default says that there is no load, and then none is evaluated.
   if (!description.body_force.empty() && description.body_force != "0; 0")
     body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});

@@ -85,7 +85,7 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   for (double limit = context.settings.fill_limit;; limit *= 0.5)
   {
     body.field.build(context.lattice, context.shape,
-                     {position, volume, half_extent, body.boundary.grid_position}, limit);
+                     {position, volume, half_extent, body.boundary.grid_position, body.levels.get()}, limit);
     if (points_to_nodes(body, context.shape.nowhere_negative()))
       break;
     if (limit < 1e-4)

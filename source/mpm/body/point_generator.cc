@@ -49,14 +49,16 @@ private:
   std::vector<Polygon> loops;
   double size;
 };
-} // namespace
 
-GeneratedPoints<2>
-generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, const unsigned int per_direction)
+/// Adds the points of all cells of one size, whose edge is @p part times the points per direction.
+template <class IsWanted>
+void add_points(const BodyDescription<2> &body,
+                const Lattice<2> &lattice,
+                const double part,
+                const IsWanted &wanted,
+                GeneratedPoints<2> &points)
 {
-  const double part = lattice.cell_size() / per_direction;
   const BoundaryCutter boundary(body.shape->outline(part / 16.), part);
-  GeneratedPoints<2> points;
   int first[2], last[2];
   for (unsigned int d = 0; d < 2; ++d)
   {
@@ -70,6 +72,8 @@ generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, const
     for (int i = first[0]; i <= last[0]; ++i)
     {
       const double x0 = lattice.lower()[0] + i * part;
+      if (!wanted(dealii::Point<2>(x0 + 0.5 * part, y0 + 0.5 * part)))
+        continue;
       double area = 0.;
       dealii::Tensor<1, 2> moment;
       for (const Polygon &loop : strip)
@@ -88,6 +92,21 @@ generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, const
       }
     }
   }
+}
+} // namespace
+
+GeneratedPoints<2> generate_points(const BodyDescription<2> &body,
+                                   const Lattice<2> &lattice,
+                                   const unsigned int per_direction,
+                                   const CellLevels<2> *levels)
+{
+  GeneratedPoints<2> points;
+  for (unsigned int l = 0; l <= (levels ? levels->highest() : 0); ++l)
+    add_points(
+        body, lattice, (1 << l) * lattice.cell_size() / per_direction,
+        [&](const dealii::Point<2> &x)
+        { return levels == nullptr || levels->level(lattice.cell_of(x)) == l; },
+        points);
   // The polygon through points of a circle lacks a sliver: restore the exact area of the body.
   if (body.shape->round() && !points.volume.empty())
   {

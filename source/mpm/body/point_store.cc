@@ -58,19 +58,22 @@ void PointStore<dim>::sort()
 
 template <int dim>
 std::vector<std::vector<typename PointStore<dim>::Handle>>
-PointStore<dim>::by_body(const unsigned int n_bodies) const
+PointStore<dim>::by_body(const LevelsOfBodies &levels) const
 {
   // The particles of a cell stand in the order in which they came there: a restart would not know it, ids do.
   using Place = std::tuple<int, unsigned int, Handle>;
-  std::vector<std::vector<Place>> places(n_bodies);
+  std::vector<std::vector<Place>> places(levels.size());
   for (const auto &particle : particles)
   {
     const Handle handle = particle.get_local_index();
-    places[(*this)(handle).body()].emplace_back(particle.get_surrounding_cell()->index(), particle.get_id(),
-                                                handle);
+    const unsigned int body = (*this)(handle).body();
+    int cell = particle.get_surrounding_cell()->index();
+    if (levels[body] != nullptr)
+      cell = lattice.cell(levels[body]->first(lattice.cell_of(particle.get_location())))->index();
+    places[body].emplace_back(cell, particle.get_id(), handle);
   }
-  std::vector<std::vector<Handle>> lists(n_bodies);
-  for (unsigned int b = 0; b < n_bodies; ++b)
+  std::vector<std::vector<Handle>> lists(levels.size());
+  for (unsigned int b = 0; b < levels.size(); ++b)
   {
     std::sort(places[b].begin(), places[b].end());
     lists[b].reserve(places[b].size());

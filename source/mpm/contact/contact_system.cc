@@ -131,55 +131,6 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
 }
 
 template <int dim>
-void ContactSystem<dim>::color(const std::vector<unsigned int> &taking,
-                               const contact::Problem::Range range,
-                               std::vector<std::vector<char>> &taken)
-{
-  unsigned int color = 0;
-  while (std::any_of(taking.begin(), taking.end(),
-                     [&](const unsigned int i) { return color < taken[i].size() && taken[i][color]; }))
-    ++color;
-  for (const unsigned int i : taking)
-  {
-    taken[i].resize(std::max<std::size_t>(taken[i].size(), color + 1), 0);
-    taken[i][color] = 1;
-  }
-  if (color == problem.colors.size())
-    problem.colors.emplace_back();
-  problem.colors[color].push_back(range);
-}
-
-template <int dim>
-void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
-{
-  // Each pair gets the first colour that nothing it moves has yet: bodies, and free walls after them.
-  problem.colors.clear();
-  pairs.clear();
-  std::vector<std::vector<char>> taken(bodies.size() + free_walls.list.size());
-  for (unsigned int first = 0, end; first < rows.size(); first = end)
-  {
-    end = first + 1;
-    while (end < rows.size() && rows[end].body == rows[first].body &&
-           rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall &&
-           rows[end].image == rows[first].image)
-      ++end;
-    pairs.push_back({first, end});
-    std::vector<unsigned int> pair;
-    for (const unsigned int b : {rows[first].body, rows[first].partner})
-      if (b != ContactRow<dim>::none && !bodies[b].driven)
-        pair.push_back(b);
-    for (unsigned int k = 0; k < free_walls.list.size(); ++k)
-      if (rows[first].wall == free_walls.list[k].wall || free_walls.list[k].length > 0.)
-        pair.push_back(bodies.size() + k);
-    color(pair, {first, end}, taken);
-  }
-  for (unsigned int s = 0; s < free_walls.n_stops(); ++s)
-    color({static_cast<unsigned int>(bodies.size() + free_walls.wall_of_stop(s))},
-          {static_cast<unsigned int>(rows.size() + s), static_cast<unsigned int>(rows.size() + s + 1)},
-          taken);
-}
-
-template <int dim>
 ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
 {
   ContactMemory<dim> now;

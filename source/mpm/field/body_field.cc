@@ -68,7 +68,7 @@ typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, con
 {
   Index i = first_node(cell);
   for (unsigned int d = 0; d < dim; ++d)
-    i[d] += functions->offset(k)[d];
+    i[d] += edge(cell) * functions->offset(k)[d];
   return i;
 }
 
@@ -83,8 +83,10 @@ void BodyField<dim>::build(const Lattice<dim> &the_lattice,
     functions = std::make_shared<const CellFunctions<dim>>(the_shape);
   shape = &the_shape;
   n_cell_nodes = functions->n();
+  levels = places.levels;
   collect_cells(places);
   number_nodes();
+  hang_nodes();
   evaluate_points(places);
   build_extension(places.volumes, fill_limit);
   build_cell_dependence();
@@ -108,7 +110,7 @@ void BodyField<dim>::collect_cells(const Places &places)
     for (const dealii::Point<dim> &x : places_of_kind)
     {
       lattice->check_inside(x, kind);
-      const Index c = lattice->cell_of(x);
+      const Index c = home(lattice->cell_of(x));
       for (unsigned int d = 0; d < dim; ++d)
       {
         lower[d] = std::min(lower[d], c[d]);
@@ -150,10 +152,13 @@ void BodyField<dim>::collect_cells(const Places &places)
 template <int dim>
 void BodyField<dim>::number_nodes()
 {
-  Index last_cell = cell_box.lower;
-  for (unsigned int d = 0; d < dim; ++d)
-    last_cell[d] += cell_box.size[d] - 1;
-  const Index lower = node_index(cell_box.lower, 0), upper = node_index(last_cell, n_cell_nodes - 1);
+  Index lower = node_index(cell_index[0], 0), upper = lower;
+  for (const Index &c : cell_index)
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower[d] = std::min(lower[d], node_index(c, 0)[d]);
+      upper[d] = std::max(upper[d], node_index(c, n_cell_nodes - 1)[d]);
+    }
   node_box.resize(lower, upper, none);
   for (const Index &c : cell_index)
     for (unsigned int k = 0; k < n_cell_nodes; ++k)
@@ -200,14 +205,15 @@ template <int dim>
 void BodyField<dim>::evaluate_points(const Places &places)
 {
   const std::size_t n = places.points.size();
-  const double h = lattice->cell_size();
   point_values.resize(n * n_cell_nodes);
   point_slopes.resize(n * n_cell_nodes);
   std::vector<double> values(n_cell_nodes);
   std::vector<dealii::Tensor<1, dim>> slopes(n_cell_nodes);
   for (unsigned int p = 0; p < n; ++p)
   {
-    functions->evaluate(lattice->unit_position(places.points[p], cell_index[point_cell[p]]),
+    const Index &c = cell_index[point_cell[p]];
+    const double h = lattice->cell_size() * edge(c);
+    functions->evaluate(unit_position(places.points[p], c),
                         places.half_extent.empty() ? 0. : places.half_extent[p] / h, values, slopes);
     std::copy(values.begin(), values.end(), &point_values[p * n_cell_nodes]);
     for (unsigned int k = 0; k < n_cell_nodes; ++k)
@@ -306,12 +312,12 @@ NodeWeights BodyField<dim>::extension(const unsigned int node) const
 template <int dim>
 NodeWeights BodyField<dim>::weights_at(const dealii::Point<dim> &x) const
 {
-  const Index c = lattice->cell_of(x);
+  const Index c = home(lattice->cell_of(x));
   if (!cell_box.contains(c) || cell_box(c) == none)
     return {};
   std::vector<double> weights(n_cell_nodes);
   std::vector<dealii::Tensor<1, dim>> no_slopes;
-  functions->evaluate(lattice->unit_position(x, c), 0., weights, no_slopes);
+  functions->evaluate(unit_position(x, c), 0., weights, no_slopes);
   return combine(&cell_nodes[cell_box(c) * n_cell_nodes], weights.data(), n_cell_nodes);
 }
 

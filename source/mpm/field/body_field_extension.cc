@@ -24,7 +24,10 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     cell_volume *= lattice->cell_size();
   std::vector<double> fill(n_cells(), 0.);
   for (unsigned int p = 0; p < volumes.size(); ++p)
-    fill[point_cell[p]] += volumes[p] / cell_volume;
+  {
+    const unsigned int c = point_cell[p];
+    fill[c] += volumes[p] / (cell_volume * std::pow(edge(cell_index[c]), dim));
+  }
   // A body too small to fill a cell stands on the fullest it has.
   double limit = fill_limit;
   if (!fill.empty())
@@ -41,7 +44,14 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     {
       strong_cells(cell_index[c]) = c;
       for (const unsigned int k : functions->core())
-        independent_number[cell_nodes[c * n_cell_nodes + k]] = 0;
+      {
+        // A well-filled cell holds what its hanging nodes hang on as well.
+        const unsigned int node = cell_nodes[c * n_cell_nodes + k];
+        if (hanging[node].empty())
+          independent_number[node] = 0;
+        for (const auto &[other, weight] : hanging[node])
+          independent_number[other] = 0;
+      }
     }
   independent_node.clear();
   for (unsigned int i = 0; i < n_nodes(); ++i)
@@ -56,7 +66,7 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     if (independent_number[i] == none)
     {
       dependent.add_line(i);
-      dependent.add_entries(i, extend_node(i, strong_cells));
+      dependent.add_entries(i, hanging[i].empty() ? extend_node(i, strong_cells) : hanging[i]);
     }
   dependent.close();
 }
@@ -119,13 +129,14 @@ template <int dim>
 typename BodyField<dim>::Entries BodyField<dim>::extend_node(const unsigned int node,
                                                              const Box &strong_cells) const
 {
-  const std::vector<Index> nearest = nearest_cells(node, strong_cells);
+  const std::vector<Index> nearest =
+      levels ? nearest_cells_of_levels(node, strong_cells) : nearest_cells(node, strong_cells);
   std::map<unsigned int, double> sum;
   for (const Index &c : nearest)
   {
-    Index place = node_lattice_index[node];
+    dealii::Point<dim> place;
     for (unsigned int d = 0; d < dim; ++d)
-      place[d] -= first_node(c)[d];
+      place[d] = static_cast<double>(node_lattice_index[node][d] - first_node(c)[d]) / edge(c);
     for (const unsigned int k : functions->core())
     {
       const double weight = functions->extrapolate(k, place) / nearest.size();

@@ -80,7 +80,7 @@ void CellFunctions<dim>::evaluate(const dealii::Point<dim> &unit,
 }
 
 template <int dim>
-double CellFunctions<dim>::extrapolate(const unsigned int k, const Offset &place) const
+double CellFunctions<dim>::extrapolate(const unsigned int k, const dealii::Point<dim> &place) const
 {
   double value = 1.;
   for (unsigned int d = 0; d < dim; ++d)

@@ -25,6 +25,7 @@ public:
   unsigned int nodes_per_edge() const override { return element_degree; }
   double node_shift() const override { return 0.; }
   unsigned int degree() const override { return element_degree; }
+  bool may_hang() const override { return true; }
   std::vector<Polynomial> polynomials() const override
   {
     std::vector<dealii::Point<1>> nodes = dealii::FE_Q<1>(element_degree).get_unit_support_points();

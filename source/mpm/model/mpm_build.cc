@@ -3,6 +3,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/body/refinement.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
@@ -49,7 +50,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
 {
   const Settings &settings = problem.settings;
   problem.lattice =
-      std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.cell_size);
+      std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.finest_cell());
   problem.shape = create_shape_function(settings.shape);
   PointNeeds needs;
   needs.velocity = settings.scheme.inertia;
@@ -63,12 +64,14 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   state.points = std::make_unique<PointStore<2>>(*problem.lattice, PointLayout<2>(needs));
   const BuildContext context{*problem.lattice, *problem.shape, settings, *state.points};
   std::vector<BodyDescription<2>> descriptions = problem.scene.bodies;
+  const LevelsOfScene levels = refine_near_contact(problem.scene, settings, *problem.lattice);
   for (const BodyDescription<2> &body : descriptions)
     state.bodies.push_back(make_body(body, state.bodies.size(), laws[body.material],
-                                     problem.scene.materials[body.material].density, context));
+                                     problem.scene.materials[body.material].density, context,
+                                     levels[state.bodies.size()]));
   problem.pairs = ContactPairs(problem.scene);
   if (problem.pairs.adhere())
-    state.adhesion = Adhesion(problem.scene.contact_law, touching * settings.cell_size);
+    state.adhesion = Adhesion(problem.scene.contact_law, touching * settings.finest_cell());
   state.walls = make_walls(problem.scene);
   state.obstacles = make_obstacles(problem.scene);
   for (unsigned int w = 0; w < state.walls.size(); ++w)

@@ -6,6 +6,7 @@
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
+#include <softgrain/mpm/body/refinement.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
@@ -159,6 +160,9 @@ private:
     check_start_at_rest(scene, settings);
     check_obstacles(scene, settings);
     check_cell(scene, settings);
+    // What a packing will put where is not known before it is made.
+    if (settings.refine_near_contact > 0 && !scene.packing.method)
+      check_refinement(scene, settings);
     Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {

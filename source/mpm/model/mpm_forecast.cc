@@ -16,8 +16,9 @@ namespace
 /// Fitted to processor time and peak memory of runs of the shipped scenes on one thread.
 namespace fitted
 {
-constexpr double boundary = 0.34;            ///< cells beside the boundary that get points
-constexpr double point_seconds = 0.9e-6;     ///< of one iteration of Newton's method, one body
+constexpr double boundary = 0.34;        ///< cells beside the boundary that get points
+constexpr double near_contact = 0.5;     ///< smaller cells of a level, per cell of its size along the outline
+constexpr double point_seconds = 0.9e-6; ///< of one iteration of Newton's method, one body
 constexpr double contact_seconds = 0.8e-6;   ///< more of it where bodies meet
 constexpr double factor_seconds = 0.7e-9;    ///< of a row of a band matrix, per square of its width
 constexpr double sparse_seconds = 7e-8;      ///< of a sparse factorisation, per power 3/2 of the unknowns
@@ -44,7 +45,10 @@ struct BodyCost
 BodyCost cost_of(const BodyGroup &body, const Settings &settings)
 {
   const double h = settings.cell_size, per_cell = std::pow(settings.points_per_direction, 2);
-  const double cells = (body.area + fitted::boundary * h * body.perimeter) / (h * h);
+  double cells = (body.area + fitted::boundary * h * body.perimeter) / (h * h);
+  // Each level puts cells of its size along what is near contact.
+  for (unsigned int l = 1; l <= settings.refine_near_contact; ++l)
+    cells += fitted::near_contact * body.perimeter / std::ldexp(h, -static_cast<int>(l));
   BodyCost cost;
   cost.points = std::max(1., per_cell * cells);
   cost.memory = fitted::point_memory * cost.points;
@@ -70,7 +74,7 @@ double n_iterations(const Settings &settings, const RunOutline &run, const doubl
     return 1.;
   if (!settings.scheme.inertia)
   {
-    const double way = run.fastest_wall * dt / settings.cell_size;
+    const double way = run.fastest_wall * dt / settings.finest_cell();
     const double longer = std::clamp(std::pow(way / 0.1, 0.4), 1., 1.6);
     return n_bodies < 1.5 ? 5.5 : 9. * std::pow(n_bodies, 0.4) * longer;
   }
@@ -88,7 +92,7 @@ double cut_by_falls(const Scene<2> &scene, const Settings &settings, const RunOu
     return dt;
   const double longest = run.duration > 0. ? run.duration : std::numeric_limits<double>::max();
   const double speed = 0.5 * std::min(g * longest, std::sqrt(2. * g * height));
-  return std::min(dt, fitted::falling_way * settings.cell_size / speed);
+  return std::min(dt, fitted::falling_way * settings.finest_cell() / speed);
 }
 
 std::string text(const double value, const std::string &unit)
@@ -126,7 +130,7 @@ std::vector<std::string> warnings(
 {
   const bool walls = !scene.walls.empty();
   std::vector<std::string> list;
-  const double h = settings.cell_size;
+  const double h = settings.cell_size, wave_speed = settings.finest_cell() / cfl;
   for (const BodyGroup &body : run.crowd.groups)
   {
     if (body.driven)
@@ -145,19 +149,19 @@ std::vector<std::string> warnings(
       continue;
     break; // one body says it for all
   }
-  const double way = run.fastest_wall * dt / h;
+  const double way = run.fastest_wall * dt / settings.finest_cell();
   if (!settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && way > 0.5)
     list.push_back("a wall moves " + text(way, " cells") +
                    " in a step: assemblies without inertia were studied with up to 0.3");
   if (settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && settings.scheme.implicit && way > 1.)
     list.push_back("a wall moves " + text(way, " cells") + " in a step: steps will be cut");
-  if (settings.scheme.inertia && run.fastest_wall > 0.1 * h / cfl)
+  if (settings.scheme.inertia && run.fastest_wall > 0.1 * wave_speed)
     list.push_back("a wall moves at " + text(run.fastest_wall, " m/s") + ", waves at " +
-                   text(h / cfl, " m/s") + ": bodies are crushed where they meet it");
+                   text(wave_speed, " m/s") + ": bodies are crushed where they meet it");
   const double approach = settings.scheme.inertia ? fastest_approach(scene) : 0.;
-  if (approach > 0.3 * h / cfl)
+  if (approach > 0.3 * wave_speed)
     list.push_back("bodies start with velocities that differ by " + text(approach, " m/s") +
-                   ", waves run at " + text(h / cfl, " m/s") + ": what meets is crushed");
+                   ", waves run at " + text(wave_speed, " m/s") + ": what meets is crushed");
   return list;
 }
 
@@ -172,8 +176,8 @@ double cfl_of(const Scene<2> &scene,
   {
     if (body.driven)
       continue;
-    const double own = settings.cell_size * std::sqrt(scene.materials[body.material].density /
-                                                      laws[body.material]->wave_modulus());
+    const double own = settings.finest_cell() * std::sqrt(scene.materials[body.material].density /
+                                                          laws[body.material]->wave_modulus());
     step = step == 0. ? own : std::min(step, own);
   }
   return step;
@@ -198,14 +202,14 @@ Forecast forecast(const Scene<2> &scene,
   // Slabs are three cells thick and as long as the mesh.
   for (const WallDescription<2> &wall : scene.walls)
     if (wall.type == WallDescription<2>::Type::material_points)
-      result.n_points += 3. * std::pow(settings.points_per_direction, 2) / settings.cell_size *
+      result.n_points += 3. * std::pow(settings.points_per_direction, 2) / settings.finest_cell() *
                          std::abs((settings.mesh_upper - settings.mesh_lower) *
                                   dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
   const double cfl = cfl_of(scene, settings, laws, run.crowd), points = result.n_points;
   result.step = settings.step.wanted(
       (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl);
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
-    result.step = std::min(settings.wall_way * settings.cell_size / run.fastest_wall,
+    result.step = std::min(settings.wall_way * settings.finest_cell() / run.fastest_wall,
                            settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
@@ -230,13 +234,13 @@ Forecast forecast(const Scene<2> &scene,
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
   result.warnings = warnings(scene, settings, run, result.step, cfl);
-  const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.cell_size *
+  const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.finest_cell() *
                               (1. - 1e-9)),
-               ny = std::ceil((settings.mesh_upper[1] - settings.mesh_lower[1]) / settings.cell_size *
+               ny = std::ceil((settings.mesh_upper[1] - settings.mesh_lower[1]) / settings.finest_cell() *
                               (1. - 1e-9));
   result.sizes = {
       {"material points", "about " + count_in_words(points)},
-      {"background mesh", text(nx, " x ") + text(ny, " cells of ") + text(settings.cell_size, " m")},
+      {"background mesh", text(nx, " x ") + text(ny, " cells of ") + text(settings.finest_cell(), " m")},
       {"unknowns", "about " + count_in_words(unknowns)},
       {"shape functions", settings.shape},
       {"time scheme", settings.scheme.name},

@@ -47,6 +47,13 @@ void declare_discretisation(dealii::ParameterHandler &prm)
                prm.declare_entry("Cell size", "0", Double(0.),
                                  "Edge of the square cells. 0: a share of the width of the smallest body, as "
                                  "'Fidelity' says. Units: m.");
+               prm.declare_entry(
+                   "Refine near contact", "0", Integer(0, 6),
+                   "Levels of smaller cells in each body near places where it may touch others, walls or "
+                   "obstacles: a level halves the cells that are at most two of its cells away. What starts "
+                   "farther than 'Cell size' away does not count. Other lengths in cells are then in the "
+                   "smallest. With 'Shape function' = 'linear' or 'quadratic', an implicit scheme and 'Grid "
+                   "update' = 'never'. Units: none.");
              });
   in_section(
       prm, "Material points",
@@ -213,6 +220,24 @@ void declare_contact(dealii::ParameterHandler &prm)
       });
 }
 
+/// What cells of different sizes ask of the rest. @throw InputError
+void check_refinement(const Settings &settings)
+{
+  if (settings.refine_near_contact == 0)
+    return;
+  const std::string name =
+      "'Mesh/Refine near contact' = '" + std::to_string(settings.refine_near_contact) + "'";
+  if (!create_shape_function(settings.shape)->may_hang())
+    throw InputError(name + " is not allowed with 'Material points/Shape function' = '" + settings.shape +
+                     "', which needs cells of one size: choose 'linear' or 'quadratic'");
+  if (!settings.scheme.implicit)
+    throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name +
+                     "', whose steps the smallest cells would limit: leave it at 0");
+  if (settings.grid_update != GridUpdate::never)
+    throw InputError(name + " is not allowed with 'Material points/Grid update' other than 'never': points "
+                            "would come into cells of another size; leave it at 0");
+}
+
 /// What a shape function asks of the rest. @throw InputError
 void check_shape_function(const Settings &settings)
 {
@@ -251,6 +276,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
         mesh_lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
         mesh_upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
         cell_size = prm.get_double("Cell size");
+        refine_near_contact = prm.get_integer("Refine near contact");
         if (cell_size < tiny)
           throw InputError(
               "'Mesh/Cell size' = '" + prm.get("Cell size") +
@@ -261,9 +287,14 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
             throw InputError("'Mesh/Upper' = '" + prm.get("Upper") +
                              "' is not allowed: both numbers must be greater than those of 'Mesh/Lower' = '" +
                              prm.get("Lower") + "'");
-        if ((mesh_upper[0] - mesh_lower[0]) / cell_size * ((mesh_upper[1] - mesh_lower[1]) / cell_size) > 1e8)
-          throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") +
-                           "' is not allowed: the mesh would have more than 1e8 cells");
+        if ((mesh_upper[0] - mesh_lower[0]) / finest_cell() *
+                ((mesh_upper[1] - mesh_lower[1]) / finest_cell()) >
+            1e8)
+          throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") + "' is not allowed" +
+                           (refine_near_contact > 0
+                                ? " with 'Refine near contact' = '" + prm.get("Refine near contact") + "'"
+                                : "") +
+                           ": the mesh would have more than 1e8 cells");
       });
   in_section(
       prm, "Material points",
@@ -356,5 +387,6 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
               "masses: choose 'condensed'");
       });
   check_shape_function(*this);
+  check_refinement(*this);
 }
 } // namespace softgrain::mpm

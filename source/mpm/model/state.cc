@@ -12,7 +12,10 @@ State::~State() = default;
 void State::sort_points()
 {
   points->sort();
-  std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(bodies.size());
+  PointStore<2>::LevelsOfBodies levels;
+  for (const Body<2> &body : bodies)
+    levels.push_back(body.levels.get());
+  std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(levels);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     bodies[b].points.renew(std::move(lists[b]));
 }

@@ -69,6 +69,7 @@ struct Body
   BodyPoints<dim> points;
   Boundary<dim> boundary;
   BodyField<dim> field;
+  std::shared_ptr<const CellLevels<dim>> levels; ///< sizes of its cells; none: as the lattice has them
 
   Eigen::VectorXd mass;               ///< per independent node, lumped (3.10) [kg]
   Eigen::VectorXd displacement;       ///< since the grid was built [m]

@@ -27,13 +27,15 @@ struct BuildContext
 /**
  * @brief A body at rest in its place: points and boundary. The points are to be sorted, then follows
  * start_body().
+ * @param levels sizes of its cells; none: as the lattice has them
  * @throw InputError when it holds no point or reaches out of the mesh
  */
 Body<2> make_body(const BodyDescription<2> &description,
                   unsigned int index,
                   std::shared_ptr<const constitutive::Law<2>> law,
                   double density,
-                  const BuildContext &context);
+                  const BuildContext &context,
+                  std::shared_ptr<const CellLevels<2>> levels = nullptr);
 
 /// Lays the first grid and gives nodes and points their initial velocity. @throw InputError
 void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context);

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_body_point_generator_h
 #define softgrain_mpm_body_point_generator_h
 
+#include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/scene/scene.h>
 
@@ -25,9 +26,13 @@ struct GeneratedPoints
  *
  * A point sits at the centroid of its part and carries exactly its area, so that mass, centre of mass and the
  * integrals of linear functions are those of the body however the mesh cuts it.
+ *
+ * @param levels sizes of the cells of this body; none: as the lattice has them
  */
-GeneratedPoints<2>
-generate_points(const BodyDescription<2> &body, const Lattice<2> &lattice, unsigned int per_direction);
+GeneratedPoints<2> generate_points(const BodyDescription<2> &body,
+                                   const Lattice<2> &lattice,
+                                   unsigned int per_direction,
+                                   const CellLevels<2> *levels = nullptr);
 } // namespace softgrain::mpm
 
 #endif

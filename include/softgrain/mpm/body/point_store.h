@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/body/point_layout.h>
 #include <softgrain/mpm/body/point_view.h>
+#include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
 
 #include <deal.II/fe/mapping_cartesian.h>
@@ -57,8 +58,11 @@ public:
    */
   void sort();
 
+  /// Of every body, the sizes of its cells; null: as the lattice has them.
+  using LevelsOfBodies = std::vector<const CellLevels<dim> *>;
+
   /// Handles of the points of every body, by cell in the order of the lattice, in a cell by id.
-  std::vector<std::vector<Handle>> by_body(unsigned int n_bodies) const;
+  std::vector<std::vector<Handle>> by_body(const LevelsOfBodies &levels) const;
   /// Handles of all points by id.
   std::vector<Handle> by_id() const;
 

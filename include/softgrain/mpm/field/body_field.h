@@ -3,6 +3,7 @@
 #define softgrain_mpm_field_body_field_h
 
 #include <softgrain/mpm/field/cell_functions.h>
+#include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
 
@@ -38,7 +39,9 @@ struct NodeWeights
  * B-splines, Höllig, Reif and Wipper 2001; aggregated elements, Badia, Verdugo and Martín 2018). Where
  * several well-filled cells are equally near their mean is taken, so that symmetric bodies keep symmetric
  * fields. T reproduces polynomials up to the degree of the shape functions, hence every rigid and affine
- * motion. It is an AffineConstraints of deal.II over the nodes, the same for every component.
+ * motion. It is an AffineConstraints of deal.II over the nodes, the same for every component. Where the cells
+ * of a body have different sizes, it holds the hanging nodes as well: a node on a face of a larger cell that
+ * is none of its nodes takes the value that this cell has there.
  *
  * A *node* below is a local node of this body; a *dof* is (independent node, direction), numbered node * dim
  * + direction.
@@ -56,6 +59,7 @@ public:
     const std::vector<double> &volumes;             ///< their volumes, to tell how full a cell is [m^dim]
     const std::vector<double> &half_extent;         ///< half edge of their domains [m], GIMP only
     const std::vector<dealii::Point<dim>> &markers; ///< boundary markers, where the field must exist too [m]
+    const CellLevels<dim> *levels = nullptr;        ///< which lattice cells are one cell; none: each is
   };
 
   /**
@@ -148,6 +152,15 @@ private:
   void color_cells();
   Index first_node(const Index &cell) const;
   Index node_index(const Index &cell, unsigned int k) const;
+  /// First lattice cell of the cell of this body that holds lattice cell @p c, and cells along its edge.
+  Index home(const Index &c) const { return levels ? levels->first(c) : c; }
+  int edge(const Index &c) const { return levels ? levels->edge(c) : 1; }
+  dealii::Point<dim> unit_position(const dealii::Point<dim> &x, const Index &c) const
+  {
+    return dealii::Point<dim>(lattice->unit_position(x, c) / edge(c));
+  }
+  void hang_nodes();
+  std::vector<Index> nearest_cells_of_levels(unsigned int node, const Box &of_cells) const;
   /// Calls f(independent node, weight) for the entries of row @p node of T.
   template <class F>
   void for_entries(const unsigned int node, const F &f) const
@@ -163,6 +176,9 @@ private:
 
   const Lattice<dim> *lattice = nullptr;
   const ShapeFunction *shape = nullptr;
+  const CellLevels<dim> *levels = nullptr;
+  /// Of every node that lies on a face of a larger cell and is none of its nodes: what it hangs on.
+  std::vector<Entries> hanging;
   std::shared_ptr<const CellFunctions<dim>> functions;
   unsigned int n_cell_nodes = 0;
 

@@ -48,9 +48,10 @@ public:
   /// Nodes that the points of a cell always reach and that carry its polynomial; GIMP's outer ring is reached
   /// by points near a face alone, and may have no mass however full the cell is.
   const std::vector<unsigned int> &core() const { return core_nodes; }
-  /// Value at the node @p place, from the first node of the cell, of the polynomial that is one at core node
+  /// Value at @p place on the lattice of nodes, from the first node of the cell, of the polynomial that is
+  /// one at core node
   /// @p k and zero at the others.
-  double extrapolate(unsigned int k, const Offset &place) const;
+  double extrapolate(unsigned int k, const dealii::Point<dim> &place) const;
 
 private:
   const ShapeFunction *shape;

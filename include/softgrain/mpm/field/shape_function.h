@@ -47,6 +47,9 @@ public:
   virtual bool nowhere_negative() const { return true; }
   /// Least number of points per cell and direction that feel every deformation of the cell.
   virtual unsigned int least_points() const { return 1; }
+  /// Whether cells of different sizes may meet: on a face the functions of a cell are those of its nodes
+  /// there.
+  virtual bool may_hang() const { return false; }
   /// Whether the values depend on the extent of the point (GIMP).
   virtual bool uses_extent() const { return false; }
 

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <cmath>
 #include <string>
 
 namespace dealii
@@ -37,7 +38,8 @@ enum class ContactCoupling
 struct Settings
 {
   dealii::Point<2> mesh_lower, mesh_upper; ///< [m]
-  double cell_size = 0;                    ///< [m]
+  double cell_size = 0;                    ///< of the largest cells [m]
+  unsigned int refine_near_contact = 0;    ///< levels of smaller cells there
 
   std::string shape = "bspline";
   unsigned int points_per_direction = 2;
@@ -78,6 +80,9 @@ struct Settings
   double held_motion = 1e-2;         ///< of a held step, in balance [cells]
   unsigned int max_held_steps = 200; ///< after one that moves
   double wall_motion = 0.3;          ///< of a wall under pressure, in a step or a held step at most [cells]
+
+  /// Edge of the smallest cells, those of the lattice [m].
+  double finest_cell() const { return std::ldexp(cell_size, -static_cast<int>(refine_near_contact)); }
 
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
   bool subgrid_compliance() const
