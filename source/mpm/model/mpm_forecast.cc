@@ -17,13 +17,13 @@ namespace
 namespace fitted
 {
 constexpr double boundary = 0.34;            ///< cells beside the boundary that get points
-constexpr double point_seconds = 0.8e-6;     ///< of one iteration of Newton's method, one body
-constexpr double contact_seconds = 0.9e-6;   ///< more of it where bodies meet
+constexpr double point_seconds = 0.75e-6;    ///< of one iteration of Newton's method, one body
+constexpr double contact_seconds = 0.75e-6;  ///< more of it where bodies meet
 constexpr double factor_seconds = 2.5e-10;   ///< of a row of a band matrix, per square of its width
 constexpr double sparse_seconds = 2.8e-8;    ///< of a sparse factorisation, per power 3/2 of the unknowns
 constexpr double condense_seconds = 3.8e-8;  ///< of one body to its contact rows, in the same way
 constexpr double explicit_seconds = 0.6e-6;  ///< of a step of a point without a matrix
-constexpr double grid_seconds = 1.2e-6;      ///< of a point when a new grid is laid
+constexpr double grid_seconds = 0.6e-6;      ///< of a point when a new grid is laid
 constexpr double picture_seconds = 6e-6;     ///< of a point in a picture
 constexpr double history_seconds = 1.5e-7;   ///< of a point in a row of the history
 constexpr double preparation_seconds = 2e-5; ///< of a point
@@ -34,7 +34,7 @@ constexpr double obstacle_factor = 1.7;      ///< the same, one body at obstacle
 constexpr double rough_factor = 3.5;         ///< the same, one body that may slip
 constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matter flows and keeps its volume
 constexpr double f_bar_point_factor = 1.7;   ///< on what they take per point
-constexpr double pressed_factor = 2.7;       ///< the same, walls under pressure
+constexpr double pressed_factor = 2.0;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
 } // namespace fitted
