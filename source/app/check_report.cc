@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/input.h>
+#include <softgrain/app/machine_speed.h>
 #include <softgrain/app/progress.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/nearest_name.h>
@@ -36,14 +37,16 @@ double memory_of_machine()
 SizeReport cost_report(const RunOutline &outline, const Forecast &forecast)
 {
   SizeReport report;
+  const double slowness = slowness_of_machine();
   if (forecast.n_steps > 0.)
-    report = {{"simulated time", "about " + number_in_words(outline.duration, "s")},
-              {"steps", "about " + count_in_words(forecast.n_steps)},
-              {"processor time", "about " + duration_in_words(start_seconds + forecast.seconds())}};
-  else
     report = {
-        {"simulated time", "unknown: how the walls move does not end the run"},
-        {"processor time", "about " + duration_in_words(1000. * forecast.step_seconds) + " for 1000 steps"}};
+        {"simulated time", "about " + number_in_words(outline.duration, "s")},
+        {"steps", "about " + count_in_words(forecast.n_steps)},
+        {"processor time", "about " + duration_in_words(slowness * (start_seconds + forecast.seconds()))}};
+  else
+    report = {{"simulated time", "unknown: how the walls move does not end the run"},
+              {"processor time",
+               "about " + duration_in_words(1000. * slowness * forecast.step_seconds) + " for 1000 steps"}};
   report.emplace_back("memory", "about " + bytes_in_words(start_memory + forecast.memory));
   return report;
 }

@@ -288,6 +288,8 @@ bool CommandLine::run() const
       expected.emplace_back("warning", warning);
     simulation.expect(expected);
   }
+  if (outline)
+    simulation.expect_stages(outline->stages);
   if (restart)
     simulation.restart(*state, state_file, changes);
   return simulation.run() == "completed";

@@ -160,9 +160,15 @@ std::optional<RunOutline> outline_of(Input &input)
                  const bool over = half && model.time() >= begin + (1. - 1e-9) * longest;
                  return std::max({of_run(), staged ? path.fraction_of_stage(0.) : 0., over ? 1. : 0.});
                });
+    if (staged)
+      outline.stages.push_back(model.time() - begin);
     if (of_run() >= 1.)
       break;
   }
+  if (known)
+    outline.stages.resize(input.stages().size(), 0.); // those after the end of the run
+  else
+    outline.stages.clear();
   outline.duration = known ? model.time() : 0.;
   outline.fastest_wall = model.fastest;
   outline.pressed = model.pressed;

@@ -262,12 +262,19 @@ double Simulation::next_target() const
 
 bool Simulation::finished() const
 {
-  return fraction_done() >= 1;
+  return run_done() >= 1. || (!path.empty() && path.is_last() && path.stage_is_done(planner.slack()));
+}
+
+double Simulation::run_done() const
+{
+  return stop.fraction_done(run_state(), seen);
 }
 
 double Simulation::fraction_done() const
 {
-  return std::max(stop.fraction_done(run_state(), seen), path.fraction_done(planner.slack()));
+  if (finished())
+    return 1.;
+  return path.empty() ? run_done() : path.fraction_done(planner.slack(), run_done());
 }
 
 RunState Simulation::run_state() const
@@ -290,7 +297,8 @@ void Simulation::enter_next_stage(const StepReport &report)
   if (last_picture_step != model.step())
     write_pictures(field_schedule.active(), snapshot_schedule.active());
   const std::string ended = path.name();
-  path.next();
+  path.next(run_done());
+  progress.next_stage();
   log.both() << "stage " << ended << " ends at t = " << model.time() << " s, stage " << path.name()
              << " begins\n";
   write_checkpoint();

@@ -3,15 +3,25 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/model/state_file.h>
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <numeric>
+
 namespace softgrain
 {
 namespace
 {
-const char *const state_name = "driver/stage", *const seen_name = "driver/stage_seen";
+const char *const state_name = "driver/stage", *const seen_name = "driver/stage_seen",
+                  *const run_done_name = "driver/run_done_at_stage";
 }
 
 StagePath::StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity)
-    : stages(stages), model(model), gravity(gravity), walls_at_begin(model.walls())
+    : stages(stages)
+    , model(model)
+    , gravity(gravity)
+    , expected(stages.size(), 1.)
+    , walls_at_begin(model.walls())
 {
 }
 
@@ -21,10 +31,20 @@ void StagePath::begin()
     model.take_drives(stages[0].drives);
 }
 
-void StagePath::next()
+void StagePath::expect(const std::vector<double> &durations)
+{
+  if (durations.empty())
+    return;
+  AssertDimension(durations.size(), stages.size());
+  if (std::accumulate(durations.begin(), durations.end(), 0.) > 0.)
+    expected = durations;
+}
+
+void StagePath::next(const double run_done)
 {
   ++current;
   begin_time = model.time();
+  run_done_at_begin = run_done;
   walls_at_begin = model.walls();
   seen.clear();
   model.take_drives(stages[current].drives);
@@ -46,14 +66,14 @@ double StagePath::fraction_of_stage(const double slack) const
   return stages.empty() ? 0. : stages[current].stop.fraction_done(state(slack), seen);
 }
 
-double StagePath::fraction_done(const double slack) const
+double StagePath::fraction_done(const double slack, const double run_done) const
 {
-  if (stages.empty())
-    return 0.;
-  const double part = fraction_of_stage(slack);
-  if (is_last())
-    return part >= 1. ? 1. : (current + part) / stages.size();
-  return (current + (part < 1. ? part : 1.)) / stages.size();
+  const double of_run =
+      run_done_at_begin < 1. ? (run_done - run_done_at_begin) / (1. - run_done_at_begin) : 1.;
+  const double part = std::clamp(std::max(fraction_of_stage(slack), of_run), 0., 1.);
+  const auto now = expected.begin() + current;
+  return (std::accumulate(expected.begin(), now, 0.) + part * *now) /
+         std::accumulate(expected.begin(), expected.end(), 0.);
 }
 
 double StagePath::end_time() const
@@ -71,6 +91,7 @@ void StagePath::save(StateWriter &writer) const
     numbers.insert(numbers.end(), {wall.point[0], wall.point[1]});
   writer.write(state_name, numbers);
   softgrain::save(writer, seen_name, seen);
+  writer.write(run_done_name, std::vector<double>{run_done_at_begin});
 }
 
 void StagePath::load(const StateReader &reader)
@@ -83,6 +104,8 @@ void StagePath::load(const StateReader &reader)
   current = static_cast<unsigned int>(numbers[0]);
   begin_time = numbers[1];
   seen = load_stop_memory(reader, seen_name);
+  if (reader.contains(run_done_name))
+    run_done_at_begin = reader.read_doubles(run_done_name).at(0);
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
     walls_at_begin[w].point = dealii::Point<2>(numbers[2 + 2 * w], numbers[3 + 2 * w]);
   for (unsigned int n = 0; n <= current; ++n)

@@ -105,17 +105,20 @@ std::vector<Expression> vector_expression(const std::string &text,
                                           const std::vector<std::string> &variables,
                                           const unsigned int n_components)
 {
-  std::vector<Expression> components;
+  std::vector<std::string> parts;
   std::istringstream stream(text);
-  std::string part;
-  while (std::getline(stream, part, ';'))
+  for (std::string part; std::getline(stream, part, ';');)
   {
     const auto first = part.find_first_not_of(" \t");
-    components.emplace_back(first == std::string::npos ? "" : part.substr(first), variables);
+    parts.push_back(first == std::string::npos ? "" : part.substr(first));
   }
-  if (components.size() != n_components)
+  // Before any is parsed: a comma in the place of a semicolon is told here.
+  if (parts.size() != n_components)
     throw InputError("'" + text + "' must be " + std::to_string(n_components) +
-                     " formulas separated by ';', not " + std::to_string(components.size()));
+                     " formulas separated by ';', not " + std::to_string(parts.size()));
+  std::vector<Expression> components;
+  for (const std::string &part : parts)
+    components.emplace_back(part, variables);
   return components;
 }
 

@@ -33,7 +33,7 @@ int main()
     {
       std::cout << error.what() << '\n';
     }
-  for (const char *text : {"", "t +", "z", "sin(t", "2; 3; 4", "2;", "; 1"})
+  for (const char *text : {"", "t +; 1", "z; 1", "sin(t; 1", "2; 3; 4", "2;", "; 1", "0.04, 0", "1; 2, 3"})
     try
     {
       vector_expression(text, {"t"});

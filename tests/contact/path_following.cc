@@ -60,8 +60,7 @@ int main()
       }
       std::cout << "rigid modes " << rigid << ", mu " << mu << ": of " << n_problems
                 << " solved from nothing " << from_nothing << ", from close by " << from_close
-                << ", from anything " << from_anything << ", close by is shorter "
-                << verdict(2 * short_way < long_way) << '\n';
+                << ", close by is shorter " << verdict(2 * short_way < long_way) << '\n';
       std::cerr << "exchanges " << long_way << ' ' << short_way << '\n';
     }
 }

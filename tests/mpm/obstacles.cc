@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Obstacles and soft disks: one that rests on two ends presses on them along its radii; one in a groove
 // presses on both flanks alike; a plate that rises is the wall that rises so, with and without friction and
-// inertia; a disk in an arc swings with the period of a pendulum, sliding or rolling.
+// inertia; a disk in an arc swings with the period of a pendulum, sliding or rolling; a small disk that
+// touches the end of a plate which leans over it is at rest, for no part of it went through the plate.
 #include "gel.h"
 #include "scene_of.h"
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 using namespace softgrain;
 
@@ -199,6 +202,25 @@ end
                               : (crossings[2] - crossings[0]) /
                                     (2. * pi * std::sqrt(10e-3 / 9.81) * (1. + angle * angle / 16.));
 }
+
+void at_the_end_of_a_plate()
+{
+  double energy = 0.;
+  for (const double degrees : {-24., -20., -16., 16., 18., 20., 22., 24.})
+    for (const double radius : {1.3e-3, 1.6e-3, 1.9e-3})
+    {
+      const double lean = degrees * pi / 180., begin = 1.0001 * radius;
+      std::ostringstream points;
+      points << "0, " << begin << "; " << 5e-3 * std::sin(lean) << ", " << begin + 5e-3 * std::cos(lean);
+      const auto model = scene_of_text(
+          disk_scene("subsection Obstacles\n set Names = plate\n subsection plate\n set Points = " +
+                     points.str() + "\n end\nend\n"),
+          {"Bodies/disk/Radius=" + std::to_string(radius), "Time/Time step=1e-4"});
+      run_until(*model, 3e-4);
+      energy = std::max(energy, model->energies().kinetic + model->energies().elastic);
+    }
+  std::cout << "at the end of a plate: energy " << energy << '\n';
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -206,6 +228,7 @@ int main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   on_two_ends();
   in_a_groove();
+  at_the_end_of_a_plate();
   plate_and_wall("in motion", {"Time/Time step=1e-4"}, 4e-3);
   plate_and_wall("in balance",
                  {"Time/Scheme=quasi_static", "Time/Time step=5e-4", "Bodies/disk/Angular velocity=0"}, 4e-3);

@@ -34,6 +34,10 @@ SHORTER = {
 UNITS = {"s": 1, "min": 60, "h": 3600, "MB": 1e6, "GB": 1e9, "TB": 1e12, "million": 1e6}
 
 
+class RunFailed(Exception):
+    """A run that does not come to its end, with its own words."""
+
+
 def number(text):
     """Of "about 3.4 MB", "about 2 min 05 s"."""
     pairs = re.findall(r"([\d.e+-]+)\s*([A-Za-z]*)", text.removeprefix("about "))
@@ -61,8 +65,10 @@ def foretold(program, scene, settings):
 
 def taken(program, scene, settings, folder):
     before = processor_seconds()
-    subprocess.run([program, "run", scene, *settings, "--threads", "1", "--output", folder, "--overwrite"],
-                   capture_output=True, text=True, check=True)
+    done = subprocess.run([program, "run", scene, *settings, "--threads", "1", "--output", folder, "--overwrite"],
+                          capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RunFailed(done.stderr.strip())
     summary = json.loads((folder / "summary.json").read_text())
     return {"steps": summary["steps"], "seconds": processor_seconds() - before, "bytes": summary["peak_memory_bytes"],
             "points": summary.get("material_points", summary.get("primaries"))}
@@ -92,7 +98,12 @@ def main():
             continue
         settings = [word for setting in SHORTER.get(name, []) for word in ("--set", setting)]
         before = foretold(words.program, path, settings)
-        after = taken(words.program, path, settings, words.folder / name.replace("/", "_"))
+        try:
+            after = taken(words.program, path, settings, words.folder / name.replace("/", "_"))
+        except RunFailed as error:
+            wrong += 1
+            print(f"| {name} | WRONG: {error}", flush=True)
+            continue
         ratios = {key: before[key] / after[key] for key in ("points", "steps", "seconds", "bytes")}
         bad = [key for key, ratio in ratios.items() if not 0.5 <= ratio <= 2]
         # A second of processor time: a busy machine may need more.

@@ -23,7 +23,8 @@ void print_check_report(std::ostream &out,
                         const std::optional<Forecast> &forecast,
                         const Model<2> *model);
 
-/// Length, steps, processor time and memory that a run is expected to take.
+/// Length, steps, processor time on this machine, which is measured, and memory that a run is expected to
+/// take.
 SizeReport cost_report(const RunOutline &outline, const Forecast &forecast);
 } // namespace softgrain
 

@@ -29,6 +29,9 @@ public:
   /// After a step; @p fraction of the work is done.
   void update(double time, std::uint64_t step, const StepReport &report, double fraction);
 
+  /// Another stage begins, whose steps may take longer or less long than those before.
+  void next_stage() { time_left = TimeLeft(); }
+
   /// Shows the last step if it has not been shown, and ends the line.
   void finish();
 

@@ -34,6 +34,8 @@ public:
 
   /// What the run is expected to take, to be printed at its start.
   void expect(const SizeReport &report) { expected = report; }
+  /// How long its stages are expected to last [s].
+  void expect_stages(const std::vector<double> &durations) { path.expect(durations); }
 
   /**
    * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
@@ -70,7 +72,9 @@ private:
   /// One step, fit to be written where it will be. After an exception all is as before it.
   StepReport take_step();
   bool finished() const;
-  /// Part of the work that is done, of the whole run: 0 at its start, 1 where a stop condition holds.
+  /// Part of the way to the stop conditions of the whole run.
+  double run_done() const;
+  /// Part of the work that is done, stage by stage: 0 at the start of the run, 1 at its end.
   double fraction_done() const;
   double next_target() const;
   /// Lets the model settle after a step of whose state something is written.

@@ -27,8 +27,11 @@ public:
 
   /// Enters the first stage, if there is one: its walls are driven as it says.
   void begin();
-  /// Enters the next stage.
-  void next();
+  /// Enters the next stage. @param run_done part of the whole run that is done, by its own stop conditions
+  void next(double run_done = 0.);
+
+  /// How long the stages are expected to last, of which only ratios count. Without, or empty: all last alike.
+  void expect(const std::vector<double> &durations);
 
   /// After every step: the stop conditions of the present stage see it.
   void note(double slack);
@@ -41,8 +44,10 @@ public:
   double fraction_of_stage(double slack) const;
   bool stage_is_done(const double slack) const { return fraction_of_stage(slack) >= 1.; }
   bool is_last() const { return current + 1 >= stages.size(); }
-  /// Part of the whole path; 0 without stages, or where the last one has no end of its own.
-  double fraction_done(double slack) const;
+  /// Part of the whole path, by how long the stages are expected to last. The present one ends by its own
+  /// stop conditions or those of the run, whichever have come farther since it began. @param run_done as in
+  /// next()
+  double fraction_done(double slack, double run_done) const;
   /// The end of the present stage if it is known beforehand [s]; 0: it is not.
   double end_time() const;
 
@@ -58,6 +63,8 @@ private:
   const dealii::Tensor<1, 2> gravity; ///< [m/s^2]
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
+  double run_done_at_begin = 0.;
+  std::vector<double> expected; ///< durations of all stages
   std::vector<WallState<2>> walls_at_begin;
   StopMemory seen; ///< by the stop conditions of the present stage
 };

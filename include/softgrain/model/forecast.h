@@ -13,14 +13,15 @@ namespace softgrain
 /// How long a run is and what it writes, as far as that can be known beforehand.
 struct RunOutline
 {
-  Crowd crowd;               ///< the bodies
-  bool to_pack = false;      ///< whether some have still to be packed
-  double duration = 0.;      ///< simulated [s]; 0: unknown
-  double fastest_wall = 0.;  ///< largest speed of a wall whose motion is given [m/s]
-  bool pressed = false;      ///< whether a wall is under pressure
-  double n_pictures = 0.;    ///< with fields or snapshots
-  double output_every = 0.;  ///< smallest time between pictures; steps end there [s]; 0: none
-  double history_every = 1.; ///< steps
+  Crowd crowd;                ///< the bodies
+  bool to_pack = false;       ///< whether some have still to be packed
+  double duration = 0.;       ///< simulated [s]; 0: unknown
+  std::vector<double> stages; ///< simulated time of each [s]; empty: unknown
+  double fastest_wall = 0.;   ///< largest speed of a wall whose motion is given [m/s]
+  bool pressed = false;       ///< whether a wall is under pressure
+  double n_pictures = 0.;     ///< with fields or snapshots
+  double output_every = 0.;   ///< smallest time between pictures; steps end there [s]; 0: none
+  double history_every = 1.;  ///< steps
 
   /// Steps of at most @p dt [s]; 0: unknown.
   double n_steps(double dt) const;

@@ -19,6 +19,8 @@ constexpr double least_facing = 0.2;
 /// How far beyond a piece that goes smoothly on its seekers may be, and how near to a tip they are left to it
 /// [cells].
 constexpr double overhang = 0.02;
+/// How deep in an obstacle a seeker is believed to be without a look at what lies between [cells].
+constexpr double shallow = 0.1;
 
 /// The place on a boundary nearest to @p x: marker, share of the way to the next one, distance.
 struct Nearest
@@ -41,6 +43,14 @@ Nearest nearest_on(const MovedBoundary &own, const Point &x)
       best = {m, share, distance};
   }
   return best;
+}
+
+/// Whether @p x lies within the boundary.
+bool holds(const MovedBoundary &own, const Point &x)
+{
+  const Nearest found = nearest_on(own, x);
+  const MovedBoundary::Place at = own.place(found.marker, found.share, false);
+  return (x - at.position) * at.normal < 0.;
 }
 } // namespace
 
@@ -149,6 +159,10 @@ void ObstacleContact::find_at_pieces(const Placed &placed,
                  const double gap = (at.position - opposite) * normal;
                  Row row = start_row(placed, body, at, normal, gap, foot.place);
                  if (gap < -scene.cell_size || std::min(gap, row.gap) > margin)
+                   return near;
+                 // What went through an obstacle has it inside; beside its end the far side of a body only
+                 // looks as if.
+                 if (gap < -shallow * scene.cell_size && !holds(own, opposite))
                    return near;
                  row.body_weights = own.place(seeker.parameter, true).weights;
                  row.length = tributary_length(own, seeker);

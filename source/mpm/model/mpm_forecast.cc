@@ -16,22 +16,26 @@ namespace
 /// Fitted to processor time and peak memory of runs of the shipped scenes on one thread.
 namespace fitted
 {
-constexpr double boundary = 0.34;        ///< cells beside the boundary that get points
-constexpr double near_contact = 0.5;     ///< smaller cells of a level, per cell of its size along the outline
-constexpr double point_seconds = 0.9e-6; ///< of one iteration of Newton's method, one body
-constexpr double contact_seconds = 0.8e-6;   ///< more of it where bodies meet
-constexpr double factor_seconds = 0.7e-9;    ///< of a row of a band matrix, per square of its width
-constexpr double sparse_seconds = 7e-8;      ///< of a sparse factorisation, per power 3/2 of the unknowns
+constexpr double boundary = 0.34;    ///< cells beside the boundary that get points
+constexpr double near_contact = 0.5; ///< smaller cells of a level, per cell of its size along the outline
+constexpr double point_seconds = 0.75e-6;    ///< of one iteration of Newton's method, one body
+constexpr double contact_seconds = 0.75e-6;  ///< more of it where bodies meet
+constexpr double factor_seconds = 2.5e-10;   ///< of a row of a band matrix, per square of its width
+constexpr double sparse_seconds = 2.8e-8;    ///< of a sparse factorisation, per power 3/2 of the unknowns
+constexpr double condense_seconds = 3.8e-8;  ///< of one body to its contact rows, in the same way
 constexpr double explicit_seconds = 0.6e-6;  ///< of a step of a point without a matrix
-constexpr double grid_seconds = 1.2e-6;      ///< of a point when a new grid is laid
+constexpr double grid_seconds = 0.25e-6;     ///< of a point when a new grid is laid
 constexpr double picture_seconds = 6e-6;     ///< of a point in a picture
 constexpr double history_seconds = 1.5e-7;   ///< of a point in a row of the history
 constexpr double preparation_seconds = 2e-5; ///< of a point
 constexpr double packing_seconds = 4e-3;     ///< of a grain
 constexpr double friction_factor = 1.25;     ///< on the time of a step in which waves are resolved
 constexpr double slow_friction_factor = 2.3; ///< without them
-constexpr double obstacle_factor = 2.2;      ///< the same, one body at obstacles
-constexpr double pressed_factor = 2.7;       ///< the same, walls under pressure
+constexpr double obstacle_factor = 1.7;      ///< the same, one body at obstacles
+constexpr double rough_factor = 3.5;         ///< the same, one body that may slip
+constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matter flows and keeps its volume
+constexpr double f_bar_point_factor = 1.7;   ///< on what they take per point
+constexpr double pressed_factor = 2.0;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
 } // namespace fitted
@@ -39,7 +43,7 @@ constexpr double point_memory = 4.6e3;       ///< [bytes]
 /// What a body costs.
 struct BodyCost
 {
-  double points = 0., unknowns = 0., factor_seconds = 0., memory = 0.;
+  double points = 0., unknowns = 0., factor_seconds = 0., condense_seconds = 0., memory = 0.;
 };
 
 BodyCost cost_of(const BodyGroup &body, const Settings &settings)
@@ -62,8 +66,27 @@ BodyCost cost_of(const BodyGroup &body, const Settings &settings)
   const double n = cost.unknowns, band = 2. * per_edge * body.short_edge / h;
   cost.factor_seconds =
       std::min(fitted::factor_seconds * n * band * band, fitted::sparse_seconds * std::pow(n, 1.5));
+  cost.condense_seconds = fitted::condense_seconds * std::pow(n, 1.5);
   cost.memory += 8. * n * std::min(band, 8. * std::log2(n + 2.));
   return cost;
+}
+
+/// Whether dilatations are averaged over cells, in one of the bodies.
+bool has_f_bar(const Settings &settings,
+               const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws,
+               const Crowd &crowd)
+{
+  return settings.f_bar == "on" || (settings.f_bar == "automatic" &&
+                                    std::any_of(crowd.groups.begin(), crowd.groups.end(),
+                                                [&laws](const BodyGroup &body)
+                                                { return laws[body.material]->poisson_ratio() > 0.47; }));
+}
+
+/// Whether matter of one of the bodies remembers what it went through.
+bool remembers(const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws, const Crowd &crowd)
+{
+  return std::any_of(crowd.groups.begin(), crowd.groups.end(),
+                     [&laws](const BodyGroup &body) { return laws[body.material]->n_history() > 0; });
 }
 
 /// Iterations of Newton's method in a step.
@@ -197,6 +220,8 @@ Forecast forecast(const Scene<2> &scene,
     result.n_points += group.count * cost.points;
     unknowns += group.count * cost.unknowns;
     factors += group.count * cost.factor_seconds;
+    if (run.crowd.n_bodies() < 1.5 && (!scene.walls.empty() || !scene.obstacles.empty()))
+      factors += cost.condense_seconds; // with several bodies it is in what a point costs
     memory += group.count * cost.memory;
   }
   // Slabs are three cells thick and as long as the mesh.
@@ -214,14 +239,21 @@ Forecast forecast(const Scene<2> &scene,
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
   const bool slow = !settings.scheme.inertia || (settings.rows_follow() && result.step > 20.5 * cfl);
-  const double iterations = n_iterations(settings, run, result.step, cfl);
-  const double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);
+  const bool f_bar = has_f_bar(settings, laws, run.crowd);
+  double iterations = n_iterations(settings, run, result.step, cfl);
+  if (slow && f_bar && remembers(laws, run.crowd))
+    iterations *= fitted::f_bar_factor;
+  double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);
+  if (f_bar)
+    of_point *= fitted::f_bar_point_factor;
   double seconds = settings.scheme.implicit ? iterations * (of_point * points + factors)
                                             : fitted::explicit_seconds * points;
   if (friction && run.crowd.n_bodies() > 1.5)
     seconds *= slow ? fitted::slow_friction_factor : fitted::friction_factor;
   if (slow && !scene.obstacles.empty() && run.crowd.n_bodies() < 1.5)
     seconds *= fitted::obstacle_factor;
+  if (slow && friction && run.crowd.n_bodies() < 1.5)
+    seconds *= fitted::rough_factor;
   if (slow && run.pressed && run.crowd.n_bodies() > 1.5)
     seconds *= fitted::pressed_factor;
   if (settings.grid_update == GridUpdate::every_step)
