@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/interruption.h>
-#include <softgrain/contact/active_system.h>
-#include <softgrain/contact/exchange_system.h>
+#include <softgrain/contact/contact_path.h>
 #include <softgrain/contact/path_following.h>
 #include <softgrain/contact/residual.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace softgrain::contact
 {
 namespace
 {
-using Matrix = ExchangeSystem::Matrix;
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
-using State = ContactState;
 
 /// Contacts that part faster than this many times the speed of approach take part only when they close.
 constexpr double far = 3.;
@@ -23,287 +20,55 @@ constexpr unsigned int warm_attempts = 2, few_exchanges = 500; ///< from impulse
 /// From nothing: where impulses were given a shorter step is cheaper than a long path.
 constexpr unsigned int most_after_warm = 3000, most_exchanges = 30000;
 
-/// The path from impulses that solve another problem to those that solve this one.
-class Path
+/// w = W P + q.
+std::vector<double> velocities(const Matrix &W, const Problem &problem, const std::vector<double> &P)
+{
+  const Vector w = W * Eigen::Map<const Vector>(P.data(), P.size()) +
+                   Eigen::Map<const Vector>(problem.free_velocity.data(), problem.free_velocity.size());
+  return std::vector<double>(w.data(), w.data() + w.size());
+}
+
+/// Contacts that take part: all that carry something or do not part fast, and later those that close too.
+class Selection
 {
 public:
-  /// @param selected the contacts that take part
-  /// @param impulses to start from
-  /// @param margin in the problem that they solve: speed over that of approach at which open contacts part
-  /// and sliding ones slide, at least; its logarithm spread evenly over @p decades
-  Path(const Matrix &W_all,
-       const Problem &problem,
-       const std::vector<double> &compliance,
-       const std::vector<unsigned int> &selected,
-       const std::vector<double> &impulses,
-       double margin,
-       double decades,
-       unsigned int seed);
+  Selection(const Problem &problem,
+            const std::vector<double> &compliance,
+            const std::vector<double> &impulses)
+      : compliance(compliance), takes_part(problem.n_contacts(), 0)
+  {
+    const double speed = approach_speed(problem, compliance);
+    for (unsigned int i = 0; i < takes_part.size(); ++i)
+      takes_part[i] =
+          compliance[i] > 0. && (impulses[2 * i] > 0. || problem.free_velocity[2 * i] < far * speed);
+  }
 
-  /// Follows it to its end. False when that is not reached within @p most exchanges.
-  bool follow(unsigned int most);
+  /// Adds those that close with relative velocities @p w. False when there are none.
+  bool add_closing(const std::vector<double> &w)
+  {
+    bool more = false;
+    for (unsigned int i = 0; i < takes_part.size(); ++i)
+      if (!takes_part[i] && compliance[i] > 0. && w[2 * i] < 0.)
+      {
+        takes_part[i] = 1;
+        more = true;
+      }
+    return more;
+  }
 
-  /// Where follow() has come to, for @p n_contacts contacts [N s/m].
-  std::vector<double> impulses(unsigned int n_contacts) const;
-
-  unsigned int exchanges = 0;
+  std::vector<unsigned int> list() const
+  {
+    std::vector<unsigned int> selected;
+    for (unsigned int i = 0; i < takes_part.size(); ++i)
+      if (takes_part[i])
+        selected.push_back(i);
+    return selected;
+  }
 
 private:
-  /// What has to stay positive: of an open contact w_n; of one that sticks the distance from both edges of
-  /// the cone; of one that slides P_n and the speed of sliding.
-  enum class Condition
-  {
-    parts,
-    upper_edge,
-    lower_edge,
-    pressed,
-    slides
-  };
-  struct Line
-  {
-    double value, slope;
-  };
-  struct Event
-  {
-    unsigned int contact = 0;
-    Condition what = Condition::parts;
-    double way = std::numeric_limits<double>::infinity();
-  };
-
-  Line line(unsigned int contact, Condition what) const;
-  void look_at(unsigned int contact, Condition what, Event &nearest) const;
-  Event next_event() const;
-  bool exchange(const Event &event);
-
-  const std::vector<unsigned int> &selected;
-  Vector mu;
-  double unit; ///< of impulses [N s/m]; that of speeds is the speed of approach
-  ExchangeSystem system;
-  double t = 0., direction = 1.;
-  /// What grows from 0 since the last exchange.
-  bool has_grown = false;
-  unsigned int grown_contact = 0;
-  Condition grown = Condition::parts;
+  const std::vector<double> &compliance;
+  std::vector<char> takes_part;
 };
-
-/// W and q of @p selected, in the units of a path.
-Matrix reduced(const Matrix &W, const std::vector<unsigned int> &selected, const double factor)
-{
-  std::vector<int> local(W.rows(), -1);
-  for (unsigned int k = 0; k < selected.size(); ++k)
-    for (unsigned int c = 0; c < 2; ++c)
-      local[2 * selected[k] + c] = 2 * k + c;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int row = 0; row < W.rows(); ++row)
-    if (local[row] >= 0)
-      for (Matrix::InnerIterator entry(W, row); entry; ++entry)
-        if (local[entry.col()] >= 0)
-          entries.emplace_back(local[row], local[entry.col()], factor * entry.value());
-  Matrix result(2 * selected.size(), 2 * selected.size());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-double median_compliance(const std::vector<double> &compliance, const std::vector<unsigned int> &selected)
-{
-  std::vector<double> values;
-  for (const unsigned int contact : selected)
-    values.push_back(compliance[contact]);
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-Path::Path(const Matrix &W_all,
-           const Problem &problem,
-           const std::vector<double> &compliance,
-           const std::vector<unsigned int> &selected,
-           const std::vector<double> &impulses,
-           const double margin,
-           const double decades,
-           const unsigned int seed)
-    : selected(selected)
-    , mu(selected.size())
-    , unit(approach_speed(problem, compliance) / median_compliance(compliance, selected))
-    , system(reduced(W_all, selected, 1. / median_compliance(compliance, selected)))
-{
-  const double speed = approach_speed(problem, compliance);
-  const unsigned int n = selected.size();
-  Vector P = Vector::Zero(2 * n), q(2 * n);
-  std::vector<State> states(n, State::open);
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    const unsigned int i = selected[k];
-    mu[k] = problem.friction_of(i);
-    q[2 * k] = problem.free_velocity[2 * i] / speed;
-    q[2 * k + 1] = problem.free_velocity[2 * i + 1] / speed;
-    if (!(impulses[2 * i] > 0.))
-      continue;
-    P[2 * k] = impulses[2 * i] / unit;
-    P[2 * k + 1] = impulses[2 * i + 1] / unit;
-    states[k] = State::sticks;
-    if (std::abs(P[2 * k + 1]) < (1. - 1e-6) * mu[k] * P[2 * k])
-      continue;
-    states[k] = P[2 * k + 1] >= 0. ? State::slides_down : State::slides_up;
-    P[2 * k + 1] = std::copysign(mu[k] * P[2 * k], P[2 * k + 1]);
-  }
-  // The problem that these impulses solve: q such that w is what the states say.
-  const Vector of_impulses = system.times(P);
-  Vector w = of_impulses + q;
-  unsigned int random = seed;
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    random = random * 1664525u + 1013904223u; // any numbers, the same on every machine
-    const double least = margin * std::pow(10., decades * (random >> 8) / double(1u << 24));
-    double &normal = w[2 * k], &tangential = w[2 * k + 1];
-    normal = states[k] == State::open ? std::max(normal, least) : 0.;
-    if (states[k] == State::sticks)
-      tangential = 0.;
-    else if (states[k] == State::slides_down)
-      tangential = std::min(tangential, -least);
-    else if (states[k] == State::slides_up)
-      tangential = std::max(tangential, least);
-  }
-  const Vector start = w - of_impulses;
-  system.start(std::move(states), mu, start, q - start);
-}
-
-std::vector<double> Path::impulses(const unsigned int n_contacts) const
-{
-  std::vector<double> P(2 * n_contacts, 0.);
-  for (unsigned int k = 0; k < selected.size(); ++k)
-    if (system.state(k) != State::open)
-    {
-      P[2 * selected[k]] = unit * std::max(0., system.impulse(2 * k, t));
-      P[2 * selected[k] + 1] = unit * system.impulse(2 * k + 1, t);
-    }
-  return P;
-}
-
-Path::Line Path::line(const unsigned int k, const Condition what) const
-{
-  const unsigned int n = 2 * k, s = n + 1;
-  const auto cone = [&](const double side) -> Line
-  {
-    return {mu[k] * system.impulse(n, t) - side * system.impulse(s, t),
-            mu[k] * system.impulse_slope(n) - side * system.impulse_slope(s)};
-  };
-  switch (what)
-  {
-  case Condition::parts:
-    return {system.speed(n, t), system.speed_slope(n)};
-  case Condition::upper_edge:
-    return cone(1.);
-  case Condition::lower_edge:
-    return cone(-1.);
-  case Condition::pressed:
-    return {system.impulse(n, t), system.impulse_slope(n)};
-  default:
-    const double side = system.state(k) == State::slides_up ? 1. : -1.;
-    return {side * system.speed(s, t), side * system.speed_slope(s)};
-  }
-}
-
-void Path::look_at(const unsigned int k, const Condition what, Event &nearest) const
-{
-  const Line now = line(k, what);
-  const double slope = direction * now.slope;
-  if (slope >= 0. || (has_grown && k == grown_contact && what == grown && std::abs(now.value) < 1e-9))
-    return;
-  const double way = std::max(0., now.value) / -slope;
-  if (way < nearest.way)
-    nearest = {k, what, way};
-}
-
-Path::Event Path::next_event() const
-{
-  Event nearest;
-  for (unsigned int k = 0; k < selected.size(); ++k)
-    switch (system.state(k))
-    {
-    case State::open:
-      look_at(k, Condition::parts, nearest);
-      break;
-    case State::sticks:
-      look_at(k, Condition::upper_edge, nearest);
-      look_at(k, Condition::lower_edge, nearest);
-      break;
-    default:
-      look_at(k, Condition::pressed, nearest);
-      look_at(k, Condition::slides, nearest);
-    }
-  return nearest;
-}
-
-// What became 0 stays so, and what it excludes may grow.
-bool Path::exchange(const Event &event)
-{
-  const unsigned int k = event.contact;
-  State next;
-  switch (event.what)
-  {
-  case Condition::parts:
-    next = system.speed(2 * k + 1, t) <= 0. ? State::slides_down : State::slides_up;
-    grown = Condition::pressed;
-    break;
-  case Condition::upper_edge:
-    next = State::slides_down;
-    grown = Condition::slides;
-    break;
-  case Condition::lower_edge:
-    next = State::slides_up;
-    grown = Condition::slides;
-    break;
-  case Condition::pressed:
-    next = State::open;
-    grown = Condition::parts;
-    break;
-  default:
-    grown = system.state(k) == State::slides_down ? Condition::upper_edge : Condition::lower_edge;
-    next = State::sticks;
-  }
-  has_grown = true;
-  grown_contact = k;
-  if (!system.exchange(k, next))
-    return false;
-  direction = line(k, grown).slope >= 0. ? 1. : -1.;
-  return true;
-}
-
-bool Path::follow(const unsigned int most)
-{
-  if (!system.factorise())
-    return false;
-  Event first;
-  std::vector<State> first_states;
-  double first_t = 0.;
-  for (exchanges = 0; exchanges < most; ++exchanges)
-  {
-    if (exchanges % 100 == 0)
-      stop_if_interrupted();
-    const Event event = next_event();
-    const double next = t + direction * event.way;
-    if (direction > 0. && next >= 1.)
-    {
-      t = 1.;
-      return true;
-    }
-    if (!std::isfinite(next))
-      return false;
-    t = next;
-    if (exchanges == 0)
-    {
-      first = event;
-      first_states = system.all_states();
-      first_t = t;
-    }
-    else if (event.contact == first.contact && event.what == first.what && std::abs(t - first_t) < 1e-9 &&
-             system.all_states() == first_states)
-      return false; // a closed loop: it comes by where it began
-    if (!exchange(event))
-      return false;
-  }
-  return false;
-}
 } // namespace
 
 double follow_path(const Matrix &W,
@@ -313,20 +78,10 @@ double follow_path(const Matrix &W,
                    std::vector<double> &impulses,
                    SolverReport &report)
 {
-  const double speed = approach_speed(problem, compliance);
   double best = std::numeric_limits<double>::infinity();
-  if (speed == 0.)
+  if (approach_speed(problem, compliance) == 0.)
     return best;
-  const auto velocities_of = [&](const std::vector<double> &P)
-  {
-    const Vector w = W * Eigen::Map<const Vector>(P.data(), P.size()) +
-                     Eigen::Map<const Vector>(problem.free_velocity.data(), problem.free_velocity.size());
-    return std::vector<double>(w.data(), w.data() + w.size());
-  };
-  std::vector<char> takes_part(problem.n_contacts(), 0);
-  for (unsigned int i = 0; i < takes_part.size(); ++i)
-    takes_part[i] =
-        compliance[i] > 0. && (impulses[2 * i] > 0. || problem.free_velocity[2 * i] < far * speed);
+  Selection selection(problem, compliance, impulses);
   std::vector<double> from = impulses;
   const bool warm = std::any_of(from.begin(), from.end(), [](const double P) { return P > 0.; });
   for (unsigned int attempt = warm ? 0 : warm_attempts; attempt <= warm_attempts;)
@@ -334,20 +89,16 @@ double follow_path(const Matrix &W,
     const bool from_nothing = attempt == warm_attempts;
     if (from_nothing)
       std::fill(from.begin(), from.end(), 0.);
-    std::vector<unsigned int> selected;
-    for (unsigned int i = 0; i < takes_part.size(); ++i)
-      if (takes_part[i])
-        selected.push_back(i);
-    Path path(W, problem, compliance, selected, from, from_nothing ? 1. : 1e-2,
-              from_nothing || attempt == 0 ? 0. : 4., attempt);
-    const bool arrived =
-        path.follow(from_nothing ? (warm ? most_after_warm : most_exchanges) : few_exchanges);
-    report.newton_iterations += path.exchanges;
+    const std::vector<unsigned int> selected = selection.list();
+    ContactPath path(W, problem, compliance, selected, from, from_nothing ? 1. : 1e-2,
+                     from_nothing || attempt == 0 ? 0. : 4., attempt);
+    const bool arrived = path.follow(!from_nothing ? few_exchanges : warm ? most_after_warm : most_exchanges);
+    report.newton_iterations += path.n_exchanges();
     ++attempt;
     if (!arrived)
       continue;
     std::vector<double> P = path.impulses(problem.n_contacts());
-    const std::vector<double> w = velocities_of(P);
+    const std::vector<double> w = velocities(W, problem, P);
     const double residual = natural_residual(problem, compliance, P, w);
     if (residual < best)
     {
@@ -356,18 +107,11 @@ double follow_path(const Matrix &W,
     }
     if (best <= settings.tolerance)
       break;
-    // Contacts that had been left out and close now: on from here, with them.
-    bool more = false;
-    for (unsigned int i = 0; i < takes_part.size(); ++i)
-      if (!takes_part[i] && compliance[i] > 0. && w[2 * i] < 0.)
-      {
-        takes_part[i] = 1;
-        more = true;
-      }
-    if (!more)
-      continue;
-    from = P;
-    attempt = 0;
+    if (selection.add_closing(w)) // on from here, with them
+    {
+      from = std::move(P);
+      attempt = 0;
+    }
   }
   return best;
 }
