@@ -260,9 +260,9 @@ double Simulation::next_target() const
   return std::min({end, end_of_stage, field_schedule.next(), snapshot_schedule.next()});
 }
 
-bool Simulation::finished() const
+bool Simulation::finished(const double of_run) const
 {
-  return run_done() >= 1. || (!path.empty() && path.is_last() && path.stage_is_done(planner.slack()));
+  return of_run >= 1. || (!path.empty() && path.is_last() && path.stage_is_done(planner.slack()));
 }
 
 double Simulation::run_done() const
@@ -272,9 +272,10 @@ double Simulation::run_done() const
 
 double Simulation::fraction_done() const
 {
-  if (finished())
+  const double of_run = run_done();
+  if (finished(of_run))
     return 1.;
-  return path.empty() ? run_done() : path.fraction_done(planner.slack(), run_done());
+  return path.empty() ? of_run : path.fraction_done(planner.slack(), of_run);
 }
 
 RunState Simulation::run_state() const

@@ -88,10 +88,7 @@ double friction_continuation(const Matrix &W,
   }
   report.newton_iterations += own.newton_iterations;
   report.regularised += own.regularised;
-  const Eigen::Map<const Eigen::VectorXd> P(impulses.data(), impulses.size());
-  const Eigen::VectorXd w =
-      W * P + Eigen::Map<const Eigen::VectorXd>(problem.free_velocity.data(), problem.free_velocity.size());
-  return natural_residual(problem, compliance, impulses, std::vector<double>(w.data(), w.data() + w.size()));
+  return natural_residual(problem, compliance, impulses, velocities(W, problem, impulses));
 }
 } // namespace
 

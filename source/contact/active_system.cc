@@ -73,6 +73,15 @@ Eigen::VectorXd ActiveSystem::solve_with_factors(const Eigen::VectorXd &right_ha
                : Eigen::VectorXd(sparse_factors->solve(right_hand_side));
 }
 
+std::vector<double>
+velocities(const ActiveSystem::Matrix &W, const Problem &problem, const std::vector<double> &impulses)
+{
+  using Values = Eigen::Map<const Eigen::VectorXd>;
+  const Eigen::VectorXd w = W * Values(impulses.data(), impulses.size()) +
+                            Values(problem.free_velocity.data(), problem.free_velocity.size());
+  return std::vector<double>(w.data(), w.data() + w.size());
+}
+
 double rounding_floor(const ActiveSystem::Matrix &W, const std::vector<double> &impulses, const double speed)
 {
   double largest = 0.;

@@ -52,10 +52,11 @@ ContactPath::ContactPath(const Matrix &W_all,
                          const unsigned int seed)
     : selected(selected)
     , mu(selected.size())
-    , unit(approach_speed(problem, compliance) / median_compliance(compliance, selected))
-    , system(reduced(W_all, selected, 1. / median_compliance(compliance, selected)))
+    , speed(approach_speed(problem, compliance))
+    , softness(median_compliance(compliance, selected))
+    , unit(speed / softness)
+    , system(reduced(W_all, selected, 1. / softness))
 {
-  const double speed = approach_speed(problem, compliance);
   const unsigned int n = selected.size();
   Vector P = Vector::Zero(2 * n), q(2 * n);
   std::vector<State> states(n, State::open);
@@ -70,7 +71,7 @@ ContactPath::ContactPath(const Matrix &W_all,
     P[2 * k] = impulses[2 * i] / unit;
     P[2 * k + 1] = impulses[2 * i + 1] / unit;
     states[k] = State::sticks;
-    if (std::abs(P[2 * k + 1]) < (1. - 1e-6) * mu[k] * P[2 * k])
+    if (!on_edge_of_cone(mu[k], P[2 * k], std::abs(P[2 * k + 1])))
       continue;
     states[k] = P[2 * k + 1] >= 0. ? State::slides_down : State::slides_up;
     P[2 * k + 1] = std::copysign(mu[k] * P[2 * k], P[2 * k + 1]);

@@ -37,7 +37,8 @@ double ExchangeSystem::side_of(const unsigned int contact) const
   return states[contact] == ContactState::slides_down ? mu[contact] : -mu[contact];
 }
 
-double ExchangeSystem::times(const unsigned int row, const Row kind, const double side, const Vector &x) const
+double
+ExchangeSystem::row_times(const unsigned int row, const Row kind, const double side, const Vector &x) const
 {
   if (kind == Row::no_impulse)
     return x[row];
@@ -59,23 +60,23 @@ bool ExchangeSystem::factorise()
   updates.clear();
   place.assign(W.rows(), -1);
   base_kind.resize(W.rows());
-  int &size = n_closed = 0;
+  n_closed = 0;
   std::size_t n_entries = 0;
   for (int row = 0; row < W.rows(); ++row)
   {
     base_kind[row] = kind_of(row);
     if (base_kind[row] == Row::no_impulse)
       continue;
-    place[row] = size++;
+    place[row] = n_closed++;
     n_entries += base_kind[row] == Row::edge ? 2 : W.outerIndexPtr()[row + 1] - W.outerIndexPtr()[row];
   }
   for (Vector &part : P)
     part = Vector::Zero(W.rows());
   base.reset();
-  if (size > 0)
+  if (n_closed > 0)
   {
-    base = std::make_unique<ActiveSystem>(size, n_entries);
-    Vector b[2] = {Vector(size), Vector(size)};
+    base = std::make_unique<ActiveSystem>(n_closed, n_entries);
+    Vector b[2] = {Vector(n_closed), Vector(n_closed)};
     for (int row = 0; row < W.rows(); ++row)
     {
       if (place[row] < 0)
@@ -120,10 +121,9 @@ ExchangeSystem::Vector ExchangeSystem::solve_base(const unsigned int row) const
   {
     // An impulse where there was none acts on all that is closed.
     column[row] = 1.;
-    if (base)
-      for (Matrix::InnerIterator entry(W, row); entry; ++entry)
-        if (place[entry.col()] >= 0 && base_kind[entry.col()] == Row::no_speed)
-          b[place[entry.col()]] = -entry.value();
+    for (Matrix::InnerIterator entry(W, row); entry; ++entry)
+      if (place[entry.col()] >= 0 && base_kind[entry.col()] == Row::no_speed)
+        b[place[entry.col()]] = -entry.value();
   }
   if (!base)
     return column;
@@ -139,7 +139,8 @@ ExchangeSystem::Vector ExchangeSystem::column_of_inverse(const unsigned int row)
   Vector column = solve_base(row);
   for (const Update &update : updates)
   {
-    const double now = times(update.row, update.kind, update.side, column) - (update.row == row ? 1. : 0.);
+    const double now =
+        row_times(update.row, update.kind, update.side, column) - (update.row == row ? 1. : 0.);
     if (now != 0.)
       column -= now / update.pivot * update.column;
   }
@@ -149,13 +150,13 @@ ExchangeSystem::Vector ExchangeSystem::column_of_inverse(const unsigned int row)
 bool ExchangeSystem::replace(const unsigned int row)
 {
   Update update{row, kind_of(row), side_of(row / 2), 0., column_of_inverse(row)};
-  update.pivot = times(row, update.kind, update.side, update.column);
+  update.pivot = row_times(row, update.kind, update.side, update.column);
   if (!(std::abs(update.pivot) > 1e-11 * update.column.lpNorm<Eigen::Infinity>()))
     return false;
   const Vector of_column = W * update.column;
   for (unsigned int part = 0; part < 2; ++part)
   {
-    const double missing = right_side(row, part) - times(row, update.kind, update.side, P[part]);
+    const double missing = right_side(row, part) - row_times(row, update.kind, update.side, P[part]);
     P[part] += missing / update.pivot * update.column;
     w[part] += missing / update.pivot * of_column;
   }

@@ -73,7 +73,7 @@ classify_by_impulses(const Problem &problem, const std::vector<double> &complian
   {
     contacts[i].closed = compliance[i] > 0. && P[i * n] > 0.;
     const double length = P.segment<n - 1>(i * n + 1).norm();
-    contacts[i].slips = contacts[i].closed && length >= (1. - 1e-6) * problem.friction_of(i) * P[i * n];
+    contacts[i].slips = contacts[i].closed && on_edge_of_cone(problem.friction_of(i), P[i * n], length);
     if (!contacts[i].slips)
       continue;
     for (unsigned int c = 1; c < n; ++c)

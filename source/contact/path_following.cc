@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/active_system.h>
 #include <softgrain/contact/contact_path.h>
 #include <softgrain/contact/path_following.h>
 #include <softgrain/contact/residual.h>
@@ -12,21 +13,12 @@ namespace softgrain::contact
 namespace
 {
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using Vector = Eigen::VectorXd;
 
 /// Contacts that part faster than this many times the speed of approach take part only when they close.
 constexpr double far = 3.;
 constexpr unsigned int warm_attempts = 2, few_exchanges = 500; ///< from impulses that are given
 /// From nothing: where impulses were given a shorter step is cheaper than a long path.
 constexpr unsigned int most_after_warm = 3000, most_exchanges = 30000;
-
-/// w = W P + q.
-std::vector<double> velocities(const Matrix &W, const Problem &problem, const std::vector<double> &P)
-{
-  const Vector w = W * Eigen::Map<const Vector>(P.data(), P.size()) +
-                   Eigen::Map<const Vector>(problem.free_velocity.data(), problem.free_velocity.size());
-  return std::vector<double>(w.data(), w.data() + w.size());
-}
 
 /// Contacts that take part: all that carry something or do not part fast, and later those that close too.
 class Selection

@@ -45,7 +45,7 @@ int main()
   for (const double rigid : {1., 1e4})
     for (const double mu : {0.5, 1.})
     {
-      unsigned int from_nothing = 0, from_close = 0, long_way = 0, short_way = 0, any_way = 0;
+      unsigned int from_nothing = 0, from_close = 0, long_way = 0, short_way = 0;
       for (unsigned int seed = 0; seed < n_problems; ++seed)
       {
         BlockDelassus W = disk_lattice(5, 4, rigid);

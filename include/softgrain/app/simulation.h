@@ -71,7 +71,9 @@ private:
   std::string loop();
   /// One step, fit to be written where it will be. After an exception all is as before it.
   StepReport take_step();
-  bool finished() const;
+  bool finished() const { return finished(run_done()); }
+  /// The same where run_done() is known.
+  bool finished(double of_run) const;
   /// Part of the way to the stop conditions of the whole run.
   double run_done() const;
   /// Part of the work that is done, stage by stage: 0 at the start of the run, 1 at its end.

@@ -44,8 +44,8 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
  *
  * Bodies held by nothing but contacts have a compliance W = W_elastic + c 1 1ᵀ with c much larger than
  * W_elastic, and sweeps need thousands of rounds to find its balance; Newton needs a few systems of the size
- * of the active contacts. Where Newton fails with friction, it follows a path to the solution in
- * the plane, follow_path(); in space it starts once more from the solution without friction, which is always
+ * of the active contacts. Where Newton fails with friction, a path leads to the solution in the
+ * plane (follow_path()); in space Newton starts once more from the solution without friction, which is always
  * found, and the friction coefficients are raised to their values as fast as it follows.
  * Algorithm::active_set makes no sweeps where there are impulses to start from. Parameters, exceptions and
  * result as gauss_seidel().

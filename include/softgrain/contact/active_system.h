@@ -2,6 +2,8 @@
 #ifndef softgrain_contact_active_system_h
 #define softgrain_contact_active_system_h
 
+#include <softgrain/contact/problem.h>
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
@@ -58,6 +60,10 @@ private:
   std::unique_ptr<DenseFactors> dense_factors;
   std::unique_ptr<SparseFactors> sparse_factors;
 };
+
+/// w = W P + q of all contacts (m/s).
+std::vector<double>
+velocities(const ActiveSystem::Matrix &W, const Problem &problem, const std::vector<double> &impulses);
 
 /**
  * @brief Below this, natural_residual() of @p impulses is rounding: machine epsilon times the largest Σ_j

@@ -73,7 +73,8 @@ private:
 
   const std::vector<unsigned int> selected;
   Eigen::VectorXd mu;
-  double unit; ///< of impulses [N s/m]; that of speeds is the speed of approach
+  const double speed, softness; ///< units: speed of approach [m/s], compliance of a contact [m/kg]
+  const double unit;            ///< of impulses: one over the other [N s/m]
   ExchangeSystem system;
   unsigned int exchanges = 0;
   double t = 0., direction = 1.;

@@ -79,7 +79,7 @@ private:
 
   Row kind_of(unsigned int row) const;
   double side_of(unsigned int contact) const;
-  double times(unsigned int row, Row kind, double side, const Vector &x) const;
+  double row_times(unsigned int row, Row kind, double side, const Vector &x) const;
   double right_side(unsigned int row, unsigned int part) const;
   Vector solve_base(unsigned int row) const;
   Vector column_of_inverse(unsigned int row) const;

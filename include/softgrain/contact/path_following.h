@@ -21,9 +21,11 @@ namespace softgrain::contact
  * points and sweeps stay. It is Lemke's method (1965; for friction Stewart and Trinkle 1996, Anitescu and
  * Potra 1997) with any start.
  *
- * From no impulses, with all contacts parting in q₀, the path cannot return and ends at a solution, but it
- * is long (2000 to 50 000 exchanges for 500 closed contacts). From impulses of a problem close by it takes
- * 50 to 500, or is a closed loop. So that is tried twice with different q₀ first.
+ * From no impulses, with all contacts parting in q₀, the path cannot come back to its start. Up to mu = 1 it
+ * ended at a solution wherever it was tried, but it is long (2000 to 50 000 exchanges for 500 closed
+ * contacts). From impulses of a problem close by it takes 50 to 500, or is a closed loop. So two paths from
+ * the impulses, with different q₀, come first, and the path from nothing is left when it gets too long.
+ * Exchanges are counted as Newton iterations in @p report.
  *
  * @param problem of two components
  * @param impulses start in; out best found, if any path came to its end

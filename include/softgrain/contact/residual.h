@@ -32,6 +32,12 @@ void project_on_cone(const double mu, double (&x)[n])
   }
 }
 
+/// Whether impulses lie on the edge of the Coulomb cone, as they do where a contact slides; but for rounding.
+inline bool on_edge_of_cone(const double mu, const double normal, const double tangential)
+{
+  return tangential >= (1. - 1e-6) * mu * normal;
+}
+
 /**
  * @brief Natural map of one contact, as a velocity: |P - proj_K(P - ρ (w_n + mu |w_t|, w_t))| / ρ (m/s).
  *

@@ -98,12 +98,6 @@ void CellLevels<dim>::balance()
 }
 
 template <int dim>
-bool CellLevels<dim>::any_cut() const
-{
-  return std::any_of(levels.begin(), levels.end(), [&](const unsigned int l) { return l < highest_level; });
-}
-
-template <int dim>
 unsigned int CellLevels<dim>::level(const Index &c) const
 {
   for (unsigned int d = 0; d < dim; ++d)

@@ -76,10 +76,9 @@ bool has_f_bar(const Settings &settings,
                const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws,
                const Crowd &crowd)
 {
-  return settings.f_bar == "on" || (settings.f_bar == "automatic" &&
-                                    std::any_of(crowd.groups.begin(), crowd.groups.end(),
-                                                [&laws](const BodyGroup &body)
-                                                { return laws[body.material]->poisson_ratio() > 0.47; }));
+  return std::any_of(crowd.groups.begin(), crowd.groups.end(),
+                     [&](const BodyGroup &body)
+                     { return settings.averages_dilatations(laws[body.material]->poisson_ratio()); });
 }
 
 /// Whether matter of one of the bodies remembers what it went through.

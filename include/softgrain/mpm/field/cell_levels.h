@@ -40,8 +40,6 @@ public:
 
   /// Level of the largest cells.
   unsigned int highest() const { return highest_level; }
-  /// Whether any cell has been cut.
-  bool any_cut() const;
   /// Level of the cell that holds cell @p c of the lattice.
   unsigned int level(const Index &c) const;
   /// Cells of the lattice along its edge.

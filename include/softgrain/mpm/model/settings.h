@@ -84,6 +84,12 @@ struct Settings
   /// Edge of the smallest cells, those of the lattice [m].
   double finest_cell() const { return std::ldexp(cell_size, -static_cast<int>(refine_near_contact)); }
 
+  /// Whether dilatations are averaged over cells (F-bar) for a law with this Poisson's ratio.
+  bool averages_dilatations(const double poisson_ratio) const
+  {
+    return f_bar == "on" || (f_bar == "automatic" && poisson_ratio > 0.47);
+  }
+
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
   bool subgrid_compliance() const
   {
