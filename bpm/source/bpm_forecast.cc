@@ -17,9 +17,9 @@ namespace fitted
 {
 constexpr double contacts = 2.15;              ///< of a primary
 constexpr double sweep_seconds = 5.2e-9;       ///< of a contact
-constexpr double sweeps = 80.;                 ///< of a step that is short
+constexpr double sweeps = 55.;                 ///< of a step that is short
 constexpr double sweeps_of_step = 480.;        ///< more, per sqrt(m a0 / F0) of its length
-constexpr double pressed_factor = 1.5;         ///< on the sweeps, walls under pressure
+constexpr double pressed_factor = 1.25;        ///< on the sweeps, walls under pressure
 constexpr double primary_seconds = 0.7e-6;     ///< of a step without the contact solve
 constexpr double picture_seconds = 1e-5;       ///< of a primary in a picture
 constexpr double history_seconds = 1e-6;       ///< of a primary in a row of the history

@@ -57,7 +57,7 @@ double add_scattered(std::vector<double> &values, const unsigned int n)
 template <typename Work>
 double least_seconds(double &result, const Work &work)
 {
-  std::array<double, 5> seconds;
+  std::array<double, 15> seconds;
   for (double &one : seconds)
   {
     const double begin = processor_seconds();
