@@ -47,6 +47,8 @@ public:
             [](const std::string &name) { return Registry<Attraction>::instance().create(name)->title(); }};
   }
 
+  bool works_on_ranks() const override { return true; }
+
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
 
   std::vector<std::pair<std::string, std::string>> presets(const std::string &fidelity,

@@ -157,7 +157,18 @@ StepReport BpmModel::advance(const double dt_limit)
   ++steps;
   for (std::size_t row = 0; row < dynamics->contacts().size(); ++row)
     report.n_contacts += dynamics->carries_force(row);
+  check_ranks_agree(report);
   return report;
+}
+
+void BpmModel::check_ranks_agree(const StepReport &report) const
+{
+  if (ranks.alone())
+    return;
+  double moved = 0.;
+  for (const std::array<double, 2> &velocity : dynamics->disks().velocity)
+    moved += velocity[0] * velocity[0] + velocity[1] * velocity[1];
+  ranks.check_alike({report.dt, report.contact_residual, report.max_penetration, moved});
 }
 
 void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)

@@ -22,12 +22,39 @@ namespace softgrain::bpm
 {
 namespace
 {
+/// Gives all ranks the aggregates that each has made: number i by rank i modulo their number.
+void share(std::vector<Aggregate> &made, const Ranks &ranks)
+{
+  if (ranks.alone())
+    return;
+  std::vector<double> sizes(made.size());
+  std::vector<Ranks::Piece> pieces;
+  const auto owner = [&](const std::size_t i) { return static_cast<unsigned int>(i % ranks.number()); };
+  for (std::size_t i = 0; i < made.size(); ++i)
+  {
+    sizes[i] = made[i].size();
+    pieces.push_back({owner(i), &sizes[i], 1});
+  }
+  ranks.share(pieces);
+  pieces.clear();
+  for (std::size_t i = 0; i < made.size(); ++i)
+  {
+    made[i].position.resize(sizes[i]);
+    made[i].radius.resize(sizes[i]);
+    // Places of two numbers, one after the other in memory.
+    pieces.push_back({owner(i), made[i].position.data()->data(), 2 * made[i].size()});
+    pieces.push_back({owner(i), made[i].radius.data(), made[i].size()});
+  }
+  ranks.share(pieces);
+}
+
 /// Sees to it that @p library has the aggregates of all bodies. @return their keys.
 std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
                                             const Settings &settings,
                                             const std::vector<double> &density,
                                             const std::vector<std::shared_ptr<const Attraction>> &laws,
                                             const std::vector<std::string> &law_texts,
+                                            const Ranks &ranks,
                                             AggregateLibrary &library)
 {
   const std::size_t n = scene.bodies.size();
@@ -46,28 +73,35 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
       missing.push_back(b);
   }
   std::vector<Aggregate> made(missing.size());
-  std::vector<std::exception_ptr> errors(missing.size());
-  parallel_for(missing.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t k = begin; k < end; ++k)
-                   try
-                   {
-                     const std::size_t b = missing[k];
-                     made[k] = make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material],
-                                              settings, seeds[b]);
-                   }
-                   catch (...)
-                   {
-                     errors[k] = std::current_exception();
-                   }
-               });
+  ranks.together(
+      [&]()
+      {
+        std::vector<std::size_t> own;
+        for (std::size_t k = ranks.here(); k < missing.size(); k += ranks.number())
+          own.push_back(k);
+        std::vector<std::exception_ptr> errors(own.size());
+        parallel_for(own.size(), 1,
+                     [&](const std::size_t begin, const std::size_t end)
+                     {
+                       for (std::size_t i = begin; i < end; ++i)
+                         try
+                         {
+                           const std::size_t b = missing[own[i]];
+                           made[own[i]] = make_aggregate(scene.bodies[b], density[b],
+                                                         laws[scene.bodies[b].material], settings, seeds[b]);
+                         }
+                         catch (...)
+                         {
+                           errors[i] = std::current_exception();
+                         }
+                     });
+        for (const std::exception_ptr &error : errors)
+          if (error)
+            std::rethrow_exception(error);
+      });
+  share(made, ranks);
   for (std::size_t k = 0; k < missing.size(); ++k)
-  {
-    if (errors[k])
-      std::rethrow_exception(errors[k]);
     library.add(keys[missing[k]], made[k]);
-  }
   return keys;
 }
 } // namespace
@@ -121,6 +155,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   settings.dynamics.look_ahead = 1.5 * wanted_step();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
   dynamics->set_timer(timer.get());
+  dynamics->set_ranks(&ranks);
   if (!moving_obstacles.empty())
     dynamics->set_obstacles(&moving_obstacles);
 
@@ -154,7 +189,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   const dealii::TimerOutput::Scope section(*timer, "preparation of aggregates");
   AggregateLibrary library(settings.primaries.aggregate_file);
   const std::vector<std::string> keys =
-      prepare_aggregates(scene, settings, density, laws, law_texts, library);
+      prepare_aggregates(scene, settings, density, laws, law_texts, ranks, library);
   Primaries disks;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
@@ -176,7 +211,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   }
   first_of_body.push_back(disks.size());
   grade(disks);
-  library.save();
+  ranks.at_first([&]() { library.save(); });
   return disks;
 }
 

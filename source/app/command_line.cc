@@ -232,7 +232,7 @@ std::unique_ptr<Input> CommandLine::read_input() const
         input = std::make_unique<Input>(parameter_file, assignments);
         const std::string &model = input->run().model;
         if (!ranks.alone() && !Registry<ModelFactory>::instance().create(model)->works_on_ranks())
-          throw InputError("'Model' = '" + model + "' runs on one rank so far, and mpirun has started " +
+          throw InputError("'Model' = '" + model + "' runs on one rank, and mpirun has started " +
                            std::to_string(ranks.number()) +
                            ": leave mpirun out and choose the number of threads with --threads");
       });

@@ -192,6 +192,38 @@ void Ranks::share(const std::vector<Piece> &pieces) const
     exchange(pieces, nullptr);
 }
 
+void Ranks::swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const
+{
+  if (outgoing.empty() && incoming.empty())
+    return;
+  constexpr int tag = 1;
+  const Wait wait(times);
+  std::vector<MPI_Request> requests;
+  requests.reserve(outgoing.size() + incoming.size());
+  for (const Message &message : incoming)
+  {
+    MPI_Irecv(message.begin, message.size, MPI_DOUBLE, message.rank, tag, MPI_COMM_WORLD,
+              &requests.emplace_back());
+    times.bytes += message.size * sizeof(double);
+  }
+  for (const Message &message : outgoing)
+    MPI_Isend(message.begin, message.size, MPI_DOUBLE, message.rank, tag, MPI_COMM_WORLD,
+              &requests.emplace_back());
+  MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
+}
+
+Ranks::OwnWork::OwnWork(const Ranks &ranks) : ranks(ranks)
+{
+  if (!ranks.alone())
+    begin = processor_seconds() - ranks.times.spinning;
+}
+
+Ranks::OwnWork::~OwnWork()
+{
+  if (!ranks.alone())
+    ranks.times.own += processor_seconds() - ranks.times.spinning - begin;
+}
+
 std::string Ranks::share(const std::string &text, const unsigned int owner) const
 {
   if (alone())

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/base/ranks.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_sweeps.h>
 #include <softgrain/contact/momentum.h>
@@ -9,14 +10,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace softgrain::contact
 {
 namespace
 {
-/// Contacts below which the other threads would cost more than they do.
-constexpr std::size_t contacts_for_threads = 4000;
+/// Contacts below which other threads or ranks would cost more than they do.
+constexpr std::size_t contacts_to_share = 4000;
 
 void check_size(const std::size_t size, const std::size_t expected, const char *name)
 {
@@ -108,6 +110,9 @@ double rounding_of(const DiskBodies &bodies)
   return 8. * std::numeric_limits<double>::epsilon() * fastest;
 }
 
+/// Sweeps after which ranks tell each other of a request to stop.
+constexpr unsigned int sweeps_between_words = 500;
+
 /// Sweeps after which velocities are computed afresh.
 constexpr unsigned int refresh_interval = 1000;
 
@@ -151,12 +156,16 @@ template <unsigned int n, bool in_cell>
 class DiskIteration
 {
 public:
-  DiskIteration(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings)
+  DiskIteration(DiskBodies &bodies,
+                DiskContacts &contacts,
+                const DiskSolverSettings &settings,
+                const Ranks *const ranks)
       : bodies(bodies)
       , contacts(contacts)
       , settings(settings)
-      , team(contacts.size() < contacts_for_threads ? 1 : n_threads())
-      , sweeps(bodies, contacts, team)
+      , team(contacts.size() < contacts_to_share ? 1 : n_threads())
+      , ranks(ranks)
+      , sweeps(bodies, contacts, team, contacts.size() < contacts_to_share ? nullptr : ranks)
       , rounding(rounding_of(bodies))
       , momentum(n)
       , walls(settings.wall_floor)
@@ -166,6 +175,9 @@ public:
 
   DiskSolverReport run()
   {
+    std::optional<Ranks::OwnWork> own;
+    if (sweeps.shared())
+      own.emplace(*ranks);
     sweeps.set_free_velocities();
     speed = sweeps.measure().approach;
     if (speed <= rounding) // nothing approaches: no impulses solve the problem exactly
@@ -180,6 +192,9 @@ public:
       report.wall_change = walls.estimate(wall_impulses);
       while (report.sweeps < settings.max_sweeps && !report.converged)
       {
+        // Ranks that sweep all contacts do not meet otherwise.
+        if (ranks != nullptr && !sweeps.shared() && report.sweeps % sweeps_between_words == 0)
+          ranks->share({});
         stop_if_interrupted();
         sweep();
         if (report.sweeps % settings.check_interval == 0 || report.sweeps == settings.max_sweeps)
@@ -270,6 +285,7 @@ private:
   DiskContacts &contacts;
   const DiskSolverSettings &settings;
   ThreadTeam team;
+  const Ranks *const ranks; ///< null: this process is alone
   DiskSweeps<n, in_cell> sweeps;
   const double rounding;
   Momentum momentum;
@@ -283,21 +299,29 @@ private:
 };
 
 template <bool in_cell>
-DiskSolverReport iterate(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings)
+DiskSolverReport iterate(DiskBodies &bodies,
+                         DiskContacts &contacts,
+                         const DiskSolverSettings &settings,
+                         const Ranks *const ranks)
 {
   if (!bodies.rotate())
-    return DiskIteration<1, in_cell>(bodies, contacts, settings).run();
+    return DiskIteration<1, in_cell>(bodies, contacts, settings, ranks).run();
   if (contacts.rolling.empty())
-    return DiskIteration<2, in_cell>(bodies, contacts, settings).run();
-  return DiskIteration<3, in_cell>(bodies, contacts, settings).run();
+    return DiskIteration<2, in_cell>(bodies, contacts, settings, ranks).run();
+  return DiskIteration<3, in_cell>(bodies, contacts, settings, ranks).run();
 }
 } // namespace
 
-DiskSolverReport solve_disks(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings)
+DiskSolverReport solve_disks(DiskBodies &bodies,
+                             DiskContacts &contacts,
+                             const DiskSolverSettings &settings,
+                             const Ranks *ranks)
 {
   check(settings);
   check(bodies, contacts);
-  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings)
-                                 : iterate<true>(bodies, contacts, settings);
+  if (ranks != nullptr && ranks->alone())
+    ranks = nullptr;
+  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, ranks)
+                                 : iterate<true>(bodies, contacts, settings, ranks);
 }
 } // namespace softgrain::contact

@@ -189,6 +189,10 @@ double DiskSweeps<n, in_cell>::sweep_with_momentum(const double momentum)
         else
           sweep_range(DiskContact<n, false>());
       });
+  if (share && n > 1)
+    return 0.;
+  if (share)
+    share->share_ranges(sums);
   double sum = 0.;
   for (const double part : sums)
     sum += part;
@@ -217,6 +221,9 @@ void DiskSweeps<n, in_cell>::restore_impulses()
 template <unsigned int n, bool in_cell>
 typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
 {
+  if (share)
+    for (std::vector<double> *const list : {&sums, &approach})
+      std::fill(list->begin(), list->end(), 0.);
   for_ranges_at_once(
       [&](const Range range, const bool wall, const std::uint32_t index)
       {
@@ -251,6 +258,12 @@ typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
     result.approach = std::max(result.approach, approach[i]);
     if (std::isnan(sums[i]))
       break;
+  }
+  if (share)
+  {
+    std::vector<double> found = {result.natural_map, result.approach};
+    share->take_largest(found);
+    result = {found[0], found[1]};
   }
   return result;
 }

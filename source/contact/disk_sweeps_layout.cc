@@ -16,11 +16,16 @@ constexpr std::uint32_t rows_per_range = 400;
 } // namespace
 
 template <unsigned int n, bool in_cell>
-DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team)
+DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies,
+                                   const DiskContacts &contacts,
+                                   ThreadTeam &team,
+                                   const Ranks *const ranks)
     : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
   number_bodies();
   make_ranges();
+  if (ranges.size() > 1 && ranks != nullptr && !ranks->alone() && !bodies.cell.is_free())
+    share.emplace(*ranks, contacts, packed_of, n_bodies(), ranges, colour_end);
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }
 
@@ -124,6 +129,8 @@ void DiskSweeps<n, in_cell>::wall_impulses(std::vector<double> &wall_sums) const
   const Range range = ranges.back();
   for (std::uint32_t i = range.first; i < range.last; ++i)
     wall_sums[wall_of[i - range.first]] += rows[i].impulse[0];
+  if (share)
+    share->share_walls(wall_sums);
   if constexpr (in_cell)
     if (cell.is_free() && contacts.size() > 0)
     {
@@ -155,11 +162,21 @@ void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
                        target.rolling_impulse[i] = rows[row].impulse[2];
                    });
       });
+  if (!share)
+    return;
+  share->share_contacts(target.impulse);
+  if constexpr (n > 1)
+    share->share_contacts(target.tangential_impulse);
+  if constexpr (n > 2)
+    share->share_contacts(target.rolling_impulse);
 }
 
 template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target) const
+void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target)
 {
+  if (share)
+    share->template tell_all<n_velocities>([this](const std::uint32_t body, const unsigned int c) -> double &
+                                           { return velocity(body, c); });
   target.cell = cell;
   for (std::size_t i = 0; i < n_bodies(); ++i)
   {

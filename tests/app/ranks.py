@@ -22,6 +22,8 @@ COARSE = "Mesh/Cell size=6.4e-4"
 THIRTY = ["gallery/thirty_grains_mpm.prm", COARSE, "Walls/top/Velocity=20", "Output/Fields every=5e-5",
           "Output/Snapshots every=2.5e-5", "Stop/End time=5e-5"]
 HELD = [COARSE, "Packing/Number=12", "Packing/Packing fraction=0.65"]
+EQUAL = ["Packing/Smallest diameter=1.75e-3", "Packing/Largest diameter=1.75e-3", "Primaries/Variants=2"]
+BONDED = ["gallery/thirty_grains_bpm.prm", *EQUAL]
 # A few steps each: with friction, with history, with grids that are laid anew, with walls of points, in balance.
 SCENES = {
     "two_disks": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4"],
@@ -36,6 +38,16 @@ SCENES = {
     "periodic": ["gallery/simple_shear_periodic.prm", COARSE, "Packing/Number=16", "Packing/Packing fraction=0.7",
                  "Stages/compress/Stop/End time=6.4e-5",
                  "Stages/shear/Stop/End time=1.28e-4"],
+    # More contacts than four thousand are swept by all ranks, fewer by each.
+    "bonded": [*BONDED, "Walls/top/Velocity=5", "Stop/End time=2e-5"],
+    "bonded_friction": [*BONDED, "Walls/top/Velocity=5", "Contact/Friction=0.3", "Contact/Rolling resistance=0.05",
+                        "Stop/End time=1e-5"],
+    "bonded_grain": ["gallery/one_grain_bpm.prm", "Walls/top/Velocity=5", "Stop/End time=1e-4"],
+    "bonded_cell": ["gallery/simple_shear_periodic_bpm.prm", *EQUAL, "Stages/compact/top/Drive=velocity",
+                    "Packing/Packing fraction=0.84", "Stages/compact/top/Velocity=60", "Stages/compact/top/Pressure=0",
+                    "Stages/compact/right/Drive=velocity", "Stages/compact/right/Pressure=0",
+                    "Stages/compact/Stop/End time=2e-5", "Stages/shear/top/Drive=velocity", "Stages/shear/top/Pressure=0",
+                    "Stages/shear/Stop/End time=1e-5"],
     "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
                       "Material points/Shape function=linear", "Material points/Fill limit=0.01",
                       "Material points/Grid update=every step", "Contact/Geometry=nodes", "Contact/Nodal gap=false",
@@ -153,6 +165,18 @@ class SameBits(RankRuns):
     def test_thesis_method(self):
         self.check("thesis_method")
 
+    def test_bonded(self):
+        self.check("bonded", (2, 3, 4))
+
+    def test_bonded_friction(self):
+        self.check("bonded_friction", (2,))
+
+    def test_bonded_grain(self):
+        self.check("bonded_grain", (2,))
+
+    def test_bonded_cell(self):
+        self.check("bonded_cell", (2,))
+
 
 class Restarts(RankRuns):
     """A checkpoint knows nothing of ranks: 4, then 3, then one process give what one process gives three times."""
@@ -171,6 +195,9 @@ class Restarts(RankRuns):
     def test_plastic(self):
         self.check("plastic", ("2e-5", "3e-5", "4e-5"))
 
+    def test_bonded(self):
+        self.check("bonded", ("5e-6", "1e-5", "2e-5"))
+
 
 class Ends(RankRuns):
     """However a run on several ranks ends, it ends, says so once, and leaves what can be gone on from."""
@@ -188,11 +215,6 @@ class Ends(RankRuns):
         return folder, process
 
     def test_refused(self):
-        scene = ["gallery/one_grain_bpm.prm"]
-        folder, done = self.run_on(2, scene, "bpm", expect=2)
-        self.assertEqual(done.stderr.count("softgrain: error: "), 1, done)
-        self.assertIn("'Model' = 'bpm' runs on one rank so far, and mpirun has started 2", done.stderr)
-        self.assertFalse(folder.exists())
         _, done = self.run_on(3, SCENES["two_disks"], "wrong", ["Contact/Friction=-1"], expect=2)
         self.assertEqual(done.stderr.count("softgrain: error: "), 1, done)
 
@@ -213,6 +235,13 @@ class Ends(RankRuns):
         said, error = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 3, error)
         self.assertEqual(said.count("the state is saved in"), 1, said)
+        self.assertEqual(len(states(folder)), 1)
+
+    def test_within_a_solve(self):
+        folder, process = self.start(2, LONG_STEPS["bpm"], scene=whole_runs.SCENES["bpm"])
+        process.send_signal(signal.SIGUSR1)
+        _, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, error)
         self.assertEqual(len(states(folder)), 1)
 
     def ranks_of(self, process, number):

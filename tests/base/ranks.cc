@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What ranks tell each other. Known: numbers go from their owners to all, to the bit; a failure of one is
-// everybody's, that of the lowest rank first; a request to stop that comes to one rank stops all at the same
-// place.
+// What ranks tell each other. Known: numbers go from their owners to all, and between neighbours, to the bit;
+// a failure of one is everybody's, that of the lowest rank first; a request to stop that comes to one rank
+// stops all at the same place.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/mpi_session.h>
@@ -39,6 +39,37 @@ unsigned int wrong_numbers(const Ranks &ranks)
   return wrong;
 }
 
+/// Numbers that differ from what the neighbours on a ring have sent, each a list of its own length.
+unsigned int wrong_messages(const Ranks &ranks)
+{
+  const unsigned int n = ranks.number(), here = ranks.here();
+  if (n < 2)
+    return 0;
+  const auto number = [](const unsigned int from, const unsigned int to, const std::size_t i)
+  { return value(10 * from + to) + i; };
+  unsigned int wrong = 0;
+  for (unsigned int round = 0; round < 20; ++round)
+  {
+    std::vector<std::vector<double>> out(n), in(n);
+    std::vector<Ranks::Message> outgoing, incoming;
+    for (const unsigned int other : {(here + 1) % n, (here + n - 1) % n})
+      if (out[other].empty()) // with two ranks both neighbours are the same
+      {
+        out[other].resize(1 + 3 * here + round);
+        in[other].resize(1 + 3 * other + round);
+        for (std::size_t i = 0; i < out[other].size(); ++i)
+          out[other][i] = number(here, other, i);
+        outgoing.push_back({other, out[other].data(), out[other].size()});
+        incoming.push_back({other, in[other].data(), in[other].size()});
+      }
+    ranks.swap(outgoing, incoming);
+    for (const Ranks::Message &message : incoming)
+      for (std::size_t i = 0; i < message.size; ++i)
+        wrong += message.begin[i] != number(message.rank, here, i);
+  }
+  return wrong;
+}
+
 /// What this rank catches when those from @p lowest on fail.
 std::string failure(const Ranks &ranks, const unsigned int lowest)
 {
@@ -66,7 +97,7 @@ int main(int argc, char **argv)
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
       parted(ranks.number());
   const unsigned int here = ranks.here();
-  wrong[here] = wrong_numbers(ranks);
+  wrong[here] = wrong_numbers(ranks) + wrong_messages(ranks);
   caught[here] = failure(ranks, last) == "no good on " + std::to_string(last) &&
                  failure(ranks, ranks.number()) == "none";
   await_telling_of_interruption();

@@ -95,6 +95,32 @@ public:
   /// Copies pieces from their owners to all. Every rank has the same list, with its own places.
   void share(const std::vector<Piece> &pieces) const;
 
+  /// Numbers in memory that one other rank sends, or gets.
+  struct Message
+  {
+    unsigned int rank; ///< the other one
+    double *begin;
+    std::size_t size;
+  };
+
+  /// Sends @p outgoing and waits for @p incoming; at most one message to and from every other rank, and what
+  /// one sends here, this one expects. No other ranks have to come.
+  void swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const;
+
+  /// What passes while it lives is work of this rank's own, but for what it waits.
+  class OwnWork
+  {
+  public:
+    explicit OwnWork(const Ranks &ranks);
+    ~OwnWork();
+    OwnWork(const OwnWork &) = delete;
+    OwnWork &operator=(const OwnWork &) = delete;
+
+  private:
+    const Ranks &ranks;
+    double begin = 0.; ///< [processor s]
+  };
+
   /// The text that @p owner has.
   std::string share(const std::string &text, unsigned int owner) const;
 

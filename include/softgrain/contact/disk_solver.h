@@ -6,6 +6,11 @@
 
 #include <string>
 
+namespace softgrain
+{
+class Ranks;
+}
+
 namespace softgrain::contact
 {
 /// Ways to solve the contacts between disks.
@@ -45,10 +50,14 @@ struct DiskSolverReport
  * @brief Solves the contacts: velocities of @p bodies go from free ones to those after contact.
  *
  * @p contacts brings the impulses to start from and takes those found. All threads work; the answer does not
- * depend on their number.
+ * depend on their number. With @p ranks, who all bring the same, these share the sweeps unless there are few
+ * contacts; the answer is the same and is known to all.
  * @throw ComputationError when something is not finite.
  */
-DiskSolverReport solve_disks(DiskBodies &bodies, DiskContacts &contacts, const DiskSolverSettings &settings);
+DiskSolverReport solve_disks(DiskBodies &bodies,
+                             DiskContacts &contacts,
+                             const DiskSolverSettings &settings,
+                             const Ranks *ranks = nullptr);
 } // namespace softgrain::contact
 
 #endif

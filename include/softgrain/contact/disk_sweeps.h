@@ -3,11 +3,13 @@
 #define softgrain_contact_disk_sweeps_h
 
 #include <softgrain/contact/disk_rows.h>
+#include <softgrain/contact/disk_share.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/thread_team.h>
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -20,6 +22,9 @@ namespace softgrain::contact
  * A contact would have to wait for a velocity that the contact before it has just written. So the contacts of
  * a tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
  * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
+ *
+ * Several ranks share the contacts, see DiskShare; each packs and sweeps its own. Only store_impulses() and
+ * store_velocities() make all known to all. All ranks call the same in the same order.
  * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
  * @tparam in_cell contacts know their branch, and a cell that deforms parts or closes them. Where that is
  * free to deform, it has a part in all contacts, which are then swept one after the other
@@ -35,8 +40,15 @@ public:
     double approach = 0.;    ///< largest speed of approach that an impulse could still change [m/s]
   };
 
-  /// Packs; set_free_velocities() comes next. The first two arguments have to stay.
-  DiskSweeps(const DiskBodies &bodies, const DiskContacts &contacts, ThreadTeam &team);
+  /// Packs; set_free_velocities() comes next. All arguments have to stay; without @p ranks, or where the cell
+  /// is free to deform, this one sweeps all contacts.
+  DiskSweeps(const DiskBodies &bodies,
+             const DiskContacts &contacts,
+             ThreadTeam &team,
+             const Ranks *ranks = nullptr);
+
+  /// Whether this rank sweeps only a part of the contacts.
+  bool shared() const { return share.has_value(); }
 
   /// Velocities of the bodies as they are without impulses.
   void set_free_velocities();
@@ -54,7 +66,7 @@ public:
    * Every contact once, from the impulses and velocities extrapolated by @p momentum times their last change.
    *
    * @return Σ W (y - P)·(P - P_old), y extrapolated, P after, P_old before: above 0 the momentum points
-   * uphill.
+   * uphill. With several ranks only where n is 1, else 0: nobody asks for it.
    */
   double sweep_with_momentum(double momentum);
 
@@ -71,17 +83,14 @@ public:
   /// Impulses to @p contacts, in the order that they came in.
   void store_impulses(DiskContacts &contacts);
   /// Velocities to @p bodies; those without contact stay as they are.
-  void store_velocities(DiskBodies &bodies) const;
+  void store_velocities(DiskBodies &bodies);
 
 private:
   using Row = std::conditional_t<in_cell, DiskRowInCell<n>, DiskRow<n>>;
   using State = DiskState<(n > 1)>;
   static constexpr unsigned int n_velocities = n > 1 ? 3 : 2;
 
-  struct Range
-  {
-    std::uint32_t first, last;
-  };
+  using Range = ContactRange;
 
   std::size_t n_bodies() const { return original_of.size(); }
   void number_bodies();
@@ -93,10 +102,21 @@ private:
   /// Tells the cell of an impulse.
   void move_cell(const Row &row, const double (&change)[n]);
 
-  /// Calls work(range, is_wall, index of the range): ranges of one colour at the same time, walls last.
+  double &velocity(const std::size_t body, const unsigned int component)
+  {
+    if constexpr (n > 1)
+      if (component == 2)
+        return states[body].angular_velocity;
+    return states[body].velocity[component];
+  }
+  /// Ranges of a colour from here to there, at the same time.
+  template <class Work>
+  void run(std::pair<std::uint32_t, std::uint32_t> some, const Work &work);
+  /// Calls work(range, is_wall, index of the range): ranges of one colour at the same time, walls last. After
+  /// each colour the ranks tell each other what has changed.
   template <class Work>
   void for_ranges(const Work &work);
-  /// As for_ranges(), but all ranges at the same time: for work that only reads bodies.
+  /// As for_ranges(), but without word between colours: for work that only reads bodies.
   template <class Work>
   void for_ranges_at_once(const Work &work);
   template <class Work>
@@ -121,6 +141,7 @@ private:
   std::vector<std::uint32_t> wall_of;     ///< per contact with a wall, in the order of the rows
   unsigned int n_walls = 0;
   std::vector<double> sums, approach; ///< one per range
+  std::optional<DiskShare> share;     ///< with other ranks
   std::vector<std::array<double, n>> saved;
 };
 

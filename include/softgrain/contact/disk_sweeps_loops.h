@@ -29,6 +29,15 @@ void DiskSweeps<n, in_cell>::interleave(const Range range, const Work &work)
 
 template <unsigned int n, bool in_cell>
 template <class Work>
+void DiskSweeps<n, in_cell>::run(const std::pair<std::uint32_t, std::uint32_t> some, const Work &work)
+{
+  const std::uint32_t first = some.first, walls = ranges.size() - 1;
+  team.run(some.second - first,
+           [&](const std::uint32_t i) { work(ranges[first + i], first + i == walls, first + i); });
+}
+
+template <unsigned int n, bool in_cell>
+template <class Work>
 void DiskSweeps<n, in_cell>::for_ranges(const Work &work)
 {
   if (in_cell && cell.is_free())
@@ -37,33 +46,50 @@ void DiskSweeps<n, in_cell>::for_ranges(const Work &work)
       work(ranges[i], i + 1 == ranges.size(), i);
     return;
   }
+  if (share)
+  {
+    for (std::size_t colour = 0; colour < share->n_colours(); ++colour)
+    {
+      run(share->own_ranges(colour), work);
+      share->template tell<n_velocities>(colour,
+                                         [this](const std::uint32_t body, const unsigned int c) -> double &
+                                         { return velocity(body, c); });
+    }
+    return;
+  }
   std::uint32_t first = 0;
   for (const std::uint32_t end : colour_end)
   {
-    team.run(end - first, [&](const std::uint32_t i) { work(ranges[first + i], false, first + i); });
+    run({first, end}, work);
     first = end;
   }
-  work(ranges.back(), true, ranges.size() - 1);
+  run({first, first + 1}, work);
 }
 
 template <unsigned int n, bool in_cell>
 template <class Work>
 void DiskSweeps<n, in_cell>::for_ranges_at_once(const Work &work)
 {
-  team.run(ranges.size(), [&](const std::uint32_t i) { work(ranges[i], i + 1 == ranges.size(), i); });
+  if (!share)
+    run({0, ranges.size()}, work);
+  else
+    for (std::size_t colour = 0; colour < share->n_colours(); ++colour)
+      run(share->own_ranges(colour), work);
 }
 
 template <unsigned int n, bool in_cell>
 template <class Work>
 void DiskSweeps<n, in_cell>::for_bodies(const Work &work)
 {
-  const std::uint32_t n_pieces = (n_bodies() + disk_bodies_per_piece - 1) / disk_bodies_per_piece;
+  const std::vector<std::uint32_t> *const own = share ? &share->own_bodies() : nullptr;
+  const std::size_t number = own != nullptr ? own->size() : n_bodies();
+  const std::uint32_t n_pieces = (number + disk_bodies_per_piece - 1) / disk_bodies_per_piece;
   team.run(n_pieces,
            [&](const std::uint32_t piece)
            {
-             const std::size_t end = std::min<std::size_t>(n_bodies(), (piece + 1) * disk_bodies_per_piece);
+             const std::size_t end = std::min<std::size_t>(number, (piece + 1) * disk_bodies_per_piece);
              for (std::size_t i = piece * disk_bodies_per_piece; i < end; ++i)
-               work(i);
+               work(own != nullptr ? (*own)[i] : i);
            });
 }
 } // namespace softgrain::contact

@@ -3,6 +3,7 @@
 #define softgrain_bpm_bpm_model_h
 
 #include <softgrain/base/expression.h>
+#include <softgrain/base/ranks.h>
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/driving/balance.h>
@@ -63,6 +64,7 @@ public:
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
+  RankTimes rank_times() const override { return ranks.taken(); }
   void save(StateWriter &) const override;
   void load(StateReader &) override;
 
@@ -73,6 +75,8 @@ private:
   void grade(Primaries &disks) const;
   void check_places() const;
   double wanted_step() const;
+  /// @throw ComputationError when ranks have come to different steps
+  void check_ranks_agree(const StepReport &report) const;
   void drive_walls(double dt);
   /// Why a step that was not good enough is refused; @p limit of the penetration [m].
   std::string why_not(const DynamicsReport &report, double limit) const;
@@ -87,6 +91,7 @@ private:
 
   Scene<2> scene;
   Settings settings;
+  Ranks ranks; ///< all have all primaries; they share the making of aggregates and the contact solve
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
   std::vector<Wall> moving_walls;

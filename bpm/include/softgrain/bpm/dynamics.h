@@ -101,6 +101,9 @@ public:
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
   void set_obstacles(std::vector<Obstacle> *list) { obstacles = list; }
 
+  /// Ranks that all have the same primaries, and share the contact solve; null: none. They have to stay.
+  void set_ranks(const Ranks *list) { ranks = list; }
+
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
 
@@ -252,6 +255,7 @@ private:
   std::vector<std::vector<Found>> found; ///< contacts of every tile
   std::vector<double> tile_energy;
   dealii::TimerOutput *timer = nullptr;
+  const Ranks *ranks = nullptr;
 };
 } // namespace softgrain::bpm
 

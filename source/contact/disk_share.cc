@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/disk_share.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::contact
+{
+namespace
+{
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+} // namespace
+
+DiskShare::DiskShare(const Ranks &ranks,
+                     const DiskContacts &contacts,
+                     const std::vector<std::uint32_t> &number_of,
+                     const std::size_t n_bodies,
+                     const std::vector<ContactRange> &ranges,
+                     const std::vector<std::uint32_t> &colour_end)
+    : ranks(ranks), ranges(ranges)
+{
+  divide(colour_end);
+  find_exchanges(contacts, number_of, n_bodies);
+}
+
+void DiskShare::divide(const std::vector<std::uint32_t> &colour_end)
+{
+  const unsigned int n = ranks.number();
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : colour_end)
+  {
+    double all = 0., before = 0.;
+    for (std::uint32_t i = begin; i < end; ++i)
+      all += ranges[i].last - ranges[i].first;
+    std::vector<std::uint32_t> ends(n, end);
+    std::uint32_t at = begin;
+    for (unsigned int r = 0; r < n; ++r)
+    {
+      // A range belongs to the rank in whose part its middle lies.
+      for (; at < end; ++at)
+      {
+        const double size = ranges[at].last - ranges[at].first;
+        if ((before + 0.5 * size) * n >= (r + 1) * all && r + 1 < n)
+          break;
+        before += size;
+      }
+      ends[r] = at;
+    }
+    end_of.push_back(ends);
+    begin = end;
+  }
+  end_of.emplace_back(n, begin + 1);
+}
+
+std::pair<std::uint32_t, std::uint32_t> DiskShare::range_of(const std::size_t colour,
+                                                            const unsigned int rank) const
+{
+  const std::uint32_t begin = rank > 0     ? end_of[colour][rank - 1]
+                              : colour > 0 ? end_of[colour - 1].back()
+                                           : 0;
+  return {begin, end_of[colour][rank]};
+}
+
+template <class Work>
+void DiskShare::for_bodies(const DiskContacts &contacts,
+                           const std::vector<std::uint32_t> &number_of,
+                           const Work &work) const
+{
+  for (std::size_t colour = 0; colour < n_colours(); ++colour)
+    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    {
+      const auto [begin, end] = range_of(colour, rank);
+      for (std::uint32_t range = begin; range < end; ++range)
+        for (std::uint32_t i = ranges[range].first; i < ranges[range].last; ++i)
+        {
+          work(colour, rank, number_of[contacts.a[i]]);
+          work(colour, rank, number_of[contacts.b[i]]);
+        }
+    }
+}
+
+void DiskShare::find_exchanges(const DiskContacts &contacts,
+                               const std::vector<std::uint32_t> &number_of,
+                               const std::size_t n_bodies)
+{
+  const unsigned int here = ranks.here();
+  // Most bodies are with one rank only; those with more are few, and get a list of their ranks.
+  std::vector<std::uint32_t> lowest(n_bodies, none), list_of(n_bodies, none);
+  std::vector<char> is_here(n_bodies, 0);
+  std::vector<std::vector<unsigned int>> ranks_of;
+  for_bodies(contacts, number_of,
+             [&](std::size_t, const unsigned int rank, const std::uint32_t body)
+             {
+               if (rank == here)
+                 is_here[body] = 1;
+               if (lowest[body] == none)
+                 lowest[body] = rank;
+               else if (lowest[body] != rank && list_of[body] == none)
+               {
+                 list_of[body] = ranks_of.size();
+                 ranks_of.emplace_back();
+               }
+               lowest[body] = std::min<std::uint32_t>(lowest[body], rank);
+             });
+  for_bodies(contacts, number_of,
+             [&](std::size_t, const unsigned int rank, const std::uint32_t body)
+             {
+               if (list_of[body] == none)
+                 return;
+               std::vector<unsigned int> &list = ranks_of[list_of[body]];
+               if (std::find(list.begin(), list.end(), rank) == list.end())
+                 list.push_back(rank);
+             });
+
+  const auto with = [](std::vector<Exchange> &list, const unsigned int rank) -> Exchange &
+  {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [rank](const Exchange &one) { return one.rank == rank; });
+    if (found != list.end())
+      return *found;
+    list.emplace_back();
+    list.back().rank = rank;
+    return list.back();
+  };
+  send.resize(n_colours());
+  receive.resize(n_colours());
+  for_bodies(contacts, number_of,
+             [&](const std::size_t colour, const unsigned int rank, const std::uint32_t body)
+             {
+               if (list_of[body] == none)
+                 return;
+               if (rank == here)
+               {
+                 for (const unsigned int other : ranks_of[list_of[body]])
+                   if (other != here)
+                     with(send[colour], other).bodies.push_back(body);
+               }
+               else if (is_here[body])
+                 with(receive[colour], rank).bodies.push_back(body);
+             });
+  for (auto *all : {&send, &receive})
+    for (std::vector<Exchange> &of_colour : *all)
+      for (Exchange &one : of_colour)
+      {
+        std::sort(one.bodies.begin(), one.bodies.end());
+        one.bodies.erase(std::unique(one.bodies.begin(), one.bodies.end()), one.bodies.end());
+      }
+  owned.resize(ranks.number());
+  for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    owned[rank].rank = rank;
+  for (std::uint32_t body = 0; body < n_bodies; ++body)
+  {
+    owned[lowest[body]].bodies.push_back(body);
+    if (is_here[body])
+      touched.push_back(body);
+  }
+}
+
+void DiskShare::swap(const std::size_t colour, const unsigned int n)
+{
+  std::vector<Ranks::Message> outgoing, incoming;
+  for (Exchange &one : send[colour])
+    outgoing.push_back({one.rank, one.numbers.data(), one.numbers.size()});
+  for (Exchange &one : receive[colour])
+  {
+    one.numbers.resize(n * one.bodies.size());
+    incoming.push_back({one.rank, one.numbers.data(), one.numbers.size()});
+  }
+  ranks.swap(outgoing, incoming);
+}
+
+void DiskShare::share_contacts(std::vector<double> &of_contacts) const
+{
+  std::vector<Ranks::Piece> pieces;
+  for (std::size_t colour = 0; colour < n_colours(); ++colour)
+    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    {
+      const auto [begin, end] = range_of(colour, rank);
+      if (begin < end)
+        pieces.push_back(
+            {rank, &of_contacts[0] + ranges[begin].first, ranges[end - 1].last - ranges[begin].first});
+    }
+  ranks.share(pieces);
+}
+
+void DiskShare::share_ranges(std::vector<double> &of_ranges) const
+{
+  std::vector<Ranks::Piece> pieces;
+  for (std::size_t colour = 0; colour < n_colours(); ++colour)
+    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    {
+      const auto [begin, end] = range_of(colour, rank);
+      pieces.push_back({rank, &of_ranges[0] + begin, end - begin});
+    }
+  ranks.share(pieces);
+}
+
+void DiskShare::share_walls(std::vector<double> &of_walls) const
+{
+  ranks.share({{0, of_walls.data(), of_walls.size()}});
+}
+
+void DiskShare::take_largest(std::vector<double> &numbers) const
+{
+  const std::size_t n = numbers.size();
+  std::vector<double> all(ranks.number() * n);
+  std::copy(numbers.begin(), numbers.end(), all.begin() + ranks.here() * n);
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    pieces.push_back({rank, &all[rank * n], n});
+  ranks.share(pieces);
+  for (std::size_t i = 0; i < n; ++i)
+    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    {
+      const double other = all[rank * n + i];
+      if (!std::isnan(numbers[i]) && !(other <= numbers[i]))
+        numbers[i] = other;
+    }
+}
+} // namespace softgrain::contact

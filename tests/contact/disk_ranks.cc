@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contacts between disks, swept by several ranks. Known: what one rank finds by itself, to the last bit;
+// ranks that share it exchange less than all velocities after every colour.
+#include "packing.h"
+
+#include <softgrain/base/mpi_session.h>
+#include <softgrain/base/ranks.h>
+#include <softgrain/contact/disk_solver.h>
+
+#include <iostream>
+#include <random>
+
+using namespace softgrain;
+using contact::DiskAlgorithm;
+
+namespace
+{
+/// Walls that close in on disks with random velocities; the right and the upper one have a mass.
+DiskSystem random_system(const SystemSettings &settings)
+{
+  const Packing packing = lattice_packing(80, 60);
+  DiskSystem system = make_system(packing, settings);
+  squeeze(system, packing, 0.1, false);
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal(0., 0.1);
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    system.bodies.velocity[i] = {{normal(generator), normal(generator)}};
+  system.bodies.inverse_mass[packing.size() + 1] = 0.1;
+  system.bodies.inverse_mass[packing.size() + 3] = 0.02;
+  return system;
+}
+
+bool same(const DiskSystem &one, const DiskSystem &other)
+{
+  return one.bodies.velocity == other.bodies.velocity &&
+         one.bodies.angular_velocity == other.bodies.angular_velocity &&
+         one.contacts.impulse == other.contacts.impulse &&
+         one.contacts.tangential_impulse == other.contacts.tangential_impulse &&
+         one.contacts.rolling_impulse == other.contacts.rolling_impulse;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const MPISession mpi(argc, argv);
+  const Ranks ranks;
+  for (const double friction : {-1., 0.3})
+    for (const bool rolling : {false, true})
+      for (const DiskAlgorithm algorithm : {DiskAlgorithm::gauss_seidel, DiskAlgorithm::accelerated})
+      {
+        if (rolling && friction < 0.)
+          continue;
+        SystemSettings settings;
+        settings.reach = 0.3;
+        settings.friction = friction;
+        settings.rolling = rolling ? 0.02 : -1.;
+        contact::DiskSolverSettings solver;
+        solver.algorithm = algorithm;
+        solver.tolerance = 1e-3;
+        solver.max_sweeps = 200000;
+        const DiskSystem start = random_system(settings);
+        DiskSystem alone = start, shared = start;
+        const auto expected = solve_disks(alone.bodies, alone.contacts, solver);
+        const auto bytes = ranks.taken().bytes;
+        const auto found = solve_disks(shared.bodies, shared.contacts, solver, &ranks);
+        const double told = static_cast<double>(ranks.taken().bytes - bytes) / found.sweeps;
+        const bool here = same(alone, shared) && expected.converged && found.sweeps == expected.sweeps &&
+                          found.residual == expected.residual;
+        const bool wrong = ranks.any(!here);
+        const double all = start.bodies.size() * (friction > 0. ? 24. : 16.);
+        const bool little = !ranks.any(told > 0.3 * all);
+        if (ranks.first())
+          std::cout << "friction " << friction << ", rolling " << rolling
+                    << (algorithm == DiskAlgorithm::accelerated ? ", momentum" : ", plain")
+                    << ": the same bits " << !wrong << ", a rank is told "
+                    << (told == 0. ? "nothing"
+                        : little   ? "little"
+                                   : "much")
+                    << " in a sweep\n";
+        if (ranks.first())
+          std::cerr << told << " of " << all << " bytes, " << found.sweeps << " sweeps\n";
+      }
+}
