@@ -28,6 +28,9 @@ constexpr double rim = 1.1;                    ///< that primaries leave empty, 
 constexpr double aggregate_seconds = 3e-2;     ///< of an aggregate, however small
 constexpr double packing_seconds = 4e-3;       ///< of a grain
 constexpr double primary_memory = 1.8e3;       ///< [bytes]
+constexpr double divided_work = 0.87;          ///< among ranks, see doc/ranks.md
+constexpr double strip = 1000.; ///< primaries that are swept one after the other; a rank has two at least
+constexpr double contacts_to_share = 4000.; ///< that a solve has at least, for ranks to share it
 } // namespace fitted
 
 /// Those of one body: fewer the larger they are, because none reaches beyond the outline.
@@ -103,6 +106,8 @@ Forecast forecast(const Scene<2> &scene,
   if (run.to_pack)
     result.preparation += fitted::packing_seconds * run.crowd.n_bodies();
   result.memory = fitted::primary_memory * result.n_points;
+  if (fitted::contacts * result.n_points > fitted::contacts_to_share)
+    result.divided = {1., fitted::divided_work, 0., 0.5 * result.n_points / fitted::strip};
   result.warnings = warnings(relative_step, run, fewest);
   result.sizes = {{"primaries", "about " + count_in_words(result.n_points)},
                   {"mean diameter", "about " + text(diameter, " m")},

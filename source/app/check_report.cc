@@ -51,11 +51,34 @@ SizeReport cost_report(const RunOutline &outline, const Forecast &forecast)
   return report;
 }
 
+namespace
+{
+/// What falls to one of @p n ranks, beside what they wait for each other.
+SizeReport cost_of_rank(const Forecast &whole, const unsigned int n)
+{
+  const Forecast one = whole.of_rank(n);
+  const double memory = start_memory + one.memory;
+  SizeReport report;
+  const auto time = [](const double seconds)
+  { return "about " + duration_in_words(slowness_of_machine() * seconds); };
+  if (one.n_steps > 0.)
+    report.emplace_back("of one of " + std::to_string(n) + " ranks",
+                        time(start_seconds + one.seconds()) + " of processor time, and what it waits");
+  else
+    report.emplace_back("of one of " + std::to_string(n) + " ranks",
+                        time(1000. * one.step_seconds) + " for 1000 steps, and what it waits");
+  report.emplace_back("memory of a rank", "about " + bytes_in_words(memory) +
+                                              ", of all on one machine about " + bytes_in_words(n * memory));
+  return report;
+}
+} // namespace
+
 void print_check_report(std::ostream &out,
                         const Input &input,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
-                        const Model<2> *model)
+                        const Model<2> *model,
+                        const unsigned int n_ranks)
 {
   const Scene<2> &scene = input.scene();
   const RunParameters &run = input.run();
@@ -94,10 +117,12 @@ void print_check_report(std::ostream &out,
   }
   if (forecast)
     append(cost_report(*outline, *forecast));
+  if (forecast && n_ranks > 0)
+    append(cost_of_rank(*forecast, n_ranks));
   print_size_report(out, report);
   if (!forecast)
     return;
-  std::vector<std::string> warnings = forecast->warnings;
+  std::vector<std::string> warnings = n_ranks > 0 ? forecast->of_rank(n_ranks).warnings : forecast->warnings;
   if (start_memory + forecast->memory > 0.9 * memory_of_machine())
     warnings.push_back("about " + bytes_in_words(start_memory + forecast->memory) +
                        " of memory are needed, this machine has " + bytes_in_words(memory_of_machine()));

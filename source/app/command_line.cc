@@ -102,6 +102,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   add_input(check_command);
   check_command->add_flag("--build", build,
                           "make the packing and the model, which may take long, to say exact sizes");
+  check_command->add_option("--ranks", n_ranks, "say also what falls to one rank of so many, under mpirun")
+      ->check(CLI::Range(1u, 1000000u));
   CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
   parameters_command->add_option("--model", model,
                                  "model whose parameters are printed: mpm (default) or bpm");
@@ -222,6 +224,17 @@ int CommandLine::execute()
   }
 }
 
+namespace
+{
+/// @throw InputError for a model that one rank alone can run
+void check_works_on_ranks(const std::string &model, const unsigned int n_ranks)
+{
+  if (!Registry<ModelFactory>::instance().create(model)->works_on_ranks())
+    throw InputError("'Model' = '" + model + "' runs on one rank, not on " + std::to_string(n_ranks) +
+                     ": leave mpirun out and choose the number of threads with --threads");
+}
+} // namespace
+
 std::unique_ptr<Input> CommandLine::read_input() const
 {
   const Ranks ranks;
@@ -230,11 +243,8 @@ std::unique_ptr<Input> CommandLine::read_input() const
       [&]()
       {
         input = std::make_unique<Input>(parameter_file, assignments);
-        const std::string &model = input->run().model;
-        if (!ranks.alone() && !Registry<ModelFactory>::instance().create(model)->works_on_ranks())
-          throw InputError("'Model' = '" + model + "' runs on one rank, and mpirun has started " +
-                           std::to_string(ranks.number()) +
-                           ": leave mpirun out and choose the number of threads with --threads");
+        if (!ranks.alone())
+          check_works_on_ranks(input->run().model, ranks.number());
       });
   // With several ranks deal.II has shared the cores of a machine out already.
   if (ranks.alone() || input->run().threads != 0)
@@ -299,6 +309,8 @@ void CommandLine::check() const
 {
   const std::unique_ptr<Input> read = read_input();
   Input &input = *read;
+  if (n_ranks > 1)
+    check_works_on_ranks(input.run().model, n_ranks);
   const std::optional<RunOutline> outline = outline_of(input);
   const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
   std::unique_ptr<Model<2>> model;
@@ -306,7 +318,7 @@ void CommandLine::check() const
   if (build || !forecast || forecast->is_soon_built())
     model = input.create_model();
   if (Ranks().first())
-    print_check_report(std::cout, input, outline, forecast, model.get());
+    print_check_report(std::cout, input, outline, forecast, model.get(), n_ranks);
 }
 
 void CommandLine::measure() const

@@ -32,6 +32,20 @@ double RunOutline::n_steps(const double dt) const
   return std::ceil(duration / every * std::ceil(every / dt * slack) * slack);
 }
 
+Forecast Forecast::of_rank(const unsigned int n) const
+{
+  const double ranks = std::max(1., std::min<double>(n, divided.pieces));
+  const auto part = [ranks](const double divided_part) { return 1. - divided_part * (1. - 1. / ranks); };
+  Forecast one = *this;
+  one.preparation *= part(divided.preparation);
+  one.step_seconds *= part(divided.step);
+  one.memory *= part(divided.memory);
+  if (n > divided.pieces)
+    one.warnings.push_back(std::to_string(n) + " ranks, but there is work for about " +
+                           count_in_words(std::max(1., std::floor(divided.pieces))));
+  return one;
+}
+
 std::string count_in_words(const double number)
 {
   return in_units(number, {{1., ""}, {1e6, " million"}, {1e9, " thousand million"}});

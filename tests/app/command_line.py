@@ -175,6 +175,36 @@ class Listing(unittest.TestCase):
             self.assertIn(said, errors)
 
 
+class CheckRanks(unittest.TestCase):
+    """What falls to one rank: less the more there are, but not below what all do alike; a bound on how many help."""
+
+    def said(self, scene, ranks):
+        status, printed, errors = softgrain("check", os.path.join(REPOSITORY, "parameters", scene), "--ranks", str(ranks))
+        self.assertEqual((status, errors), (0, ""))
+        seconds = {}
+        for name, text in re.findall(r"(processor time|of one of) .*about (.*?)(?: of processor time.*)?$", printed, re.M):
+            numbers = re.findall(r"([\d.]+) (h|min|s)", text)
+            seconds[name] = sum(float(number) * {"h": 3600, "min": 60, "s": 1}[unit] for number, unit in numbers)
+        return seconds["of one of"] / seconds["processor time"], printed
+
+    def test_shares(self):
+        # Share of the work that is divided, of 300 grains; both are measured, see doc/ranks.md.
+        for scene, divided in (("thesis/uniaxial_compaction_mpm.prm", 0.74), ("thesis/uniaxial_compaction_bpm.prm", 0.87)):
+            for ranks in (1, 4, 16):
+                share, printed = self.said(scene, ranks)
+                # The speed of the machine is measured each time, and there are two digits.
+                self.assertAlmostEqual(share, 1 - divided * (1 - 1 / ranks), delta=0.06 + 0.1 * share)
+                self.assertNotIn("there is work for", printed)
+
+    def test_too_many(self):
+        _, printed = self.said("gallery/two_disks.prm", 4)
+        self.assertEqual(printed.count("warning: 4 ranks, but there is work for about 2\n"), 1, printed)
+
+    def test_refused(self):
+        status, _, errors = softgrain("check", SCENE, "--ranks", "0")
+        self.assertEqual((status, errors.count("--ranks")), (2, 1), errors)
+
+
 class Warnings(unittest.TestCase):
     def test_law_that_is_not_chosen(self):
         """What is set for another law than that of the material is read by nobody."""

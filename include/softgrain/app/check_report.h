@@ -16,12 +16,14 @@ class Input;
  * warnings.
  * @param outline, forecast where they are known
  * @param model exact sizes; null: those of the forecast
+ * @param n_ranks for which the cost of one rank is said; 0: that of one process alone
  */
 void print_check_report(std::ostream &out,
                         const Input &input,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
-                        const Model<2> *model);
+                        const Model<2> *model,
+                        unsigned int n_ranks = 0);
 
 /// Length, steps, processor time on this machine, which is measured, and memory that a run is expected to
 /// take.

@@ -52,6 +52,7 @@ private:
   Command command = Command::run;
   std::string parameter_file;
   std::vector<std::string> assignments; ///< those of --output and --threads included
+  unsigned int n_ranks = 0;             ///< that check is to say the cost of; 0: none
   bool build = false;                   ///< check is to make packing and model
   bool restart = false;
   bool overwrite = false;

@@ -37,6 +37,7 @@ constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 1.6;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
+constexpr double divided_work = 0.74, divided_memory = 0.31; ///< among ranks, see doc/ranks.md
 } // namespace fitted
 
 /// What a body costs.
@@ -263,6 +264,7 @@ Forecast forecast(const Scene<2> &scene,
   result.preparation = fitted::preparation_seconds * points +
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
+  result.divided = {0., fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
   result.warnings = warnings(scene, settings, run, result.step, cfl);
   const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.finest_cell() *
                               (1. - 1e-9)),
