@@ -81,16 +81,21 @@ template <unsigned int n, bool in_cell>
 template <class Work>
 void DiskSweeps<n, in_cell>::for_bodies(const Work &work)
 {
-  const std::vector<std::uint32_t> *const own = share ? &share->own_bodies() : nullptr;
-  const std::size_t number = own != nullptr ? own->size() : n_bodies();
-  const std::uint32_t n_pieces = (number + disk_bodies_per_piece - 1) / disk_bodies_per_piece;
-  team.run(n_pieces,
-           [&](const std::uint32_t piece)
-           {
-             const std::size_t end = std::min<std::size_t>(number, (piece + 1) * disk_bodies_per_piece);
-             for (std::size_t i = piece * disk_bodies_per_piece; i < end; ++i)
-               work(own != nullptr ? (*own)[i] : i);
-           });
+  const auto in_pieces = [&](const std::size_t number, const auto &one)
+  {
+    const std::uint32_t n_pieces = (number + disk_bodies_per_piece - 1) / disk_bodies_per_piece;
+    team.run(n_pieces,
+             [&](const std::uint32_t piece)
+             {
+               const std::size_t end = std::min<std::size_t>(number, (piece + 1) * disk_bodies_per_piece);
+               for (std::size_t i = piece * disk_bodies_per_piece; i < end; ++i)
+                 one(i);
+             });
+  };
+  if (!share)
+    return in_pieces(n_bodies(), work);
+  const std::vector<std::uint32_t> &own = share->own_bodies();
+  in_pieces(own.size(), [&](const std::size_t i) { work(own[i]); });
 }
 } // namespace softgrain::contact
 
