@@ -14,7 +14,7 @@ import unittest
 import h5py
 
 import whole_runs
-from whole_runs import LONG_STEPS, MANY_STEPS, PARAMETERS, PROGRAM, WORK, states, status
+from whole_runs import LONG_STEPS, MANY_STEPS, PARAMETERS, PROGRAM, WORK, states, status, wait_for_rows
 
 MPIRUN = shutil.which("mpirun")
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -207,9 +207,7 @@ class Ends(RankRuns):
         process = subprocess.Popen(launch(ranks, words(scene, folder, settings)), stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
         self.addCleanup(lambda: process.poll() is None and process.kill())
-        deadline = time.monotonic() + 60
-        while not (folder / "history.csv").exists() and process.poll() is None and time.monotonic() < deadline:
-            time.sleep(0.02)
+        wait_for_rows(folder, 1, process)
         time.sleep(seconds)
         self.assertIsNone(process.poll())
         return folder, process

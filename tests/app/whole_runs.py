@@ -42,6 +42,21 @@ def states(folder):
     return sorted(folder.glob("state-*.h5"))
 
 
+def wait_for_rows(folder, number, process=None):
+    """
+    Waits until the history has so many lines, or the process has ended: no machine is too fast or too slow for that. False after
+    a minute.
+    """
+    path, deadline = folder / "history.csv", time.monotonic() + 60
+    while not path.exists() or path.read_bytes().count(b"\n") < number:
+        if process is not None and process.poll() is not None:
+            return True
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.005)
+    return True
+
+
 class Runs(unittest.TestCase):
     def setUp(self):
         self.folder = WORK / self.id().split(".", 1)[1]
@@ -57,11 +72,7 @@ class Runs(unittest.TestCase):
         return done.stdout, done.stderr
 
     def wait_for_rows(self, number):
-        """Waits for so many lines of the history: no machine is too fast or too slow for that."""
-        path, deadline = self.folder / "history.csv", time.monotonic() + 60
-        while not path.exists() or path.read_bytes().count(b"\n") < number:
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.005)
+        self.assertTrue(wait_for_rows(self.folder, number))
 
     @contextlib.contextmanager
     def running(self, model, *words, settings=(), seconds=0.7):
@@ -69,9 +80,7 @@ class Runs(unittest.TestCase):
         process = subprocess.Popen(command(model, self.folder, *words, settings=settings), stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
         try:
-            deadline = time.monotonic() + 60
-            while not (self.folder / "history.csv").exists() and process.poll() is None and time.monotonic() < deadline:
-                time.sleep(0.02)
+            wait_for_rows(self.folder, 1, process)
             time.sleep(seconds)
             self.assertIsNone(process.poll())
             yield process
