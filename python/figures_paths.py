@@ -93,8 +93,8 @@ def stages_of(output):
     return [(name, begin, end) for name, begin, end in zip(names, begins, ends) if end is not None and begin is not None]
 
 
-def is_driven(output, stage, wall):
-    return str(output.parameters.get(f"Stages/{stage}/{wall}/Drive", "as before")) in ("velocity", "position")
+def is_driven(output, stage, wall, drives=("velocity", "position")):
+    return str(output.parameters.get(f"Stages/{stage}/{wall}/Drive", "as before")) in drives
 
 
 def part_of(measures, begin, end, first):
@@ -113,7 +113,9 @@ def read_path(directory):
     if missing:
         raise InputError(f"{directory}: measures.csv has no {missing[0]}; set Output/Measures = all, or run "
                          f"'softgrain measure {directory}'")
-    sheared = [k for k, (name, *_) in enumerate(stages) if is_driven(output, name, "top")]
+    # Walls may come to the grains at a velocity before they press.
+    pressed = [k for k, (name, *_) in enumerate(stages) if is_driven(output, name, "top", ("pressure",))]
+    sheared = [k for k, (name, *_) in enumerate(stages) if k > min(pressed, default=-1) and is_driven(output, name, "top")]
     last = sheared[0] - 1 if sheared else len(stages) - 1
     if last < 0:
         raise InputError(f"{directory} begins with a wall that is driven: there is no isotropic state before it")
