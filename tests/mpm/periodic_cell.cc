@@ -193,8 +193,9 @@ void shear_stress(const std::string &what, const Changes &changes)
     if (i > 0)
       off = std::max(off, std::abs(std::abs(stress.xy) / 2e4 - 1.));
   }
-  std::cout << what << ": stress along top off by " << below(5e-3, off) << ", asymmetry " << below(0.01, asymmetry)
-            << ", slid " << (model->walls()[1].offset < 0. ? "along" : "AGAINST") << " it" << std::endl;
+  std::cout << what << ": stress along top off by " << below(5e-3, off) << ", asymmetry "
+            << below(0.01, asymmetry) << ", slid " << (model->walls()[1].offset < 0. ? "along" : "AGAINST")
+            << " it" << std::endl;
 }
 } // namespace
 
@@ -205,6 +206,5 @@ int main()
   compact("compaction", {});
   shear("simple shear", {"Contact/Friction=0"});
   shear("with friction", {"Contact/Friction=0.5"});
-  shear_stress("under a shear stress", {"Contact/Friction=0"});
-  shear_stress("with friction", {"Contact/Friction=0.5"});
+  shear_stress("under a shear stress", {"Contact/Friction=0.5"});
 }
