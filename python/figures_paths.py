@@ -31,7 +31,7 @@ class Path:
     output: softgrain.Run
     model: str
     friction: float
-    pressure: float       # p_c: that on the wall which keeps it, at the end of the isotropic stage [Pa]
+    pressure: float       # p_c: that the wall on the right is to keep, or has at the end of the isotropic stage [Pa]
     stiffness: float      # p_I = F0/<a0>, or E [Pa]
     isotropic: dict = field(default_factory=dict)  # the state at the end of the isotropic stage
     shear: dict = field(default_factory=dict)      # columns while the upper wall goes down; strains from its beginning
@@ -97,6 +97,12 @@ def is_driven(output, stage, wall, drives=("velocity", "position")):
     return str(output.parameters.get(f"Stages/{stage}/{wall}/Drive", "as before")) in drives
 
 
+def pressure_of(output, stage):
+    """The pressure on the wall on the right where it is a number: the force of a single step may be off by 10 % in BPM. Else None."""
+    value = output.parameters.get(f"Stages/{stage}/right/Pressure")
+    return float(value) if isinstance(value, (int, float)) and is_driven(output, stage, "right", ("pressure",)) else None
+
+
 def part_of(measures, begin, end, first):
     """Columns between two times; strains count from row @first, and @begin itself belongs to the part."""
     kept = (measures["time_s"] >= begin * (1 - 1e-9)) & (measures["time_s"] <= end * (1 + 1e-9))
@@ -126,7 +132,7 @@ def read_path(directory):
     first = min(first, len(measures["time_s"]) - 1)
     friction = output.parameters.get("Contact/Friction", 0.)
     path = Path(output, output.model, friction if isinstance(friction, (int, float)) else 0.,
-                float(measures["stress_2_Pa"][first]), stiffness)
+                pressure_of(output, stages[last][0]) or float(measures["stress_2_Pa"][first]), stiffness)
     path.isotropic = {name: float(values[first]) for name, values in measures.items()}
     if sheared:
         _, begin, end = stages[sheared[0]]

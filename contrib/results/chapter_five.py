@@ -33,15 +33,23 @@ def box(model, case):
     return changes
 
 
-def shear(first, strain, unload, speed, pressure):
+def legs(case):
+    """Name, shear strain and sense of every stage after the isotropic ones."""
+    if case.cycles:
+        turns = [[f"back_{k}", f"forth_{k}"] for k in range(1, case.cycles + 1)]
+        return [("shear", case.amplitude, 1)] + [(name, 2 * case.amplitude, sense) for turn in turns for name, sense in zip(turn, (-1, 1))]
+    if case.unload:
+        return [("shear", case.unload, 1), ("unload", case.strain, -1)]
+    return [("shear", case.strain, 1)]
+
+
+def shear(first, case, speed):
     """Stages after the isotropic ones, whose names are @first."""
-    names = [*first, "shear"] + (["unload"] if unload else [])
-    changes = {"Stages/Names": ", ".join(names), "Stages/shear/Stop/Shear strain": f"{unload or strain:g}",
-               "Stages/shear/top/Drive": "velocity", "Stages/shear/top/Velocity": f"{speed:g}",
-               "Stages/shear/right/Drive": "pressure", "Stages/shear/right/Pressure": f"{pressure:g}"}
-    if unload:
-        changes.update({"Stages/unload/Stop/Shear strain": f"{strain:g}", "Stages/unload/top/Drive": "velocity",
-                        "Stages/unload/top/Velocity": f"{-speed:g}"})
+    changes = {"Stages/Names": ", ".join([*first, *(name for name, _, _ in legs(case))]),
+               "Stages/shear/right/Drive": "pressure", "Stages/shear/right/Pressure": f"{case.pressure:g}"}
+    for name, strain, sense in legs(case):
+        changes.update({f"Stages/{name}/Stop/Shear strain": f"{strain:g}", f"Stages/{name}/top/Drive": "velocity",
+                        f"Stages/{name}/top/Velocity": f"{sense * speed:g}"})
     return changes
 
 
@@ -52,8 +60,8 @@ def material_points(case):
     pressed = f"{case.pressure:g}*min(t/{ramp:g}, 1)"
     changes = {"Stages/compress/Stop/End time": f"{ramp:g}", "Stages/compress/top/Pressure": pressed,
                "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
-               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{2 * step:g}", **box("mpm", case),
-               **shear(["compress"], case.strain, case.unload, 1., case.pressure)}
+               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{(1 if case.cycles else 2) * step:g}", **box("mpm", case),
+               **shear(["compress"], case, 1.)}
     return "gallery/biaxial_thirty_grains_mpm.prm", changes
 
 
@@ -62,12 +70,12 @@ def bonded(case):
     speed, and pressure rises in four times that in which stress crosses the box: at once it would be a blow, which bonds remember."""
     slow = DIAMETER * math.sqrt(DENSITY["bpm"] / case.pressure)  # over which the rate of strain is the inertial number [s]
     speed = case.inertia * height(case) / slow
-    way = 0.5 * (case.strain + 2 * case.unload) * height(case)
+    way = 0.5 * sum(strain for _, strain, _ in legs(case)) * height(case)
     ramp = 4 * slow * height(case) / DIAMETER
     changes = {"Stages/close/Stop/Packing fraction": "0.78", "Stages/press/Stop/End time": f"{ramp:.4g}",
                "Stages/compact/Stop/End time": f"{2e-3 * height(case) / SIDE:g}",
                "Output/Snapshots every": f"{way / speed / 200:.3g}", "Output/History every": "20", **box("bpm", case),
-               **shear(["close", "press", "compact"], case.strain, case.unload, speed, case.pressure)}
+               **shear(["close", "press", "compact"], case, speed)}
     for wall in ("top", "right"):
         changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2", f"Stages/press/{wall}/Drive": "pressure",
                         f"Stages/press/{wall}/Pressure": f"{case.pressure:g}*t/{ramp:.4g}", f"Stages/compact/{wall}/Pressure": f"{case.pressure:g}"})
@@ -87,7 +95,8 @@ def cases(arguments):
                 for unload in [0., *arguments.unload]:
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
-                    yield name + (f"-unload{unload:g}" if unload else ""), friction, seed, case
+                    yield (name + (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "") + case.suffix,
+                           friction, seed, case)
 
 
 def main():
@@ -101,11 +110,14 @@ def main():
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
     parser.add_argument("--strain", type=float, default=0.8, help="shear strain of every stage (default: %(default)s)")
     parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
+    parser.add_argument("--cycles", type=int, default=0, help="shear to and fro so often")
+    parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
     parser.add_argument("--room", type=float, default=ROOM, help="of larger boxes, where a packing jams (default: %(default)s)")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")
+    parser.add_argument("--suffix", default="", help="of the names of the folders")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
     further = dict(text.split("=", 1) for text in arguments.set)
