@@ -11,6 +11,7 @@ from running import RunFailed, run
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
 ROOM = 1.03  # the least of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
+RANGE = 32.  # of the pressures of a slow ramp
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
 
@@ -37,7 +38,8 @@ def legs(case):
     """Name, shear strain and sense of every stage after the isotropic ones."""
     if case.cycles:
         turns = [[f"back_{k}", f"forth_{k}"] for k in range(1, case.cycles + 1)]
-        return [("shear", case.amplitude, 1)] + [(name, 2 * case.amplitude, sense) for turn in turns for name, sense in zip(turn, (-1, 1))]
+        return [("shear", case.amplitude, 1)] + [(name, 2 * case.amplitude, sense) for turn in turns
+                                                 for name, sense in zip(turn, (-1, 1))]
     if case.unload:
         return [("shear", case.unload, 1), ("unload", case.strain, -1)]
     return [("shear", case.strain, 1)]
@@ -60,8 +62,8 @@ def material_points(case):
     pressed = f"{case.pressure:g}*min(t/{ramp:g}, 1)"
     changes = {"Stages/compress/Stop/End time": f"{ramp:g}", "Stages/compress/top/Pressure": pressed,
                "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
-               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{(1 if case.cycles else 2) * step:g}", **box("mpm", case),
-               **shear(["compress"], case, 1.)}
+               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3",
+               "Output/Snapshots every": f"{(1 if case.cycles else 2) * step:g}", **box("mpm", case), **shear(["compress"], case, 1.)}
     return "gallery/biaxial_thirty_grains_mpm.prm", changes
 
 
@@ -71,14 +73,18 @@ def bonded(case):
     slow = DIAMETER * math.sqrt(DENSITY["bpm"] / case.pressure)  # over which the rate of strain is the inertial number [s]
     speed = case.inertia * height(case) / slow
     way = 0.5 * sum(strain for _, strain, _ in legs(case)) * height(case)
-    ramp = 4 * slow * height(case) / DIAMETER
+    ramp, rising = 4 * slow * height(case) / DIAMETER, "t/{0:.4g}"
+    if case.slow_ramp:  # the isotropic line of all pressures in one run
+        ramp, rising = case.slow_ramp * 1e-3, f"exp({math.log(RANGE):.4f}*(t/{{0:.4g}}-1))"
     changes = {"Stages/close/Stop/Packing fraction": "0.78", "Stages/press/Stop/End time": f"{ramp:.4g}",
                "Stages/compact/Stop/End time": f"{2e-3 * height(case) / SIDE:g}",
-               "Output/Snapshots every": f"{way / speed / 200:.3g}", "Output/History every": "20", **box("bpm", case),
-               **shear(["close", "press", "compact"], case, speed)}
+               "Output/Snapshots every": f"{ramp / 100 if case.slow_ramp else way / speed / 200:.3g}", "Output/History every": "20",
+               **box("bpm", case), **shear(["close", "press", "compact"], case, speed)}
+    pressed = f"{case.pressure:g}*{rising.format(ramp)}"
     for wall in ("top", "right"):
-        changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2", f"Stages/press/{wall}/Drive": "pressure",
-                        f"Stages/press/{wall}/Pressure": f"{case.pressure:g}*t/{ramp:.4g}", f"Stages/compact/{wall}/Pressure": f"{case.pressure:g}"})
+        changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2",
+                        f"Stages/press/{wall}/Drive": "pressure", f"Stages/press/{wall}/Pressure": pressed,
+                        f"Stages/compact/{wall}/Pressure": f"{case.pressure:g}"})
     if case.thesis_primaries:
         changes.update({"Primaries/Smallest diameter": "0.07e-3", "Primaries/Largest diameter": "0.13e-3"})
     return "gallery/biaxial_thirty_grains_bpm.prm", changes
@@ -95,8 +101,8 @@ def cases(arguments):
                 for unload in [0., *arguments.unload]:
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
-                    yield (name + (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "") + case.suffix,
-                           friction, seed, case)
+                    name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
+                    yield name + case.suffix, friction, seed, case
 
 
 def main():
@@ -114,6 +120,7 @@ def main():
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
     parser.add_argument("--room", type=float, default=ROOM, help="of larger boxes, where a packing jams (default: %(default)s)")
+    parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")

@@ -19,9 +19,18 @@ from softgrain.contacts import NONE  # noqa: E402
 from figures_paths import STEADY, constants_of, read_path, stages_of  # noqa: E402
 
 WINDOW = 0.02  # of shear strain, over which the curves of bonded primaries are averaged
-KEPT = ("shear_strain", "volume_strain", "wall_pressure_Pa", "wall_stress_ratio", "stress_ratio", "packing_fraction", "coordination_of_bodies",
-        "specific_contact_surface", "shape_strain", "shape_anisotropy", "contact_anisotropy", "normal_force_anisotropy",
-        "tangential_force_anisotropy", "predicted_stress_ratio", "sliding_contacts")
+KEPT = ("shear_strain", "volume_strain", "wall_pressure_Pa", "wall_stress_ratio", "stress_ratio", "packing_fraction",
+        "coordination_of_bodies", "specific_contact_surface", "shape_strain", "shape_anisotropy", "contact_anisotropy",
+        "normal_force_anisotropy", "tangential_force_anisotropy", "predicted_stress_ratio", "sliding_contacts")
+PREDICTED = "(a_c + a_f (+ a_t))/2"
+
+
+def row(*cells):
+    return "| " + " | ".join(map(str, cells)) + " |"
+
+
+def head(*names):
+    return row(*names) + "\n" + "|---" * len(names) + "|"
 
 
 def walls_of(output, begin, end):
@@ -100,28 +109,38 @@ def name_of(path):
     return pathlib.Path(path.output.directory).name
 
 
-STEADY_HEAD = ("| run | p_c over stiffness | Φ, isotropic | Z, isotropic | ε_q reached | q/p, steady | largest q/p | Φ, largest | Φ, steady | Z, steady |\n" +
-               "|---" * 10 + "|")
-CHECKS_HEAD = ("| run | q/p of moments | (a_c + a_f (+ a_t))/2 | q/p of f·l | right wall over p_c | p of moments over that of walls | energy balance | "
-               "released [J/m] | of walls [J/m] | seconds |\n" + "|---" * 10 + "|")
+STEADY_HEAD = head("run", "p_c over stiffness", "Φ, isotropic", "Z, isotropic", "ε_q reached", "q/p, steady", "largest q/p",
+                   "Φ, largest", "Φ, steady", "Z, steady")
+CHECKS_HEAD = head("run", "q/p of moments", PREDICTED, "q/p of f·l", "right wall over p_c", "p of moments over that of walls",
+                   "energy balance", "released [J/m]", "of walls [J/m]", "seconds")
 
 
 def steady_row(steady):
     path, fraction, peak = steady.path, steady.path.shear["packing_fraction"], np.argmax(steady.ratio)
-    return (f"| {name_of(path)} | {path.kappa:.3g} | {path.isotropic['packing_fraction']:.3f} | {path.isotropic['coordination_of_bodies']:.2f} | "
-            f"{steady.strain[-1]:.2f} | {pm(steady.ratio[steady.late])} | {steady.ratio[peak]:.2f} at {steady.strain[peak]:.2f} | "
-            f"{fraction.max():.3f} | {pm(steady.column('packing_fraction'))} | {pm(steady.column('coordination_of_bodies'), 2)} |")
+    return row(name_of(path), f"{path.kappa:.3g}", f"{path.isotropic['packing_fraction']:.3f}",
+               f"{path.isotropic['coordination_of_bodies']:.2f}", f"{steady.strain[-1]:.2f}", pm(steady.ratio[steady.late]),
+               f"{steady.ratio[peak]:.2f} at {steady.strain[peak]:.2f}", f"{fraction.max():.3f}",
+               pm(steady.column("packing_fraction")), pm(steady.column("coordination_of_bodies"), 2))
 
 
 def checks_row(steady):
     path = steady.path
-    predicted = "predicted_stress_ratio" if path.friction > 0 else "half_sum_of_anisotropies"
     moments = steady.column("mean_pressure_Pa").mean() / steady.column("wall_pressure_Pa").mean() - 1
     summary = path.output.summary if path.output.summary.get("status") == "completed" else {}
     released = path.output.history_table.get("released_energy_J_per_m", [math.nan])[-1]
-    return (f"| {name_of(path)} | {pm(steady.column('stress_ratio'))} | {steady.column(predicted).mean():.3f} | {steady.with_branches():.3f} | "
-            f"{steady.right_wall():+.2%} | {moments:+.2%} | {summary.get('energy_balance_error', math.nan):.1e} | {released:.2g} | "
-            f"{path.shear['external_work_J_per_m'][-1]:.3g} | {summary.get('wall_seconds', math.nan):.0f} |")
+    return row(name_of(path), pm(steady.column("stress_ratio")), f"{steady.column(predicted(path)).mean():.3f}",
+               f"{steady.with_branches():.3f}", f"{steady.right_wall():+.2%}", f"{moments:+.2%}",
+               f"{summary.get('energy_balance_error', math.nan):.1e}", f"{released:.2g}",
+               f"{path.shear['external_work_J_per_m'][-1]:.3g}", f"{summary.get('wall_seconds', math.nan):.0f}")
+
+
+def predicted(path):
+    """Column of (5.16)."""
+    return "predicted_stress_ratio" if path.friction > 0 else "half_sum_of_anisotropies"
+
+
+MEAN_HEAD = head("runs", "p_c over stiffness", "packings", "Φ, isotropic", "Z, isotropic", "q/p", "Φ, steady", "Z, steady",
+                 PREDICTED)
 
 
 def mean_table(paths):
@@ -129,22 +148,19 @@ def mean_table(paths):
     groups = {}
     for path in paths:
         groups.setdefault((path.model, path.friction, round(path.pressure)), []).append(path)
-    lines = ["| runs | p_c over stiffness | packings | Φ, isotropic | Z, isotropic | q/p | Φ, steady | Z, steady | (a_c + a_f (+ a_t))/2 |", "|---" * 9 + "|"]
+    lines = [MEAN_HEAD]
     for (model, friction, _), group in sorted(groups.items()):
-        def over(function, digits=3):
+        def over(function, digits=3, group=group):
             values = [function(path) for path in group]
             scatter = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
             return f"{statistics.mean(values):.{digits}f}{scatter}"
 
-        def steady(name, path):
-            late = path.shear["shear_strain"] >= (1 - STEADY[0]) * path.shear["shear_strain"][-1]
-            return float(np.nanmean(path.shear[name][late]))
-        ratio = "wall_stress_ratio"
-        predicted = "predicted_stress_ratio" if friction > 0 else "half_sum_of_anisotropies"
-        lines.append(f"| {model}, μ = {friction:g} | {group[0].kappa:.3g} | {len(group)} | {over(lambda p: p.isotropic['packing_fraction'])} | "
-                     f"{over(lambda p: p.isotropic['coordination_of_bodies'], 2)} | {over(lambda p: steady(ratio, p))} | "
-                     f"{over(lambda p: steady('packing_fraction', p))} | {over(lambda p: steady('coordination_of_bodies', p), 2)} | "
-                     f"{over(lambda p: steady(predicted, p))} |")
+        def steady(name):
+            return lambda path: float(np.nanmean(Steady(path).column(name)))
+        lines.append(row(f"{model}, μ = {friction:g}", f"{group[0].kappa:.3g}", len(group),
+                         over(lambda p: p.isotropic["packing_fraction"]), over(lambda p: p.isotropic["coordination_of_bodies"], 2),
+                         over(steady("wall_stress_ratio")), over(steady("packing_fraction")),
+                         over(steady("coordination_of_bodies"), 2), over(steady(predicted(group[0])))))
     return lines
 
 
@@ -153,12 +169,13 @@ def unloading_row(path):
     (_, up), (strain, down) = curve(path, begin, turn), curve(path, turn, end)
     late = np.abs(strain) >= (1 - STEADY[0]) * abs(strain[-1])
     lowest = np.argmin(down)
-    return (f"| {name_of(path)} | {up[-1]:.3f} | {down[lowest]:.3f} at {abs(strain[lowest]):.2f} | {pm(down[late])} | "
-            f"{path.shear['packing_fraction'][-1]:.3f} | {path.unloading['packing_fraction'].min():.3f} | {path.unloading['packing_fraction'][-1]:.3f} |")
+    before, after = (part["packing_fraction"] for part in (path.shear, path.unloading))
+    return row(name_of(path), f"{up[-1]:.3f}", f"{down[lowest]:.3f} at {abs(strain[lowest]):.2f}", pm(down[late]),
+               f"{before[-1]:.3f}", f"{after.min():.3f}", f"{after[-1]:.3f}")
 
 
-UNLOADING_HEAD = ("| run | q/p where it turns | least q/p, shear strain after the turn | q/p at the end | Φ where it turns | least Φ | Φ at the end |\n" +
-                  "|---" * 7 + "|")
+UNLOADING_HEAD = head("run", "q/p where it turns", "least q/p, shear strain after the turn", "q/p at the end", "Φ where it turns",
+                      "least Φ", "Φ at the end")
 
 
 def loop_area(strain, deviator):
@@ -166,22 +183,29 @@ def loop_area(strain, deviator):
     return float(np.sum(0.5 * (deviator[1:] + deviator[:-1]) * np.diff(strain)))
 
 
+CYCLES_HEAD = head("cycle", "ε_q from, to", "q/p from, to", "Φ", "loop ∮ q dε_q over p_c", "energy stored at its end [J/m]",
+                   "released in it [J/m]")
+
+
 def cycle_table(path):
-    lines = ["| cycle | ε_q from, to | q/p from, to | Φ | loop ∮ q dε_q over p_c | energy stored at its end [J/m] | released in it [J/m] |", "|---" * 7 + "|"]
+    lines = [CYCLES_HEAD]
     stages, history = parts_of(path)[1:], path.output.history_table
     _, begin, _ = parts_of(path)[0]
     for k in range(len(stages) // 2):
         start, end = stages[2 * k][1], stages[2 * k + 1][2]
-        _, strain, stress = walls_of(path.output, begin, end)
-        kept = history["time_s"][(history["time_s"] > begin * (1 + 1e-9)) & (history["time_s"] <= end * (1 + 1e-9))] >= start * (1 - 1e-9)
+        times, strain, stress = walls_of(path.output, begin, end)
+        kept = times >= start * (1 - 1e-9)
         one, two = 0.5 * (stress["top"] + stress["bottom"])[kept], 0.5 * (stress["left"] + stress["right"])[kept]
+        ratio, strain = (one - two) / (one + two), strain[kept]
         rows = [int(np.argmin(np.abs(history["time_s"] - t))) for t in (start, end)]
         released = np.diff(history["released_energy_J_per_m"][rows])[0]
-        ratio = (one - two) / (one + two)
-        lines.append(f"| {k + 1} | {strain[kept].min():.3f}, {strain[kept].max():.3f} | {ratio.min():.3f}, {ratio.max():.3f} | "
-                     f"{history['packing_fraction'][rows[1]]:.4f} | {loop_area(strain[kept], 0.5 * (one - two)) / path.pressure:.4f} | "
-                     f"{history['elastic_energy_J_per_m'][rows[1]]:.3f} | {released:.3f} |")
+        lines.append(row(k + 1, f"{strain.min():.3f}, {strain.max():.3f}", f"{ratio.min():.3f}, {ratio.max():.3f}",
+                         f"{history['packing_fraction'][rows[1]]:.4f}", f"{loop_area(strain, 0.5 * (one - two)) / path.pressure:.4f}",
+                         f"{history['elastic_energy_J_per_m'][rows[1]]:.3f}", f"{released:.3f}"))
     return lines
+
+
+SIMPLE_HEAD = head("run", "q/p of moments", "σ_xy/σ_yy", "Φ", "Z", "(a_c + a_f + a_t)/2")
 
 
 def simple_row(folder):
@@ -190,11 +214,9 @@ def simple_row(folder):
     measures, (_, begin, end) = output.measures_table, stages_of(output)[-1]
     late = (measures["time_s"] >= begin + (1 - STEADY[0]) * (end - begin)) & (measures["time_s"] <= end * (1 + 1e-9))
     column = {name: measures[name][late] for name in measures}
-    return (f"| {pathlib.Path(folder).name} | {pm(column['stress_ratio'])} | {pm(np.abs(column['stress_xy_Pa'] / column['stress_yy_Pa']))} | "
-            f"{pm(column['packing_fraction'])} | {pm(column['coordination_of_bodies'], 2)} | {np.nanmean(column['predicted_stress_ratio']):.3f} |")
-
-
-SIMPLE_HEAD = "| run | q/p of moments | σ_xy/σ_yy | Φ | Z | (a_c + a_f + a_t)/2 |\n" + "|---" * 6 + "|"
+    return row(pathlib.Path(folder).name, pm(column["stress_ratio"]), pm(np.abs(column["stress_xy_Pa"] / column["stress_yy_Pa"])),
+               pm(column["packing_fraction"]), pm(column["coordination_of_bodies"], 2),
+               f"{np.nanmean(column['predicted_stress_ratio']):.3f}")
 
 
 def write_curve(path, folder):
@@ -222,10 +244,12 @@ def main():
     straight.sort(key=lambda path: (path.model, path.friction, path.pressure))
     if straight:
         steady = [Steady(path) for path in straight]
-        print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), "", *mean_table(straight), ""]))
+        print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), ""]))
+        print("\n".join([*mean_table(straight), ""]))
         for model, friction in sorted({(path.model, path.friction) for path in straight}):
-            group = [path for path in straight if (path.model, path.friction) == (model, friction)]
-            print(f"{model}, μ = {friction:g}: " + ", ".join(f"{name} {value:.3g}" for name, value in constants_of(group).items() if value is not None))
+            found = constants_of([path for path in straight if (path.model, path.friction) == (model, friction)])
+            numbers = ", ".join(f"{name} {value:.3g}" for name, value in found.items() if value is not None)
+            print(f"{model}, μ = {friction:g}: {numbers}")
     if turned:
         print("\n".join(["", UNLOADING_HEAD, *map(unloading_row, turned)]))
     for path in cycled:

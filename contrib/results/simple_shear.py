@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of doc/results/thesis-5.md: thirty soft grains in a cell that repeats, compacted and sheared by a lattice that slides, by MPM and
-by BPM. A run that is there already is not repeated."""
+"""Runs of doc/results/thesis-5.md: thirty soft grains in a cell that repeats, compacted and sheared by a lattice that slides, by MPM
+and by BPM. A run that is there already is not repeated."""
 import argparse
 import math
 import pathlib
@@ -50,7 +50,7 @@ def main():
     parser.add_argument("--pressures", type=float, nargs="+", default=[0.4], help="[MPa]")
     parser.add_argument("--friction", type=float, nargs="+", default=[0.])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
-    parser.add_argument("--strain", type=float, default=1.2, help="way of the lattice over the height at the start (default: %(default)s)")
+    parser.add_argument("--strain", type=float, default=1.2, help="way of the lattice over the height (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=4e-3, help="inertial number, bpm (default: %(default)s)")
     parser.add_argument("--way", type=float, default=0.3, help="of the side in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")
