@@ -134,6 +134,20 @@ def checks_row(steady):
                f"{path.shear['external_work_J_per_m'][-1]:.3g}", f"{summary.get('wall_seconds', math.nan):.0f}")
 
 
+SHAPE_HEAD = head("run", "q, steady [MPa]", "η before", "η at the end", "η of a disk that follows the box", "contacts won per strain",
+                  "motion beside the box, diameters per strain", "a_c", "a_f", "a_t")
+
+
+def shape_row(steady):
+    path, shape = steady.path, steady.path.shear["shape_strain"]
+    contacts, motion, *anisotropies = (np.nanmean(steady.column(name)) for name in (
+        "contacts_won_per_strain", "nonaffine_displacement_per_strain", "contact_anisotropy", "normal_force_anisotropy",
+        "tangential_force_anisotropy"))
+    return row(name_of(path), f"{steady.column('wall_deviator_Pa').mean() / 1e6:.3f}", f"{shape[0]:.3f}", f"{shape[-1]:.3f}",
+               f"{math.tanh(0.5 * path.shear['shear_strain'][-1]):.3f}", f"{contacts:.2f}", f"{motion:.1f}",
+               *(f"{anisotropy:.2f}" for anisotropy in anisotropies))
+
+
 def predicted(path):
     """Column of (5.16)."""
     return "predicted_stress_ratio" if path.friction > 0 else "half_sum_of_anisotropies"
@@ -237,14 +251,15 @@ def main():
     parser.add_argument("--curves", type=pathlib.Path, help="folder for small files of their curves")
     arguments = parser.parse_args()
     simple = [run for run in arguments.runs if run.name.startswith("simple-")]
-    paths = [read_path(str(run)) for run in arguments.runs if run not in simple]
+    paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple) if path.shear]
     cycled = [path for path in paths if re.search("-cycles", path.output.directory)]
     turned = [path for path in paths if path.unloading and path not in cycled]
     straight = [path for path in paths if path not in turned and path not in cycled]
     straight.sort(key=lambda path: (path.model, path.friction, path.pressure))
     if straight:
         steady = [Steady(path) for path in straight]
-        print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), ""]))
+        print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), "", SHAPE_HEAD,
+                         *map(shape_row, steady), ""]))
         print("\n".join([*mean_table(straight), ""]))
         for model, friction in sorted({(path.model, path.friction) for path in straight}):
             found = constants_of([path for path in straight if (path.model, path.friction) == (model, friction)])

@@ -22,7 +22,8 @@ namespace
 using Vectors = StepEquations::Vectors;
 
 constexpr unsigned int searches_before_mixing = 4; ///< for contact rows, with inertia
-/// For rows of a step without inertia in which walls are free: refused, it is made in several shorter ones.
+/// For rows of a step without inertia and without friction in which walls are free: where rows do not settle,
+/// contact gives energy, and a refused step is made in several shorter ones.
 constexpr unsigned int searches_with_free_walls = 20;
 
 /// Newton's method with contact for the velocities v⁺ at the end of a step.
@@ -150,7 +151,7 @@ bool ImplicitStep::rows_go_on(const bool settled) const
 unsigned int ImplicitStep::most_searches() const
 {
   const Settings &settings = problem.settings;
-  return settings.scheme.inertia || work.contact.free_walls.list.empty()
+  return settings.scheme.inertia || !problem.slippery() || work.contact.free_walls.list.empty()
              ? settings.max_searches
              : std::max(settings.max_searches, searches_with_free_walls);
 }
