@@ -10,20 +10,20 @@ import sys
 from running import RunFailed, run
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
-ROOM = 1.03  # the least of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
+ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
 RANGE = 32.  # of the pressures of a slow ramp
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
 
 
 def height(case):
-    return SIDE * math.sqrt(case.number / GRAINS) * (1. if case.number == GRAINS else case.room)
+    return SIDE * math.sqrt(case.number / GRAINS) * (case.room or (1. if case.number == GRAINS else ROOM))
 
 
 def box(model, case):
     """Changes that give the gallery's scene another number of grains at about the same packing fraction."""
     number = case.number
-    if number == GRAINS:
+    if number == GRAINS and not case.room:
         return {}
     side = f"{height(case):.6g}"
     changes = {"Packing/Number": str(number), "Packing/Upper": f"{side}, {side}", "Walls/top/Point": f"0, {side}",
@@ -119,7 +119,7 @@ def main():
     parser.add_argument("--cycles", type=int, default=0, help="shear to and fro so often")
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
-    parser.add_argument("--room", type=float, default=ROOM, help="of larger boxes, where a packing jams (default: %(default)s)")
+    parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
