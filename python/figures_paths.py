@@ -31,7 +31,7 @@ class Path:
     output: softgrain.Run
     model: str
     friction: float
-    pressure: float       # p_c: that on the wall which keeps it, at the end of the isotropic stage [Pa]
+    pressure: float       # p_c: that the wall on the right is to keep, or has at the end of the isotropic stage [Pa]
     stiffness: float      # p_I = F0/<a0>, or E [Pa]
     isotropic: dict = field(default_factory=dict)  # the state at the end of the isotropic stage
     shear: dict = field(default_factory=dict)      # columns while the upper wall goes down; strains from its beginning
@@ -93,8 +93,14 @@ def stages_of(output):
     return [(name, begin, end) for name, begin, end in zip(names, begins, ends) if end is not None and begin is not None]
 
 
-def is_driven(output, stage, wall):
-    return str(output.parameters.get(f"Stages/{stage}/{wall}/Drive", "as before")) in ("velocity", "position")
+def is_driven(output, stage, wall, drives=("velocity", "position")):
+    return str(output.parameters.get(f"Stages/{stage}/{wall}/Drive", "as before")) in drives
+
+
+def pressure_of(output, stage):
+    """The pressure on the wall on the right where it is a number: the force of a single step may be off by 10 % in BPM. Else None."""
+    value = output.parameters.get(f"Stages/{stage}/right/Pressure")
+    return float(value) if isinstance(value, (int, float)) and is_driven(output, stage, "right", ("pressure",)) else None
 
 
 def part_of(measures, begin, end, first):
@@ -113,7 +119,9 @@ def read_path(directory):
     if missing:
         raise InputError(f"{directory}: measures.csv has no {missing[0]}; set Output/Measures = all, or run "
                          f"'softgrain measure {directory}'")
-    sheared = [k for k, (name, *_) in enumerate(stages) if is_driven(output, name, "top")]
+    # Walls may come to the grains at a velocity before they press.
+    pressed = [k for k, (name, *_) in enumerate(stages) if is_driven(output, name, "top", ("pressure",))]
+    sheared = [k for k, (name, *_) in enumerate(stages) if k > min(pressed, default=-1) and is_driven(output, name, "top")]
     last = sheared[0] - 1 if sheared else len(stages) - 1
     if last < 0:
         raise InputError(f"{directory} begins with a wall that is driven: there is no isotropic state before it")
@@ -124,7 +132,7 @@ def read_path(directory):
     first = min(first, len(measures["time_s"]) - 1)
     friction = output.parameters.get("Contact/Friction", 0.)
     path = Path(output, output.model, friction if isinstance(friction, (int, float)) else 0.,
-                float(measures["stress_2_Pa"][first]), stiffness)
+                pressure_of(output, stages[last][0]) or float(measures["stress_2_Pa"][first]), stiffness)
     path.isotropic = {name: float(values[first]) for name, values in measures.items()}
     if sheared:
         _, begin, end = stages[sheared[0]]

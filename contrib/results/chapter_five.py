@@ -11,19 +11,21 @@ from running import RunFailed, run
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
 ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
+RANGE = 32.  # of the pressures of a slow ramp
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
 
 
-def height(number):
-    return SIDE * math.sqrt(number / GRAINS) * (1. if number == GRAINS else ROOM)
+def height(case):
+    return SIDE * math.sqrt(case.number / GRAINS) * (case.room or (1. if case.number == GRAINS else ROOM))
 
 
-def box(model, number):
+def box(model, case):
     """Changes that give the gallery's scene another number of grains at about the same packing fraction."""
-    if number == GRAINS:
+    number = case.number
+    if number == GRAINS and not case.room:
         return {}
-    side = f"{height(number):.6g}"
+    side = f"{height(case):.6g}"
     changes = {"Packing/Number": str(number), "Packing/Upper": f"{side}, {side}", "Walls/top/Point": f"0, {side}",
                "Walls/right/Point": f"{side}, 0"}
     if model == "mpm":
@@ -32,15 +34,24 @@ def box(model, number):
     return changes
 
 
-def shear(first, strain, unload, speed, pressure):
-    """Stages after the isotropic one, whose name is @first."""
-    names = [first, "shear"] + (["unload"] if unload else [])
-    changes = {"Stages/Names": ", ".join(names), "Stages/shear/Stop/Shear strain": f"{unload or strain:g}",
-               "Stages/shear/top/Drive": "velocity", "Stages/shear/top/Velocity": f"{speed:g}",
-               "Stages/shear/right/Drive": "pressure", "Stages/shear/right/Pressure": f"{pressure:g}"}
-    if unload:
-        changes.update({"Stages/unload/Stop/Shear strain": f"{strain:g}", "Stages/unload/top/Drive": "velocity",
-                        "Stages/unload/top/Velocity": f"{-speed:g}"})
+def legs(case):
+    """Name, shear strain and sense of every stage after the isotropic ones."""
+    if case.cycles:
+        turns = [[f"back_{k}", f"forth_{k}"] for k in range(1, case.cycles + 1)]
+        return [("shear", case.amplitude, 1)] + [(name, 2 * case.amplitude, sense) for turn in turns
+                                                 for name, sense in zip(turn, (-1, 1))]
+    if case.unload:
+        return [("shear", case.unload, 1), ("unload", case.strain, -1)]
+    return [("shear", case.strain, 1)]
+
+
+def shear(first, case, speed):
+    """Stages after the isotropic ones, whose names are @first."""
+    changes = {"Stages/Names": ", ".join([*first, *(name for name, _, _ in legs(case))]),
+               "Stages/shear/right/Drive": "pressure", "Stages/shear/right/Pressure": f"{case.pressure:g}"}
+    for name, strain, sense in legs(case):
+        changes.update({f"Stages/{name}/Stop/Shear strain": f"{strain:g}", f"Stages/{name}/top/Drive": "velocity",
+                        f"Stages/{name}/top/Velocity": f"{sense * speed:g}"})
     return changes
 
 
@@ -51,20 +62,29 @@ def material_points(case):
     pressed = f"{case.pressure:g}*min(t/{ramp:g}, 1)"
     changes = {"Stages/compress/Stop/End time": f"{ramp:g}", "Stages/compress/top/Pressure": pressed,
                "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
-               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3", "Output/Snapshots every": f"{2 * step:g}", **box("mpm", case.number),
-               **shear("compress", case.strain, case.unload, 1., case.pressure)}
+               "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3",
+               "Output/Snapshots every": f"{(1 if case.cycles else 2) * step:g}", **box("mpm", case), **shear(["compress"], case, 1.)}
     return "gallery/biaxial_thirty_grains_mpm.prm", changes
 
 
 def bonded(case):
-    """At an inertial number of --inertia, which sets the speed of the wall; 100 states on the way."""
-    speed = case.inertia * height(case.number) / DIAMETER * math.sqrt(case.pressure / DENSITY["bpm"])
-    way = 0.5 * (case.strain + 2 * case.unload) * height(case.number)
-    pressed = f"{case.pressure:g}"
-    changes = {"Stages/compact/top/Pressure": pressed, "Stages/compact/right/Pressure": pressed,
-               "Stages/compact/Stop/End time": f"{2e-3 * height(case.number) / height(GRAINS):g}",
-               "Output/Snapshots every": f"{way / speed / 100:.3g}", "Output/History every": "20", **box("bpm", case.number),
-               **shear("compact", case.strain, case.unload, speed, case.pressure)}
+    """At an inertial number of --inertia, which sets the speed of the wall; 200 states on the way. Walls meet the grains at a moderate
+    speed, and pressure rises in four times that in which stress crosses the box: at once it would be a blow, which bonds remember."""
+    slow = DIAMETER * math.sqrt(DENSITY["bpm"] / case.pressure)  # over which the rate of strain is the inertial number [s]
+    speed = case.inertia * height(case) / slow
+    way = 0.5 * sum(strain for _, strain, _ in legs(case)) * height(case)
+    ramp, rising = 4 * slow * height(case) / DIAMETER, "t/{0:.4g}"
+    if case.slow_ramp:  # the isotropic line of all pressures in one run
+        ramp, rising = case.slow_ramp * 1e-3, f"exp({math.log(RANGE):.4f}*(t/{{0:.4g}}-1))"
+    changes = {"Stages/close/Stop/Packing fraction": "0.78", "Stages/press/Stop/End time": f"{ramp:.4g}",
+               "Stages/compact/Stop/End time": f"{2e-3 * height(case) / SIDE:g}",
+               "Output/Snapshots every": f"{ramp / 100 if case.slow_ramp else way / speed / 200:.3g}", "Output/History every": "20",
+               **box("bpm", case), **shear(["close", "press", "compact"], case, speed)}
+    pressed = f"{case.pressure:g}*{rising.format(ramp)}"
+    for wall in ("top", "right"):
+        changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2",
+                        f"Stages/press/{wall}/Drive": "pressure", f"Stages/press/{wall}/Pressure": pressed,
+                        f"Stages/compact/{wall}/Pressure": f"{case.pressure:g}"})
     if case.thesis_primaries:
         changes.update({"Primaries/Smallest diameter": "0.07e-3", "Primaries/Largest diameter": "0.13e-3"})
     return "gallery/biaxial_thirty_grains_bpm.prm", changes
@@ -81,7 +101,8 @@ def cases(arguments):
                 for unload in [0., *arguments.unload]:
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
-                    yield name + (f"-unload{unload:g}" if unload else ""), friction, seed, case
+                    name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
+                    yield name + case.suffix, friction, seed, case
 
 
 def main():
@@ -95,10 +116,15 @@ def main():
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
     parser.add_argument("--strain", type=float, default=0.8, help="shear strain of every stage (default: %(default)s)")
     parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
+    parser.add_argument("--cycles", type=int, default=0, help="shear to and fro so often")
+    parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
+    parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
+    parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of every run")
+    parser.add_argument("--suffix", default="", help="of the names of the folders")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
     further = dict(text.split("=", 1) for text in arguments.set)
@@ -112,9 +138,10 @@ def main():
         except RunFailed as trouble:
             print(f"{name}: {trouble}", file=sys.stderr, flush=True)
             continue
+        sheared = changes["Stages/Names"].split(", ").index("shear") + 1
         strain = [math.log(1 / (row["top_position_m"] - row["bottom_position_m"])) -
                   math.log(1 / (row["right_position_m"] - row["left_position_m"])) for row in rows]
-        first = max(i for i, row in enumerate(rows) if row["stage"] == 1)
+        first = max(i for i, row in enumerate(rows) if row["stage"] < sheared)
         print(f"| {name} | {summary['steps']} | {strain[-1] - strain[first]:.2f} | {summary['wall_seconds']:.0f} |", flush=True)
 
 

@@ -5,7 +5,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PARAMETERS = ROOT / "parameters"
-sys.path.insert(0, str(ROOT / "python"))
+PYTHON = ROOT / "python"
+sys.path.insert(0, str(PYTHON))
 
 import softgrain  # noqa: E402
 from softgrain import RunFailed  # noqa: E402

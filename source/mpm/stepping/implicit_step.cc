@@ -22,6 +22,9 @@ namespace
 using Vectors = StepEquations::Vectors;
 
 constexpr unsigned int searches_before_mixing = 4; ///< for contact rows, with inertia
+/// For rows of a step without inertia and without friction in which walls are free: where rows do not settle,
+/// contact gives energy, and a refused step is made in several shorter ones.
+constexpr unsigned int searches_with_free_walls = 20;
 
 /// Newton's method with contact for the velocities v⁺ at the end of a step.
 class ImplicitStep
@@ -55,7 +58,7 @@ public:
     {
       stop_if_interrupted();
       const bool settled = rows.settled(equations.increment);
-      if (in_balance() && (settled || rows.searches() >= problem.settings.max_searches))
+      if (in_balance() && (settled || rows.searches() >= most_searches()))
         return at_end(settled);
       if (rows_go_on(settled))
         find_rows_again();
@@ -79,6 +82,7 @@ private:
   void find_rows(bool again);
   void find_rows_again();
   bool rows_go_on(bool settled) const;
+  unsigned int most_searches() const;
   void move_to(const Vectors &increment);
   bool in_balance();
   std::string newton_step();
@@ -141,8 +145,15 @@ bool ImplicitStep::rows_go_on(const bool settled) const
   if (settled)
     return problem.settings.rows_follow() && problem.settings.scheme.inertia &&
            outcome.newton_iterations > 0 && equations.rotation_chases_rows();
-  return rows.searches() < problem.settings.max_searches || !equations.rotation_is_gauge() ||
-         equations.pressure_follows();
+  return rows.searches() < most_searches() || !equations.rotation_is_gauge() || equations.pressure_follows();
+}
+
+unsigned int ImplicitStep::most_searches() const
+{
+  const Settings &settings = problem.settings;
+  return settings.scheme.inertia || !problem.slippery() || work.contact.free_walls.list.empty()
+             ? settings.max_searches
+             : std::max(settings.max_searches, searches_with_free_walls);
 }
 
 // Goes to these increments, unless a point turns inside out there.

@@ -10,6 +10,9 @@ namespace
 {
 constexpr double most = 1e3;     ///< resistance, beyond which bodies hardly move in a step
 constexpr double weakest = 1e-3; ///< resistance, over what was set
+/// Factor of resistance after a step that was refused. Free walls go as far in a step as it lets them: what
+/// is too much costs as many more steps on the way to the bodies.
+constexpr double rise_at_rest = 10., rise_with_free_walls = 3.;
 
 /// Of the nodes of all bodies [m].
 std::vector<Eigen::VectorXd> displacements(const State &state)
@@ -32,11 +35,17 @@ double cosine(const std::vector<Eigen::VectorXd> &a, const std::vector<Eigen::Ve
   }
   return square_a * square_b > 0. ? product / std::sqrt(square_a * square_b) : 1.;
 }
+
+bool is_free(const Wall &wall)
+{
+  return !wall.prescribed() || wall.slides_freely();
+}
 } // namespace
 
 Relaxation::Relaxation(const Problem &problem, const State &state, const double dt)
     : next{dt, true, problem.settings.regularisation}
     , wanted(problem.settings.regularisation)
+    , rise(std::any_of(state.walls.begin(), state.walls.end(), is_free) ? rise_with_free_walls : rise_at_rest)
     , least(weakest * wanted)
     , place(displacements(state))
 {
@@ -50,7 +59,7 @@ bool Relaxation::refused()
   next.guess = nullptr; // it may be what failed
   if (went_ahead)
     return true;
-  next.regularisation *= 10.;
+  next.regularisation *= rise;
   least = next.regularisation;
   return next.regularisation <= most;
 }
@@ -70,7 +79,9 @@ void Relaxation::accepted(const StepOutcome &step,
   // In a cell they also go where it takes them, which is no guess for what they do beside that.
   next.guess = turn > 0. && !state.repeats() ? &way : nullptr;
   look_ahead(next.guess != nullptr && after < 1.5 * before);
-  if (!walls_on_their_way)
+  if (walls_on_their_way)
+    ease(step);
+  else
     resist(step, before, after);
 }
 
@@ -79,6 +90,15 @@ void Relaxation::look_ahead(const bool go_on)
   const double following = go_on ? 0.5 * (1. + std::sqrt(1. + 4. * sequence * sequence)) : 1.;
   next.ahead = go_on ? (sequence - 1.) / following : 0.;
   sequence = following;
+}
+
+// Walls that have not met what bears them go as far as resistance lets them: what a refused step put up is
+// taken off again.
+void Relaxation::ease(const StepOutcome &step)
+{
+  if (turn >= -0.3 && step.rows_follow)
+    next.regularisation = std::max({0.5 * next.regularisation, least, std::min(next.regularisation, wanted)});
+  least = std::max(0.8 * least, weakest * wanted);
 }
 
 void Relaxation::resist(const StepOutcome &step, const double before, const double after)

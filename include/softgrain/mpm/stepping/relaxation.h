@@ -14,7 +14,8 @@ namespace softgrain::mpm
  * @brief How held steps are made so that bodies come to balance: how much they resist, and from where.
  *
  * Resistance goes in balance, whatever it is. Where all goes well it is taken down, so that balance comes
- * sooner; where steps go back and forth, are refused or give energy it is put up. Bodies that go on and on
+ * sooner; where steps go back and forth, are refused or give energy it is put up. While free walls are on
+ * their way it comes back to what was set. Bodies that go on and on
  * slide down a long valley: they are held to where they would be when they went on by a share of their last
  * way, not to where they are (Nesterov 1983; the share starts anew when they turn, or when forces grow).
  */
@@ -42,10 +43,12 @@ private:
   using Vectors = std::vector<Eigen::VectorXd>;
 
   void look_ahead(bool go_on);
+  void ease(const StepOutcome &step);
   void resist(const StepOutcome &step, double before, double after);
 
   StepPlan next;
   const double wanted; ///< resistance, as it was set
+  const double rise;   ///< factor of it after a refused step
   double least;        ///< that has not just been too little
   double turn = 0;     ///< cosine of the angle between the last two ways
   double sequence = 1; ///< Nesterov's
