@@ -18,7 +18,8 @@ using Kernels = DenseKernels;
 
 constexpr int narrow_band = 192; ///< up to which panels are half as wide
 constexpr int largest_block = 32;
-constexpr int rows_at_once = 64; ///< contact rows that one thread condenses
+constexpr int panels_at_once = 3; ///< of which the squares of condensed rows are summed
+constexpr int rows_at_once = 64;  ///< contact rows that one thread condenses
 using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, largest_block, largest_block>;
 
 /// Cholesky's factor L in place of the lower triangle. @return whether it has one
@@ -302,28 +303,54 @@ void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 
 void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
-  // W = Z S Z^T with Z = H P^T L^-T: half of the work of full solves, and symmetric by construction.
+  // W = Z S Z^T with Z = H P^T L^-T: half of the work of full solves, and symmetric by construction. A row of
+  // Z begins where that of H does: those that begin first come first, and of a panel the first rows do.
   const int n = rows.cols(), n_padded = (n + Kernels::rows - 1) / Kernels::rows * Kernels::rows;
+  std::vector<int> begins(n, n_panels * block - 1), place(n);
+  for (int c = 0; c < n; ++c)
+    for (Rows::InnerIterator entry(rows, c); entry; ++entry)
+      begins[c] = std::min(begins[c], order[entry.row()]);
+  std::iota(place.begin(), place.end(), 0);
+  std::sort(place.begin(), place.end(),
+            [&](const int c, const int d) { return begins[c] != begins[d] ? begins[c] < begins[d] : c < d; });
+  std::vector<int> begun(n_panels, 0); // rows, up to and with a panel
+  for (int k = 0, r = 0; k < n_panels; ++k)
+  {
+    while (r < n && begins[place[r]] < (k + 1) * block)
+      ++r;
+    begun[k] = (r + Kernels::rows - 1) / Kernels::rows * Kernels::rows;
+  }
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(n_padded, n_panels * block);
   parallel_for(n_padded, rows_at_once,
                [&](const std::size_t begin, const std::size_t end)
                {
-                 for (int c = begin; c < std::min<int>(end, n); ++c)
-                   for (Rows::InnerIterator entry(rows, c); entry; ++entry)
-                     Z(c, order[entry.row()]) = entry.value();
+                 for (int r = begin; r < std::min<int>(end, n); ++r)
+                   for (Rows::InnerIterator entry(rows, place[r]); entry; ++entry)
+                     Z(r, order[entry.row()]) = entry.value();
                  for (int k = 0; k < n_panels; ++k)
                  {
+                   const int n_here = std::min<int>(begun[k], end) - static_cast<int>(begin);
+                   if (n_here <= 0)
+                     continue;
                    const Kernels::In panel = of_panel(k);
                    const Kernels::Out own = {&Z(begin, panels[k].first), Z.outerStride()};
-                   Kernels::multiply_by_transposed(end - begin, block, panel, own);
-                   Kernels::subtract_product(end - begin, panels[k].height() - block, block, own,
+                   Kernels::multiply_by_transposed(n_here, block, panel, own);
+                   Kernels::subtract_product(n_here, panels[k].height() - block, block, own,
                                              panel.from(block, 0), own.from(0, block));
                  }
                });
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n_padded, n_padded);
-  Kernels::add_square(n_padded, Z.cols(), {Z.data(), Z.outerStride()}, {square.data(), square.outerStride()});
+  for (int k = 0; k < n_panels; k += panels_at_once)
+  {
+    const int end = std::min(k + panels_at_once, n_panels);
+    Kernels::add_square(begun[end - 1], (end - k) * block, {&Z(0, k * block), Z.outerStride()},
+                        {square.data(), square.outerStride()});
+  }
   for (const int i : negative)
     square.selfadjointView<Eigen::Lower>().rankUpdate(Z.col(i), -2.);
-  W = square.topLeftCorner(n, n).selfadjointView<Eigen::Lower>();
+  W.resize(n, n);
+  for (int c = 0; c < n; ++c)
+    for (int r = c; r < n; ++r)
+      W(place[r], place[c]) = W(place[c], place[r]) = square(r, c);
 }
 } // namespace softgrain

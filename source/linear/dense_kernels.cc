@@ -17,7 +17,6 @@ constexpr int lanes = Kernels::lanes;
 // As many sums as fit into the registers: 32 with AVX-512, else 16.
 constexpr int tile_columns = lanes == 8 ? 8 : 4;
 constexpr int tile_vectors = 2;
-constexpr int square_depth = 128; // columns of a square summed at once: its rows stay in the cache
 
 /// Sums of a tile of `vectors` times lanes rows.
 template <int n_vectors>
@@ -129,15 +128,13 @@ void DenseKernels::multiply_by_transposed(const int n_rows, const int n, const I
 
 void DenseKernels::add_square(const int n, const int depth, const In A, const Out W)
 {
-  for (int k = 0; k < depth; k += square_depth)
-    for_strips(0, n,
-               [&](auto tile, const int row)
-               {
-                 const int end = row + decltype(tile)::vectors * lanes;
-                 for (int j = 0; j < end; j += tile_columns)
-                   add(tile, std::min(square_depth, depth - k), A.from(row, k), A.from(j, k), W.from(row, j),
-                       1.);
-               });
+  for_strips(0, n,
+             [&](auto tile, const int row)
+             {
+               const int end = row + decltype(tile)::vectors * lanes;
+               for (int j = 0; j < end; j += tile_columns)
+                 add(tile, depth, A.from(row, 0), A.from(j, 0), W.from(row, j), 1.);
+             });
 }
 
 void DenseKernels::subtract_times(

@@ -143,7 +143,7 @@ void MovedBoundary::find_center(const ContactScene<2> &scene)
     }
   }
   const double mass = body->mass.sum();
-  travel = way / mass;
+  travel = nodal_travel = way / mass;
   if (scene.cell != nullptr)
   {
     start = Point(moment / mass);

@@ -69,7 +69,7 @@ void find_wall_rows(const ContactScene<2> &scene,
       continue;
     std::shared_ptr<const PlaceSlide<2>> slide;
     if (own.is_free && scene.places_slide)
-      slide = slide_of_places(body, own, -wall.normal, nullptr);
+      slide = slide_of_places(own, -wall.normal, nullptr);
     for_places(own, -wall.normal,
                [&](const Seeker &seeker)
                {
@@ -242,7 +242,7 @@ private:
     if (scene.places_slide && own.is_free && other.boundary().circular && !partner.driven)
     {
       if (!slide)
-        slide = slide_of_places(body, own, direction(), &partner);
+        slide = slide_of_places(own, direction(), &other);
       add_slope(scene, at, *slide, row);
     }
     rows.push_back(std::move(row));

@@ -179,7 +179,7 @@ bool StepEquations::evaluate(const Vectors &v)
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
 {
   Eigen::VectorXd P = missing_impulse[b];
-  work.contact.add_impulses(b, work.contact.impulses(), P);
+  work.contact.add_impulses(b, P);
   return P;
 }
 
@@ -203,7 +203,7 @@ double StepEquations::residual() const
       {
         const unsigned int b = body.index;
         Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
-        work.contact.add_impulses(b, work.contact.impulses(), contact);
+        work.contact.add_impulses(b, contact);
         norms[b] = (missing_impulse[b] + contact).norm();
         double scale = std::max(contact.norm(), dt * internal_norm[b]);
         if (scheme.inertia)

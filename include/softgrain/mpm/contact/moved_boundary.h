@@ -84,10 +84,11 @@ public:
 
   /// Whether places that look for contact may stand in space: round, smooth, and ContactScene::free_places.
   bool is_free = false;
-  Point center;      ///< of mass [m]
-  Point start;       ///< where that is at the start of the step, in a cell that repeats [m]
-  Vector travel;     ///< of the centre over the whole step [m]
-  double spread = 0; ///< largest displacement of a contact marker against that of the centre [m]
+  Point center;        ///< of mass [m]
+  Point start;         ///< where that is at the start of the step, in a cell that repeats [m]
+  Vector travel;       ///< of the centre over the whole step [m]
+  Vector nodal_travel; ///< the same by its nodes alone, without what a cell that repeats adds [m]
+  double spread = 0;   ///< largest displacement of a contact marker against that of the centre [m]
 
 private:
   /// The curve from a marker to the next: its chord, and above that the cubic with these slopes at its ends.
