@@ -164,7 +164,7 @@ void BandedSolver::analyze(const Sparse &matrix)
     Panel &panel = panels[k];
     panel.first = k * block;
     panel.end = std::max({panel.end, panel.first + block, k > 0 ? panels[k - 1].end : 0});
-    panel.end = std::min((panel.end + Kernels::rows - 1) / Kernels::rows * Kernels::rows, n_panels * block);
+    panel.end = std::min(Kernels::filled(panel.end), n_panels * block);
     panel.start = size;
     size += static_cast<std::size_t>(panel.height()) * block;
   }
@@ -305,7 +305,7 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
   // W = Z S Z^T with Z = H P^T L^-T: half of the work of full solves, and symmetric by construction. A row of
   // Z begins where that of H does: those that begin first come first, and of a panel the first rows do.
-  const int n = rows.cols(), n_padded = (n + Kernels::rows - 1) / Kernels::rows * Kernels::rows;
+  const int n = rows.cols(), n_padded = Kernels::filled(n);
   std::vector<int> begins(n, n_panels * block - 1), place(n);
   for (int c = 0; c < n; ++c)
     for (Rows::InnerIterator entry(rows, c); entry; ++entry)
@@ -318,7 +318,7 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
   {
     while (r < n && begins[place[r]] < (k + 1) * block)
       ++r;
-    begun[k] = (r + Kernels::rows - 1) / Kernels::rows * Kernels::rows;
+    begun[k] = Kernels::filled(r);
   }
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(n_padded, n_panels * block);
   parallel_for(n_padded, rows_at_once,

@@ -101,6 +101,20 @@ void add(Tile &tile, const int depth, const In &A, const In &B, const Out &C, co
 }
 } // namespace
 
+void DenseKernels::set_product(
+    const int n_rows, const int n_columns, const int depth, const In A, const In B, const Out C)
+{
+  for_strips(0, n_rows,
+             [&](auto tile, const int row)
+             {
+               for (int n = 0; n < n_columns; n += tile_columns)
+               {
+                 tile.product(depth, A.from(row, 0), B.from(n, 0));
+                 tile.write_to(C.from(row, n), store);
+               }
+             });
+}
+
 void DenseKernels::subtract_product(
     const int n_rows, const int n_columns, const int depth, const In A, const In B, const Out C)
 {

@@ -59,6 +59,14 @@ public:
   using Out = Matrix<double>;
   using In = Matrix<const double>;
 
+  /// What a number of rows or columns is filled up to.
+  static constexpr int filled(const int n)
+  {
+    return (n + rows - 1) / rows * rows;
+  }
+
+  /// C = A Bᵀ, of @p n_rows x @p n_columns with @p depth columns in A and B.
+  static void set_product(int n_rows, int n_columns, int depth, In A, In B, Out C);
   /// C -= A Bᵀ, of @p n_rows x @p n_columns with @p depth columns in A and B.
   static void subtract_product(int n_rows, int n_columns, int depth, In A, In B, Out C);
   /// A = A Lᵀ with a lower triangular L of @p n columns, zero above its diagonal; of A @p n_rows rows.

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <utility>
 #include <vector>
 
 namespace softgrain::mpm
@@ -53,6 +54,11 @@ public:
   Place place(unsigned int m, double share, bool with_weights) const;
   /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
   Place place(double parameter, bool with_weights) const;
+  /// Its weights alone; empty for a driven body.
+  NodeWeights weights(unsigned int m, double share) const;
+  NodeWeights weights(double parameter) const;
+  /// Its position alone [m].
+  Point position_at(double parameter) const;
   /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
   double facing(const Vector &direction) const;
 
@@ -100,6 +106,8 @@ private:
     double height_change(double share) const; ///< per share [m]
   };
   Arc arc(unsigned int m) const;
+  /// The marker before a parameter on the only loop, and the share of the way to the next.
+  std::pair<unsigned int, double> segment(double parameter) const;
 
   void find_center(const ContactScene<2> &scene);
   void move_markers(const ContactScene<2> &scene);
