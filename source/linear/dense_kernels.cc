@@ -59,7 +59,7 @@ struct Tile
   }
 };
 
-/// Calls strip.operator()<vectors>(row) for strips of rows from @p first on.
+// Calls strip(an empty tile, row) for strips of rows from @p first on.
 template <class Strip>
 void for_strips(const int first, const int n_rows, const Strip &strip)
 {
