@@ -37,16 +37,20 @@ double ExchangeSystem::side_of(const unsigned int contact) const
   return states[contact] == ContactState::slides_down ? mu[contact] : -mu[contact];
 }
 
-double
-ExchangeSystem::row_times(const unsigned int row, const Row kind, const double side, const Vector &x) const
+double ExchangeSystem::row_times(const unsigned int row,
+                                 const Row kind,
+                                 const double side,
+                                 const Vector &x,
+                                 const std::vector<int> *const at) const
 {
+  const auto value = [&](const unsigned int i) { return x[at == nullptr ? static_cast<int>(i) : (*at)[i]]; };
   if (kind == Row::no_impulse)
-    return x[row];
+    return value(row);
   if (kind == Row::edge)
-    return x[row] - side * x[row - 1];
+    return value(row) - side * value(row - 1);
   double sum = 0.;
   for (Matrix::InnerIterator entry(W, row); entry; ++entry)
-    sum += entry.value() * x[entry.col()];
+    sum += entry.value() * value(entry.col());
   return sum;
 }
 
@@ -107,60 +111,125 @@ bool ExchangeSystem::factorise()
   }
   for (unsigned int part = 0; part < 2; ++part)
     w[part] = W * P[part] + q[part];
+  keep_slots();
   return true;
 }
 
-// The column of the inverse of the system as it was when factors were made.
-ExchangeSystem::Vector ExchangeSystem::solve_base(const unsigned int row) const
+void ExchangeSystem::keep_slots()
 {
-  Vector column = Vector::Zero(W.rows());
+  const int no_slot = n_closed + most_updates;
+  slot.assign(W.rows(), no_slot);
+  component.clear();
+  part_start.assign(1, 0);
+  part_slot.clear();
+  part_value.clear();
+  for (int row = 0; row < W.rows(); ++row)
+  {
+    if (place[row] >= 0)
+    {
+      slot[row] = place[row];
+      component.push_back(row);
+    }
+    for (Matrix::InnerIterator entry(W, row); entry; ++entry)
+      if (place[entry.col()] >= 0)
+      {
+        part_slot.push_back(place[entry.col()]);
+        part_value.push_back(entry.value());
+      }
+    part_start.push_back(part_slot.size());
+  }
+  of_base.clear();
+  base_number.assign(W.rows(), -1);
+  columns.resize(no_slot + 1, most_updates);
+}
+
+// The column of the inverse of the system as it was when factors were made. A third of the rows come again.
+const ExchangeSystem::Vector &ExchangeSystem::base_column(const unsigned int row)
+{
+  if (base_number[row] >= 0)
+    return of_base[base_number[row]];
+  base_number[row] = of_base.size();
+  of_base.push_back(Vector::Zero(columns.rows()));
+  Vector &column = of_base.back();
+  if (place[row] < 0)
+    column[slot[row]] = 1.;
+  if (!base)
+    return column;
   Vector b = Vector::Zero(n_closed);
   if (place[row] >= 0)
     b[place[row]] = 1.;
   else
-  {
     // An impulse where there was none acts on all that is closed.
-    column[row] = 1.;
     for (Matrix::InnerIterator entry(W, row); entry; ++entry)
       if (place[entry.col()] >= 0 && base_kind[entry.col()] == Row::no_speed)
         b[place[entry.col()]] = -entry.value();
-  }
-  if (!base)
-    return column;
-  const Vector x = base->solve_with_factors(b);
-  for (int i = 0; i < W.rows(); ++i)
-    if (place[i] >= 0)
-      column[i] = x[place[i]];
+  column.head(n_closed) = base->solve_with_factors(b);
   return column;
 }
 
-ExchangeSystem::Vector ExchangeSystem::column_of_inverse(const unsigned int row) const
+// Every update takes off its own column, times what its row makes of the column as it is by then: one after
+// the other, for all at once would lose digits where W has rigid modes.
+ExchangeSystem::Vector ExchangeSystem::column_of_inverse(const unsigned int row)
 {
-  Vector column = solve_base(row);
-  for (const Update &update : updates)
+  Vector column = base_column(row);
+  for (unsigned int i = 0; i < updates.size(); ++i)
   {
+    const Update &update = updates[i];
     const double now =
-        row_times(update.row, update.kind, update.side, column) - (update.row == row ? 1. : 0.);
+        row_times(update.row, update.kind, update.side, column, &slot) - (update.row == row ? 1. : 0.);
     if (now != 0.)
-      column -= now / update.pivot * update.column;
+      column -= now / update.pivot * columns.col(i);
   }
   return column;
+}
+
+// Of rows with w = 0 nothing is to be known.
+void ExchangeSystem::add_to_speeds(const Vector &column, const double (&factor)[2])
+{
+  const unsigned int n_rows = W.rows();
+  for (unsigned int row = 0; row < n_rows; ++row)
+    if (kind_of(row) == Row::no_speed)
+      w[0][row] = w[1][row] = 0.;
+    else
+    {
+      double sum = 0.;
+      for (int k = part_start[row]; k < part_start[row + 1]; ++k)
+        sum += part_value[k] * column[part_slot[k]];
+      w[0][row] += factor[0] * sum;
+      w[1][row] += factor[1] * sum;
+    }
+  for (unsigned int s = n_closed; s < component.size(); ++s)
+    if (column[s] != 0.)
+      for (Matrix::InnerIterator entry(W, component[s]); entry; ++entry) // W is symmetric
+        if (kind_of(entry.col()) != Row::no_speed)
+          for (unsigned int part = 0; part < 2; ++part)
+            w[part][entry.col()] += factor[part] * column[s] * entry.value();
 }
 
 bool ExchangeSystem::replace(const unsigned int row)
 {
-  Update update{row, kind_of(row), side_of(row / 2), 0., column_of_inverse(row)};
-  update.pivot = row_times(row, update.kind, update.side, update.column);
-  if (!(std::abs(update.pivot) > 1e-11 * update.column.lpNorm<Eigen::Infinity>()))
+  if (slot[row] == columns.rows() - 1)
+  {
+    slot[row] = component.size();
+    component.push_back(row);
+  }
+  Update update{row, kind_of(row), side_of(row / 2), 0.};
+  const unsigned int n = updates.size();
+  columns.col(n) = column_of_inverse(row);
+  const Vector column = columns.col(n);
+  update.pivot = row_times(row, update.kind, update.side, column, &slot);
+  if (!(std::abs(update.pivot) > 1e-11 * column.lpNorm<Eigen::Infinity>()))
     return false;
-  const Vector of_column = W * update.column;
+  double factor[2];
   for (unsigned int part = 0; part < 2; ++part)
   {
-    const double missing = right_side(row, part) - row_times(row, update.kind, update.side, P[part]);
-    P[part] += missing / update.pivot * update.column;
-    w[part] += missing / update.pivot * of_column;
+    const double missing = right_side(row, part) - row_times(row, update.kind, update.side, P[part], nullptr);
+    factor[part] = missing / update.pivot;
+    for (unsigned int s = 0; s < component.size(); ++s)
+      P[part][component[s]] += factor[part] * column[s];
   }
-  updates.push_back(std::move(update));
+  add_to_speeds(column, factor);
+  updates.push_back(update);
   return true;
 }
 

@@ -2,8 +2,6 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/linear/banded_solver.h>
 
-#include <Eigen/Cholesky>
-
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 
@@ -16,7 +14,91 @@ namespace softgrain
 namespace
 {
 using Sparse = SystemMatrix::Sparse;
-using Panel = Eigen::Map<Eigen::MatrixXd>;
+using Kernels = DenseKernels;
+
+constexpr int narrow_band = 192; ///< up to which panels are half as wide
+constexpr int largest_block = 32;
+constexpr int panels_at_once = 3; ///< of which the squares of condensed rows are summed
+constexpr int rows_at_once = 64;  ///< contact rows that one thread condenses
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, largest_block, largest_block>;
+
+/// Cholesky's factor L in place of the lower triangle. @return whether it has one
+bool factorize_positive(Block &L)
+{
+  const int n = L.rows(), stride = L.outerStride();
+  for (int j = 0; j < n; ++j)
+  {
+    const double pivot = L(j, j);
+    if (!(pivot > 0.))
+      return false;
+    const double scale = 1. / std::sqrt(pivot);
+    const int first = j / Kernels::lanes * Kernels::lanes;
+    double *const own = L.data() + j * stride;
+    for (int i = first; i < n; i += Kernels::lanes)
+      Kernels::store(own + i, Kernels::load(own + i) * scale);
+    for (int c = j + 1; c < n; ++c)
+    {
+      double *const other = L.data() + c * stride;
+      for (int i = c / Kernels::lanes * Kernels::lanes; i < n; i += Kernels::lanes)
+        Kernels::store(other + i, Kernels::load(other + i) - Kernels::load(own + i) * own[c]);
+    }
+  }
+  return true;
+}
+
+/// L S Lᵀ in place, without pivoting, as the band asks for. @p negative takes the columns with the sign -,
+/// counted from @p first. @return whether there is one at most, and no pivot is zero
+bool factorize_with_signs(Block &L, const int first, std::vector<int> &negative)
+{
+  const int n = L.rows();
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, largest_block, 1> sign(n);
+  for (int j = 0; j < n; ++j)
+  {
+    double pivot = L(j, j);
+    for (int i = 0; i < j; ++i)
+      pivot -= sign[i] * L(j, i) * L(j, i);
+    if (!(std::abs(pivot) > 1e-12 * std::abs(L(j, j))))
+      return false;
+    sign[j] = pivot > 0. ? 1. : -1.;
+    if (pivot < 0.)
+      negative.push_back(first + j);
+    if (negative.size() > 1)
+      return false;
+    L(j, j) = std::sqrt(std::abs(pivot));
+    for (int r = j + 1; r < n; ++r)
+    {
+      double value = L(r, j);
+      for (int i = 0; i < j; ++i)
+        value -= sign[i] * L(r, i) * L(j, i);
+      L(r, j) = value * sign[j] / L(j, j);
+    }
+  }
+  return true;
+}
+
+/// Writes L⁻¹ to the first rows of @p out, with zeros above its diagonal. Of L the diagonal and what is
+/// below.
+void invert_lower(Block &L, const Kernels::Out &out)
+{
+  const int n = L.rows();
+  Block X = Block::Identity(n, n);
+  for (int k = 0; k < n; ++k)
+  {
+    const double scale = 1. / L(k, k);
+    L.col(k).head(k + 1).setZero();
+    for (int j = 0; j <= k; ++j)
+    {
+      const double value = X(k, j) * scale;
+      X(k, j) = value;
+      double *const column = &X(0, j);
+      const double *const factor = &L(0, k);
+      for (int i = k / Kernels::lanes * Kernels::lanes; i < n; i += Kernels::lanes)
+        Kernels::store(column + i, Kernels::load(column + i) - Kernels::load(factor + i) * value);
+    }
+  }
+  for (int j = 0; j < n; ++j)
+    std::copy_n(&X(0, j), n, out.at(0, j));
+}
 
 int bandwidth_of(const Sparse &matrix, const std::vector<int> &order)
 {
@@ -66,71 +148,64 @@ void BandedSolver::analyze(const Sparse &matrix)
 {
   int width;
   std::tie(order, width) = best_order(matrix);
-  band = (width + block - 1) / block * block;
+  block = width <= narrow_band ? 16 : 32;
   n_panels = (matrix.rows() + block - 1) / block;
-  panels.assign(static_cast<std::size_t>(n_panels) * (block + band) * block, 0.);
+  // A factor fills a row from its first entry on: a panel reaches as far as those before it.
+  panels.assign(n_panels, Panel());
+  for (int j = 0; j < matrix.outerSize(); ++j)
+    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry)
+    {
+      const int row = std::max(order[entry.row()], order[j]), column = std::min(order[entry.row()], order[j]);
+      panels[column / block].end = std::max(panels[column / block].end, row + 1);
+    }
+  std::size_t size = 0;
+  for (int k = 0; k < n_panels; ++k)
+  {
+    Panel &panel = panels[k];
+    panel.first = k * block;
+    panel.end = std::max({panel.end, panel.first + block, k > 0 ? panels[k - 1].end : 0});
+    panel.end = std::min(Kernels::filled(panel.end), n_panels * block);
+    panel.start = size;
+    size += static_cast<std::size_t>(panel.height()) * block;
+  }
+  values.assign(size, 0.);
   target.resize(matrix.nonZeros());
   std::size_t k = 0;
   for (int j = 0; j < matrix.outerSize(); ++j)
     for (Sparse::InnerIterator entry(matrix, j); entry; ++entry, ++k)
     {
       const int row = std::max(order[entry.row()], order[j]), column = std::min(order[entry.row()], order[j]);
-      const int panel = column / block;
-      target[k] =
-          panel * (block + band) * block + (column - panel * block) * (block + band) + (row - panel * block);
+      const Panel &panel = panels[column / block];
+      target[k] = panel.start + (column - panel.first) * panel.height() + (row - panel.first);
     }
 }
 
 void BandedSolver::fill(const Sparse &matrix)
 {
-  std::fill(panels.begin(), panels.end(), 0.);
-  const double *values = matrix.valuePtr();
+  std::fill(values.begin(), values.end(), 0.);
+  const double *of_matrix = matrix.valuePtr();
   for (std::size_t k = 0; k < target.size(); ++k)
-    panels[target[k]] += values[k];
+    values[target[k]] += of_matrix[k];
   // The last panel may reach beyond the matrix: ones on the diagonal leave the rest alone.
   for (int i = matrix.rows(); i < n_panels * block; ++i)
-  {
-    const int column = i - (n_panels - 1) * block;
-    panels[static_cast<std::size_t>(n_panels - 1) * (block + band) * block + column * (block + band) +
-           column] = 1.;
-  }
+    *of_panel(n_panels - 1).at(i - panels.back().first, i - panels.back().first) = 1.;
 }
 
-/// Diagonal block L S L^T in place, S a sign for every column. All signs are + in almost every case, and then
-/// it is Cholesky's factor.
-bool BandedSolver::factorize_diagonal(const int panel)
+/// Diagonal block of a panel as L S L^T, S a sign for every column, and L^-1 in its place. All signs are + in
+/// almost every case, and then L is Cholesky's factor.
+bool BandedSolver::factorize_diagonal(const int k)
 {
-  Panel whole(&panels[static_cast<std::size_t>(panel) * (block + band) * block], block + band, block);
-  Eigen::Matrix<double, block, block> L = whole.topRows(block);
-  const Eigen::LLT<Eigen::Ref<Eigen::Matrix<double, block, block>>> llt(L);
-  if (llt.info() != Eigen::Success)
+  const Kernels::Out panel = of_panel(k);
+  const Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> place(panel.data, block, block,
+                                                                   Eigen::OuterStride<>(panel.stride));
+  Block L = place;
+  if (!factorize_positive(L))
   {
-    // Without pivoting, as the band asks for.
-    L = whole.topRows(block);
-    Eigen::Matrix<double, block, 1> sign;
-    for (int j = 0; j < block; ++j)
-    {
-      double pivot = L(j, j);
-      for (int i = 0; i < j; ++i)
-        pivot -= sign[i] * L(j, i) * L(j, i);
-      if (!(std::abs(pivot) > 1e-12 * std::abs(L(j, j))))
-        return false;
-      sign[j] = pivot > 0. ? 1. : -1.;
-      if (pivot < 0.)
-        negative.push_back(panel * block + j);
-      if (negative.size() > 1)
-        return false;
-      L(j, j) = std::sqrt(std::abs(pivot));
-      for (int r = j + 1; r < block; ++r)
-      {
-        double value = L(r, j);
-        for (int i = 0; i < j; ++i)
-          value -= sign[i] * L(r, i) * L(j, i);
-        L(r, j) = value * sign[j] / L(j, j);
-      }
-    }
+    L = place;
+    if (!factorize_with_signs(L, panels[k].first, negative))
+      return false;
   }
-  whole.topRows(block) = L;
+  invert_lower(L, panel);
   return true;
 }
 
@@ -143,82 +218,84 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
   }
   fill(matrix.lower());
   negative.clear();
-  const std::size_t size = static_cast<std::size_t>(block + band) * block;
+  std::vector<double> turned; // L21 S, of a panel with a negative pivot
   for (int k = 0; k < n_panels; ++k)
   {
     const std::size_t n_negative_before = negative.size();
     if (!factorize_diagonal(k))
       return false;
-    Panel panel(&panels[k * size], block + band, block);
-    const int n_below = std::min(band / block, n_panels - 1 - k);
+    const Panel &own = panels[k];
+    const int n_below = own.end - own.first - block;
     if (n_below == 0)
       continue;
-    auto below = panel.middleRows(block, n_below * block);
-    panel.topRows(block).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-    Eigen::MatrixXd turned; // L21 S, of a panel with a negative pivot
+    const Kernels::Out panel = of_panel(k), below = panel.from(block, 0);
+    Kernels::multiply_by_transposed(n_below, block, panel, below);
+    Kernels::In left = below;
     if (negative.size() > n_negative_before)
     {
-      below.col(negative.back() - k * block) *= -1.;
-      turned = below;
-      turned.col(negative.back() - k * block) *= -1.;
+      const int column = negative.back() - own.first;
+      for (int i = 0; i < n_below; ++i)
+        *below.at(i, column) *= -1.;
+      turned.assign(panel.data, panel.data + static_cast<std::size_t>(own.height()) * block);
+      left = {turned.data() + block, below.stride};
+      for (int i = 0; i < n_below; ++i)
+        turned[block + i + column * below.stride] *= -1.;
     }
-    parallel_for(n_below, 4,
+    parallel_for((n_below + block - 1) / block, 4,
                  [&](const std::size_t begin, const std::size_t end)
                  {
                    for (std::size_t j = begin; j < end; ++j)
                    {
-                     const int rows = (n_below - static_cast<int>(j)) * block;
-                     Panel next(&panels[(k + 1 + j) * size], block + band, block);
-                     const auto right = below.middleRows(j * block, block).transpose();
-                     if (turned.size() > 0)
-                       next.topRows(rows).noalias() -= turned.bottomRows(rows) * right;
-                     else
-                       next.topRows(rows).noalias() -= below.bottomRows(rows) * right;
+                     const int skip = j * block;
+                     Kernels::subtract_product(n_below - skip, std::min(block, n_below - skip), block,
+                                               left.from(skip, 0), below.from(skip, 0), of_panel(k + 1 + j));
                    }
                  });
   }
   return true;
 }
 
-template <class Derived>
-void BandedSolver::forward(Eigen::MatrixBase<Derived> &x) const
+void BandedSolver::forward(double *x) const
 {
-  const std::size_t size = static_cast<std::size_t>(block + band) * block;
+  double own[largest_block];
   for (int k = 0; k < n_panels; ++k)
   {
-    const Eigen::Map<const Eigen::MatrixXd> panel(&panels[k * size], block + band, block);
-    auto own = x.middleRows(k * block, block);
-    panel.topRows(block).triangularView<Eigen::Lower>().solveInPlace(own);
-    const int rows = std::min(band, (n_panels - 1 - k) * block);
-    if (rows > 0)
-      x.middleRows((k + 1) * block, rows).noalias() -= panel.middleRows(block, rows) * own;
+    const Kernels::In panel = of_panel(k);
+    double *const here = x + panels[k].first;
+    std::fill_n(own, block, 0.);
+    Kernels::subtract_times(block, block, panel, here, own);
+    for (int i = 0; i < block; ++i)
+      here[i] = -own[i];
+    Kernels::subtract_times(panels[k].height() - block, block, panel.from(block, 0), here, here + block);
   }
 }
 
-template <class Derived>
-void BandedSolver::backward(Eigen::MatrixBase<Derived> &x) const
+void BandedSolver::backward(double *x) const
 {
-  const std::size_t size = static_cast<std::size_t>(block + band) * block;
+  double own[largest_block];
   for (int k = n_panels - 1; k >= 0; --k)
   {
-    const Eigen::Map<const Eigen::MatrixXd> panel(&panels[k * size], block + band, block);
-    auto own = x.middleRows(k * block, block);
-    const int rows = std::min(band, (n_panels - 1 - k) * block);
-    if (rows > 0)
-      own.noalias() -= panel.middleRows(block, rows).transpose() * x.middleRows((k + 1) * block, rows);
-    panel.topRows(block).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    const Kernels::In panel = of_panel(k);
+    double *const here = x + panels[k].first;
+    Kernels::subtract_transposed_times(panels[k].height() - block, block, panel.from(block, 0), here + block,
+                                       here);
+    std::fill_n(own, block, 0.);
+    Kernels::subtract_transposed_times(block, block, panel, here, own);
+    for (int i = 0; i < block; ++i)
+      here[i] = -own[i];
   }
 }
 
 void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 {
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(n_panels * block);
+  Eigen::VectorXd y(n_panels * block);
+  y.tail(y.size() - b.size()).setZero();
   for (int i = 0; i < b.size(); ++i)
     y[order[i]] = b[i];
-  forward(y);
+  forward(y.data());
   for (const int i : negative)
     y[i] = -y[i];
-  backward(y);
+  backward(y.data());
   x.resize(b.size());
   for (int i = 0; i < b.size(); ++i)
     x[i] = y[order[i]];
@@ -226,21 +303,54 @@ void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 
 void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
-  // W = Y^T S Y with L Y = P H^T: half of the work of full solves, and symmetric by construction.
-  Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(n_panels * block, rows.cols());
-  parallel_for(rows.cols(), 16,
+  // W = Z S Z^T with Z = H P^T L^-T: half of the work of full solves, and symmetric by construction. A row of
+  // Z begins where that of H does: those that begin first come first, and of a panel the first rows do.
+  const int n = rows.cols(), n_padded = Kernels::filled(n);
+  std::vector<int> begins(n, n_panels * block - 1), place(n);
+  for (int c = 0; c < n; ++c)
+    for (Rows::InnerIterator entry(rows, c); entry; ++entry)
+      begins[c] = std::min(begins[c], order[entry.row()]);
+  std::iota(place.begin(), place.end(), 0);
+  std::sort(place.begin(), place.end(),
+            [&](const int c, const int d) { return begins[c] != begins[d] ? begins[c] < begins[d] : c < d; });
+  std::vector<int> begun(n_panels, 0); // rows, up to and with a panel
+  for (int k = 0, r = 0; k < n_panels; ++k)
+  {
+    while (r < n && begins[place[r]] < (k + 1) * block)
+      ++r;
+    begun[k] = Kernels::filled(r);
+  }
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(n_padded, n_panels * block);
+  parallel_for(n_padded, rows_at_once,
                [&](const std::size_t begin, const std::size_t end)
                {
-                 for (std::size_t c = begin; c < end; ++c)
-                   for (Rows::InnerIterator entry(rows, c); entry; ++entry)
-                     Y(order[entry.row()], c) = entry.value();
-                 auto own = Y.middleCols(begin, end - begin);
-                 forward(own);
+                 for (int r = begin; r < std::min<int>(end, n); ++r)
+                   for (Rows::InnerIterator entry(rows, place[r]); entry; ++entry)
+                     Z(r, order[entry.row()]) = entry.value();
+                 for (int k = 0; k < n_panels; ++k)
+                 {
+                   const int n_here = std::min<int>(begun[k], end) - static_cast<int>(begin);
+                   if (n_here <= 0)
+                     continue;
+                   const Kernels::In panel = of_panel(k);
+                   const Kernels::Out own = {&Z(begin, panels[k].first), Z.outerStride()};
+                   Kernels::multiply_by_transposed(n_here, block, panel, own);
+                   Kernels::subtract_product(n_here, panels[k].height() - block, block, own,
+                                             panel.from(block, 0), own.from(0, block));
+                 }
                });
-  W.setZero(rows.cols(), rows.cols());
-  W.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n_padded, n_padded);
+  for (int k = 0; k < n_panels; k += panels_at_once)
+  {
+    const int end = std::min(k + panels_at_once, n_panels);
+    Kernels::add_square(begun[end - 1], (end - k) * block, {&Z(0, k * block), Z.outerStride()},
+                        {square.data(), square.outerStride()});
+  }
   for (const int i : negative)
-    W.selfadjointView<Eigen::Lower>().rankUpdate(Eigen::VectorXd(Y.row(i).transpose()), -2.);
-  W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
+    square.selfadjointView<Eigen::Lower>().rankUpdate(Z.col(i), -2.);
+  W.resize(n, n);
+  for (int c = 0; c < n; ++c)
+    for (int r = c; r < n; ++r)
+      W(place[r], place[c]) = W(place[c], place[r]) = square(r, c);
 }
 } // namespace softgrain

@@ -90,6 +90,32 @@ void SystemMatrix::set_zero()
   std::fill(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), 0.);
 }
 
+void SystemMatrix::add_plane_cell(const unsigned int cell,
+                                  const double *const blocks,
+                                  const std::ptrdiff_t stride)
+{
+  // Both directions of a node follow each other in a column.
+  using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
+  const unsigned int n = places[cell].n_nodes;
+  const int *start = places[cell].start.data();
+  double *const values = matrix.valuePtr();
+  const double *const xx = blocks, *const xy = blocks + n * stride, *const yy = blocks + 2 * n * stride;
+  for (unsigned int b = 0; b < n; ++b)
+  {
+    const double *const xx_b = xx + b * stride, *const xy_b = xy + b * stride, *const yy_b = yy + b * stride,
+                        *const yx_b = xy + b;
+    values[start[0]] += xx_b[b];
+    values[start[0] + 1] += xy_b[b];
+    values[start[1]] += yy_b[b];
+    start += 2;
+    for (unsigned int a = b + 1; a < n; ++a, start += 2)
+    {
+      *reinterpret_cast<Pair *>(values + start[0]) += Pair{xx_b[a], yx_b[a * stride]};
+      *reinterpret_cast<Pair *>(values + start[1]) += Pair{xy_b[a], yy_b[a]};
+    }
+  }
+}
+
 template <int dim>
 void SystemMatrix::add_mass(const Eigen::VectorXd &mass, const double factor)
 {

@@ -72,17 +72,20 @@ private:
   {
     unsigned int row;
     Row kind;
-    double side;   ///< of an edge: P_t = side P_n
-    double pivot;  ///< new row times inverse column
-    Vector column; ///< of the inverse before the update
+    double side;  ///< of an edge: P_t = side P_n
+    double pivot; ///< new row times inverse column
   };
 
   Row kind_of(unsigned int row) const;
   double side_of(unsigned int contact) const;
-  double row_times(unsigned int row, Row kind, double side, const Vector &x) const;
+  /// A row times a vector over components; @p at gives the places of these in the vector, null: as they are.
+  double
+  row_times(unsigned int row, Row kind, double side, const Vector &x, const std::vector<int> *at) const;
   double right_side(unsigned int row, unsigned int part) const;
-  Vector solve_base(unsigned int row) const;
-  Vector column_of_inverse(unsigned int row) const;
+  void keep_slots();
+  const Vector &base_column(unsigned int row);
+  Vector column_of_inverse(unsigned int row);
+  void add_to_speeds(const Vector &column, const double (&factor)[2]);
   bool replace(unsigned int row);
 
   const Matrix W;
@@ -92,8 +95,18 @@ private:
   int n_closed = 0;       ///< components of them
   std::vector<Row> base_kind;
   std::unique_ptr<ActiveSystem> base;
+  /// Columns of the inverse hold what is closed, or was when factors were made: the slots of components in
+  /// them; of all others the last, which holds 0.
+  std::vector<int> slot;
+  std::vector<unsigned int> component; ///< of a slot
+  /// W of all rows on the slots of what was closed when factors were made, row by row.
+  std::vector<int> part_start, part_slot;
+  std::vector<double> part_value;
   std::vector<Update> updates;
-  Vector P[2], w[2]; ///< at t = 0, and their slopes
+  std::vector<int> base_number; ///< of a row among those below; -1: none
+  std::vector<Vector> of_base;  ///< columns of the inverse as it was when factors were made: rows come again
+  Eigen::MatrixXd columns;      ///< of the inverse, each before its update
+  Vector P[2], w[2];            ///< at t = 0, and their slopes
 };
 } // namespace softgrain::contact
 

@@ -2,6 +2,7 @@
 #ifndef softgrain_linear_banded_solver_h
 #define softgrain_linear_banded_solver_h
 
+#include <softgrain/linear/dense_kernels.h>
 #include <softgrain/linear/linear_solver.h>
 
 #include <vector>
@@ -29,22 +30,32 @@ public:
   static unsigned int bandwidth(const SystemMatrix &matrix);
 
 private:
+  /// Columns `first` to `first + block` of the factor, and rows from there to `end`; in place of the diagonal
+  /// block L stands its inverse, with zeros above the diagonal.
+  struct Panel
+  {
+    int first = 0, end = 0;
+    std::size_t start = 0; ///< in values
+    int height() const { return end - first; }
+  };
+
   void analyze(const SystemMatrix::Sparse &matrix);
   void fill(const SystemMatrix::Sparse &matrix);
   bool factorize_diagonal(int panel);
-  /// Substitutions in place; a vector, or the columns of a matrix.
-  template <class Derived>
-  void forward(Eigen::MatrixBase<Derived> &x) const;
-  template <class Derived>
-  void backward(Eigen::MatrixBase<Derived> &x) const;
+  /// Substitutions in place.
+  void forward(double *x) const;
+  void backward(double *x) const;
 
-  static constexpr int block = 32; ///< columns of a panel; the fastest of 16 to 64 with AVX2
-  int band = 0;                    ///< rows of a panel below its diagonal block, a multiple of block
+  DenseKernels::Out of_panel(const int k) { return {&values[panels[k].start], panels[k].height()}; }
+  DenseKernels::In of_panel(const int k) const { return {&values[panels[k].start], panels[k].height()}; }
+
+  int block = 0; ///< columns of a panel
   int n_panels = 0;
-  std::vector<int> negative;  ///< unknowns, in their new order, whose pivot is negative; at most one
-  std::vector<int> order;     ///< new place of every unknown
-  std::vector<int> target;    ///< place in panels of every entry of the matrix
-  std::vector<double> panels; ///< n_panels matrices of (block + band) x block, by columns
+  std::vector<int> negative;       ///< unknowns, in their new order, whose pivot is negative; at most one
+  std::vector<int> order;          ///< new place of every unknown
+  std::vector<std::size_t> target; ///< place in values of every entry of the matrix
+  std::vector<Panel> panels;
+  std::vector<double> values; ///< of the panels, each by columns
 };
 } // namespace softgrain
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,10 @@ public:
           for (unsigned int e = (a == b ? d : 0), k = 0; e < dim; ++e, ++k)
             values[*start + k] += factor * value(a, e, b, d);
   }
+
+  /// The same in the plane of a matrix in blocks, of directions x x, x y and y y side by side: rows for the
+  /// first direction, columns for the second. @param stride between columns
+  void add_plane_cell(unsigned int cell, const double *blocks, std::ptrdiff_t stride);
 
   /// Adds @p factor * @p mass to the diagonal, one mass per node.
   template <int dim>

@@ -6,20 +6,6 @@
 namespace softgrain::mpm
 {
 template <int dim>
-unsigned int Boundary<dim>::next(const unsigned int m) const
-{
-  const auto end = std::upper_bound(loop_start.begin(), loop_start.end(), m);
-  return m + 1 == *end ? *(end - 1) : m + 1;
-}
-
-template <int dim>
-unsigned int Boundary<dim>::previous(const unsigned int m) const
-{
-  const auto end = std::upper_bound(loop_start.begin(), loop_start.end(), m);
-  return m == *(end - 1) ? *end - 1 : m - 1;
-}
-
-template <int dim>
 dealii::Tensor<1, dim> Body<dim>::momentum() const
 {
   dealii::Tensor<1, dim> sum;

@@ -17,42 +17,6 @@ struct ContactSystem<dim>::Operator
   std::variant<contact::BlockDelassus, contact::MassDelassus> kind;
 };
 
-namespace
-{
-/// Weights of one row on one body's dofs for a unit impulse along @p direction, as the next column of @p
-/// matrix.
-template <int dim>
-void add_column(const NodeWeights &weights,
-                const dealii::Tensor<1, dim> &direction,
-                const double sign,
-                const unsigned int column,
-                LinearSolver::Rows &matrix)
-{
-  matrix.startVec(column);
-  for (unsigned int k = 0; k < weights.node.size(); ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-      if (direction[d] != 0.)
-        matrix.insertBack(dim * weights.node[k] + d, column) = sign * weights.weight[k] * direction[d];
-}
-/// The same of a normal impulse at a place that slides along the outline.
-template <int dim>
-void add_sliding_column(const ContactRow<dim> &row,
-                        const bool own,
-                        const unsigned int column,
-                        LinearSolver::Rows &matrix)
-{
-  Eigen::VectorXd all = row.slope * (own ? row.slide->of_body : row.slide->of_partner);
-  const NodeWeights &weights = own ? row.body_weights : row.partner_weights;
-  for (unsigned int k = 0; k < weights.node.size(); ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-      all[dim * weights.node[k] + d] += (own ? 1. : -1.) * weights.weight[k] * row.normal[d];
-  matrix.startVec(column);
-  for (unsigned int i = 0; i < all.size(); ++i)
-    if (all[i] != 0.)
-      matrix.insertBack(i, column) = all[i];
-}
-} // namespace
-
 template <int dim>
 void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                                 const std::vector<Body<dim>> &bodies,
@@ -93,26 +57,12 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
         for (unsigned int c = 0; c < components; ++c)
           body_components[b].push_back(r * components + c);
   body_rows.resize(bodies.size());
+  pushes.clear();
   parallel_for(bodies.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                 {
-                   LinearSolver::Rows &matrix = body_rows[b];
-                   matrix.resize(bodies[b].field.n_dofs(), body_components[b].size());
-                   for (unsigned int k = 0; k < body_components[b].size(); ++k)
-                   {
-                     const ContactRow<dim> &row = rows[body_components[b][k] / components];
-                     const bool own = row.body == b;
-                     if (row.slide != nullptr && body_components[b][k] % components == 0)
-                       add_sliding_column<dim>(row, own, k, matrix);
-                     else
-                       add_column<dim>(own ? row.body_weights : row.partner_weights,
-                                       row.direction(body_components[b][k] % components), own ? 1. : -1., k,
-                                       matrix);
-                   }
-                   matrix.finalize();
-                 }
+                   body_rows[b].reinit(bodies[b], rows, body_components[b], components);
                });
   impulse.assign((rows.size() + free_walls.n_stops()) * components, 0.);
   velocity.assign(impulse.size(), 0.);
@@ -155,7 +105,7 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body
   for (unsigned int b = 0; b < bodies.size(); ++b)
     if (!bodies[b].driven && !body_components[b].empty())
     {
-      const Eigen::VectorXd own = body_rows[b].transpose() * nodal[b];
+      const Eigen::VectorXd own = body_rows[b].velocities(nodal[b]);
       for (unsigned int k = 0; k < body_components[b].size(); ++k)
         w[body_components[b][k]] += own[k];
     }
@@ -167,16 +117,37 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body
 }
 
 template <int dim>
-void ContactSystem<dim>::add_impulses(const unsigned int b,
-                                      const std::vector<double> &P,
-                                      Eigen::VectorXd &nodal) const
+void ContactSystem<dim>::add_impulses(const unsigned int b, Eigen::VectorXd &nodal) const
 {
   if (body_components.size() <= b || body_components[b].empty())
     return;
+  if (!pushes.empty())
+  {
+    nodal += pushes[b];
+    return;
+  }
   Eigen::VectorXd own(body_components[b].size());
   for (unsigned int k = 0; k < own.size(); ++k)
-    own[k] = P[body_components[b][k]];
-  nodal += body_rows[b] * own;
+    own[k] = impulse[body_components[b][k]];
+  body_rows[b].add_impulses(own, nodal);
+}
+
+template <int dim>
+void ContactSystem<dim>::keep_pushes()
+{
+  std::vector<Eigen::VectorXd> now(body_rows.size());
+  pushes.clear();
+  parallel_for(now.size(), 16,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!body_components[b].empty())
+                   {
+                     now[b].setZero(body_rows[b].n_dofs());
+                     add_impulses(b, now[b]);
+                   }
+               });
+  pushes = std::move(now);
 }
 
 template <int dim>
@@ -194,7 +165,7 @@ void ContactSystem<dim>::condense(const BodyShare &share,
       {
         const unsigned int b = body.index;
         if (!body_components[b].empty())
-          solvers[b]->condense(body_rows[b], blocks[b]);
+          body_rows[b].condense(*solvers[b], blocks[b]);
       },
       [&](BodyShare::Message &message)
       {
@@ -285,9 +256,12 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
 
   std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
+  {
+    const LinearSolver::Rows of_body = body_rows[b].full();
     for (unsigned int k = 0; k < body_components[b].size(); ++k)
-      for (LinearSolver::Rows::InnerIterator entry(body_rows[b], k); entry; ++entry)
+      for (LinearSolver::Rows::InnerIterator entry(of_body, k); entry; ++entry)
         list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());
+  }
   for (unsigned int k = 0; k < free_walls.list.size(); ++k)
   {
     for (const auto &entry : free_walls.entries(k))
@@ -337,6 +311,7 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
         report.residual /= factor;
         plain_solves += report.fell_back;
         free_walls.move(impulse);
+        keep_pushes();
         return report;
       },
       delassus->kind);

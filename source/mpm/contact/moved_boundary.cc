@@ -47,19 +47,24 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
 
 NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
 {
+  const unsigned int n_a = a.node.size(), n_b = b.node.size();
+  const unsigned int *const node_a = a.node.data(), *const node_b = b.node.data();
+  const double *const weight_a = a.weight.data(), *const weight_b = b.weight.data();
   NodeWeights result;
-  for (unsigned int i = 0, j = 0; i < a.node.size() || j < b.node.size();)
+  result.node.resize(n_a + n_b, boost::container::default_init);
+  result.weight.resize(n_a + n_b, boost::container::default_init);
+  unsigned int n = 0;
+  for (unsigned int i = 0, j = 0; i < n_a || j < n_b; ++n)
   {
-    const unsigned int node =
-        std::min(i < a.node.size() ? a.node[i] : b.node[j], j < b.node.size() ? b.node[j] : a.node[i]);
-    double weight = 0.;
-    if (i < a.node.size() && a.node[i] == node)
-      weight += (1. - share) * a.weight[i++];
-    if (j < b.node.size() && b.node[j] == node)
-      weight += share * b.weight[j++];
-    result.node.push_back(node);
-    result.weight.push_back(weight);
+    const bool first = j == n_b || (i < n_a && node_a[i] <= node_b[j]),
+               second = i == n_a || (j < n_b && node_b[j] <= node_a[i]);
+    result.node[n] = first ? node_a[i] : node_b[j];
+    result.weight[n] = (first ? (1. - share) * weight_a[i] : 0.) + (second ? share * weight_b[j] : 0.);
+    i += first;
+    j += second;
   }
+  result.node.resize(n);
+  result.weight.resize(n);
   return result;
 }
 
@@ -84,12 +89,18 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
       spread = std::max(spread, (displacement[m] - travel).norm());
   }
   normals.reserve(position.size());
-  for (unsigned int m = 0; m < position.size(); ++m)
+  for (unsigned int l = 0; l < body.boundary.n_loops(); ++l)
   {
-    const Vector sum = edge_normal(position[body.boundary.previous(m)], position[m]) +
-                       edge_normal(position[m], position[body.boundary.next(m)]);
-    const double norm = sum.norm();
-    normals.push_back(norm > 0. ? sum / norm : sum);
+    const unsigned int begin = body.boundary.loop_start[l], end = body.boundary.loop_start[l + 1];
+    Vector before = edge_normal(position[end - 1], position[begin]);
+    for (unsigned int m = begin; m < end; ++m)
+    {
+      const Vector after = edge_normal(position[m], position[m + 1 == end ? begin : m + 1]);
+      const Vector sum = before + after;
+      const double norm = sum.norm();
+      normals.push_back(norm > 0. ? sum / norm : sum);
+      before = after;
+    }
   }
 }
 
@@ -143,7 +154,7 @@ void MovedBoundary::find_center(const ContactScene<2> &scene)
     }
   }
   const double mass = body->mass.sum();
-  travel = way / mass;
+  travel = nodal_travel = way / mass;
   if (scene.cell != nullptr)
   {
     start = Point(moment / mass);
@@ -213,18 +224,45 @@ MovedBoundary::place(const unsigned int m, const double share, const bool with_w
   else
     at.normal = Vector({tangent[1], -tangent[0]}) / at.speed;
   at.displacement = (1. - share) * displacement[m] + share * displacement[next];
-  if (with_weights && !body->driven)
-    at.weights = share == 0. ? body->field.marker_weights(m)
-                             : blend(body->field.marker_weights(m), body->field.marker_weights(next), share);
+  if (with_weights)
+    at.weights = weights(m, share);
   return at;
 }
 
-MovedBoundary::Place MovedBoundary::place(const double parameter, const bool with_weights) const
+std::pair<unsigned int, double> MovedBoundary::segment(const double parameter) const
 {
   const double n = n_markers();
   const double inside = parameter - n * std::floor(parameter / n);
   const unsigned int m = std::min(static_cast<unsigned int>(inside), n_markers() - 1);
-  return place(m, std::min(inside - m, 1.), with_weights);
+  return {m, std::min(inside - m, 1.)};
+}
+
+MovedBoundary::Place MovedBoundary::place(const double parameter, const bool with_weights) const
+{
+  const auto [m, share] = segment(parameter);
+  return place(m, share, with_weights);
+}
+
+NodeWeights MovedBoundary::weights(const unsigned int m, const double share) const
+{
+  if (body->driven)
+    return {};
+  if (share == 0.)
+    return body->field.marker_weights(m);
+  return blend(body->field.marker_weights(m), body->field.marker_weights(body->boundary.next(m)), share);
+}
+
+NodeWeights MovedBoundary::weights(const double parameter) const
+{
+  const auto [m, share] = segment(parameter);
+  return weights(m, share);
+}
+
+MovedBoundary::Point MovedBoundary::position_at(const double parameter) const
+{
+  const auto [m, share] = segment(parameter);
+  const Arc curve = arc(m);
+  return position[m] + share * curve.chord + curve.height(share) * curve.normal;
 }
 
 double MovedBoundary::facing(const Vector &direction) const

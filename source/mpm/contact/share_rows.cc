@@ -41,11 +41,6 @@ public:
     numbers.insert(numbers.end(), value.node.begin(), value.node.end());
     numbers.insert(numbers.end(), value.weight.begin(), value.weight.end());
   }
-  void operator()(const Eigen::VectorXd &value)
-  {
-    numbers.push_back(value.size());
-    numbers.insert(numbers.end(), value.data(), value.data() + value.size());
-  }
   /// The rows of a pair have the same: it is packed once.
   void operator()(const Slide &value)
   {
@@ -53,8 +48,9 @@ public:
     numbers.push_back(value == nullptr ? 0. : is_new ? 2. : 1.);
     if (!is_new)
       return;
-    (*this)(value->of_body);
-    (*this)(value->of_partner);
+    (*this)(value->place);
+    (*this)(value->across);
+    (*this)(value->of_body_centre);
     (*this)(value->of_centre);
     last = value;
   }
@@ -96,20 +92,15 @@ public:
     value.weight.assign(at + n, at + 2 * n);
     at += 2 * n;
   }
-  void operator()(Eigen::VectorXd &value)
-  {
-    const auto n = static_cast<Eigen::Index>(*at++);
-    value = Eigen::Map<const Eigen::VectorXd>(at, n);
-    at += n;
-  }
   void operator()(Slide &value)
   {
     const double kind = *at++;
     if (kind == 2.)
     {
       const auto slide = std::make_shared<PlaceSlide<2>>();
-      (*this)(slide->of_body);
-      (*this)(slide->of_partner);
+      (*this)(slide->place);
+      (*this)(slide->across);
+      (*this)(slide->of_body_centre);
       (*this)(slide->of_centre);
       last = slide;
     }

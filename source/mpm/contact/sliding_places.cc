@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/sliding_places.h>
 
+#include <utility>
+
 namespace softgrain::mpm
 {
 namespace
@@ -9,37 +11,26 @@ using Vector = MovedBoundary::Vector;
 using Place = MovedBoundary::Place;
 } // namespace
 
-std::shared_ptr<const PlaceSlide<2>> slide_of_places(const Body<2> &body,
-                                                     const MovedBoundary &own,
-                                                     const Vector &direction,
-                                                     const Body<2> *partner)
+std::shared_ptr<const PlaceSlide<2>>
+slide_of_places(const MovedBoundary &own, const Vector &direction, const MovedBoundary *partner)
 {
-  const Place first = own.place(own.facing(direction), true);
+  Place first = own.place(own.facing(direction), true);
   const Vector arm = first.position - own.center;
   const Vector across = Vector({-arm[1], arm[0]}) / arm.norm();
   // The outline crosses the ray at this rate per marker.
   const double rate = across * Vector({-first.normal[1], first.normal[0]}) * first.speed;
   if (!(rate > 0.1 * first.speed))
     return nullptr; // folded: no place of a round body
-  const auto whole = [](const Body<2> &one, const Vector &form, Eigen::VectorXd &all)
-  {
-    const double mass = one.mass.sum();
-    for (unsigned int i = 0; i < one.mass.size(); ++i)
-      for (unsigned int d = 0; d < 2; ++d)
-        all[2 * i + d] += one.mass[i] / mass * form[d];
-  };
   auto slide = std::make_shared<PlaceSlide<2>>();
-  slide->of_body = Eigen::VectorXd::Zero(body.field.n_dofs());
-  for (unsigned int k = 0; k < first.weights.node.size(); ++k)
-    for (unsigned int d = 0; d < 2; ++d)
-      slide->of_body[2 * first.weights.node[k] + d] -= first.weights.weight[k] * across[d] / rate;
+  slide->across = across / rate;
   if (partner != nullptr)
-  {
     slide->of_centre = arm.norm() / (direction.norm_square() * rate) * Vector({-direction[1], direction[0]});
-    slide->of_partner = Eigen::VectorXd::Zero(partner->field.n_dofs());
-    whole(*partner, slide->of_centre, slide->of_partner);
-  }
-  whole(body, across / rate - slide->of_centre, slide->of_body);
+  slide->of_body_centre = slide->across - slide->of_centre;
+  // What a cell that repeats does to the body it does to its outline, too.
+  slide->way = -(slide->across * (first.displacement - own.travel)) - slide->of_centre * own.nodal_travel;
+  if (partner != nullptr)
+    slide->way += slide->of_centre * partner->nodal_travel;
+  slide->place = std::move(first.weights);
   return slide;
 }
 
@@ -54,18 +45,7 @@ void add_slope(const ContactScene<2> &scene,
   row.slope = Vector({-at.normal[1], at.normal[0]}) * row.normal * at.speed;
   if (scene.share == 0.)
     return;
-  const auto slid = [&](const Eigen::VectorXd &form, const unsigned int b)
-  {
-    if (form.size() == 0)
-      return 0.;
-    if (scene.increment != nullptr)
-      return form.dot((*scene.increment)[b]);
-    const Body<2> &body = scene.bodies[b];
-    return body.velocity.size() > 0 ? scene.dt * form.dot(body.velocity) : 0.;
-  };
-  double way = slid(slide->of_body, row.body);
-  if (row.partner != ContactRow<2>::none)
-    way += slid(slide->of_partner, row.partner);
+  double way = slide->way;
   if (scene.cell != nullptr)
     way -= scene.dt * (scene.cell->gradient * row.branch) * slide->of_centre;
   row.gap -= scene.share * row.slope * way;

@@ -46,12 +46,6 @@ double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector
   return length > 0. ? facing / length : 0.;
 }
 
-NodeWeights weights_at(const MovedBoundary &boundary, const double parameter)
-{
-  const Place at = boundary.place(parameter, true); // moved out of a temporary, GCC 12 warns
-  return at.weights;
-}
-
 void find_wall_rows(const ContactScene<2> &scene,
                     const ContactReach &reach,
                     const Body<2> &body,
@@ -68,8 +62,8 @@ void find_wall_rows(const ContactScene<2> &scene,
     if (own.distance_from(wall.point, wall.normal) - scene.share * way > margin)
       continue;
     std::shared_ptr<const PlaceSlide<2>> slide;
-    if (own.is_free && scene.places_slide)
-      slide = slide_of_places(body, own, -wall.normal, nullptr);
+    if (own.is_free && scene.places_slide && !scene.gaps_only)
+      slide = slide_of_places(own, -wall.normal, nullptr);
     for_places(own, -wall.normal,
                [&](const Seeker &seeker)
                {
@@ -81,16 +75,21 @@ void find_wall_rows(const ContactScene<2> &scene,
                  Row row;
                  row.body = body.index;
                  row.wall = w;
-                 row.body_weights = weights_at(own, seeker.parameter);
+                 row.gap_where_found = gap;
+                 row.key = row_key(body.index, seeker.number, w, true);
+                 if (scene.gaps_only)
+                 {
+                   rows.push_back(std::move(row));
+                   return true;
+                 }
+                 row.body_weights = own.weights(seeker.parameter);
                  row.place = at.position;
                  row.normal = wall.normal;
                  row.gap = start;
-                 row.gap_where_found = gap;
                  row.length = tributary_length(own, seeker);
                  take_pair(scene, row);
                  if (row.adhesion > 0.)
                    row.adhesion *= facing_share(own, seeker, row.normal);
-                 row.key = row_key(body.index, seeker.number, w, true);
                  if (scene.cell != nullptr)
                    row.branch = own.start - (at.position - scene.share * at.displacement);
                  add_slope(scene, at, slide, row);
@@ -221,28 +220,33 @@ private:
     row.body = body.index;
     row.partner = partner.index;
     row.wall = partner.wall;
-    row.body_weights = weights_at(own, seeker.parameter);
-    row.partner_weights = other.place(found.first, found.share, true).weights;
+    row.gap_where_found = gap;
+    row.key = scene.cell != nullptr ? row_key(body.index, seeker.number, image_key(partner, image), false)
+                                    : row_key(body.index, seeker.number, partner.index, false);
+    if (scene.gaps_only)
+    {
+      rows.push_back(std::move(row));
+      return true;
+    }
+    row.body_weights = own.weights(seeker.parameter);
+    row.partner_weights = other.weights(found.first, found.share);
     row.place = at.position;
     row.normal = opposite.normal;
     row.gap = start;
-    row.gap_where_found = gap;
     row.length = tributary_length(own, seeker);
     take_pair(scene, row);
     // What lies around the corners of a partner is held by the rows of the one that looks everywhere.
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
-    row.key = row_key(body.index, seeker.number, partner.index, false);
     if (scene.cell != nullptr)
     {
       row.branch = own.start - other.start;
       row.image = image;
-      row.key = row_key(body.index, seeker.number, image_key(partner, image), false);
     }
     if (scene.places_slide && own.is_free && other.boundary().circular && !partner.driven)
     {
       if (!slide)
-        slide = slide_of_places(body, own, direction(), &partner);
+        slide = slide_of_places(own, direction(), &other);
       add_slope(scene, at, *slide, row);
     }
     rows.push_back(std::move(row));
@@ -317,7 +321,11 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
     for (Row &row : of_body[b])
       for (unsigned int d = 0; d < 2; ++d)
         row.fold[d] = folds[b][d] + scene.bodies[b].home[d];
+  std::size_t n_rows = 0;
+  for (const std::vector<Row> &found : of_body)
+    n_rows += found.size();
   rows.clear();
+  rows.reserve(n_rows);
   for (std::vector<Row> &found : of_body)
     rows.insert(rows.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What BodyField takes from how full its cells are: independent nodes, the extension T, and what follows for
 // assembly.
+#include <softgrain/linear/dense_kernels.h>
 #include <softgrain/mpm/field/body_field.h>
 #include <softgrain/mpm/field/lattice_box.h>
 
@@ -152,6 +153,7 @@ void BodyField<dim>::build_cell_dependence()
 {
   cell_dependence.assign(n_cells(), {});
   cell_matrix.assign(n_cells(), {});
+  cell_transpose.assign(n_cells(), {});
   for (unsigned int c = 0; c < n_cells(); ++c)
   {
     const unsigned int *nodes = &cell_nodes[c * n_cell_nodes];
@@ -171,6 +173,11 @@ void BodyField<dim>::build_cell_dependence()
         for_entries(
             nodes[k], [&](const unsigned int j, const double weight)
             { cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), j) - list.begin()) = weight; });
+      if (dim == 2)
+      {
+        cell_transpose[c].setZero(DenseKernels::filled(list.size()), n_cell_nodes);
+        cell_transpose[c].topRows(list.size()) = cell_matrix[c].transpose();
+      }
     }
     cell_dependence[c] = std::move(list);
   }

@@ -88,7 +88,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
     if (outcome.held_steps > 0)
       settled_step = steps + 1;
     last_unbalanced = !settings.scheme.inertia         ? outcome.unbalanced
-                      : settings.contact_on_boundaries ? unbalanced_force(problem, state, work, dt)
+                      : settings.contact_on_boundaries ? unbalanced_force(problem, state, work, dt, work.load)
                                                        : 0.;
     // A law that has just asked for this length would refuse a longer one.
     return {true, "",

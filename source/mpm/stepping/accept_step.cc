@@ -79,6 +79,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     note_contacts(state, work, step.increment, motion, dt);
   const bool half = problem.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
+  work.load.assign(state.bodies.size(), load);
   for (Body<2> &body : state.bodies)
     if (body.driven)
     {
@@ -91,7 +92,8 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       state.balance.body_force_work += force.dot(step.rate[body.index]) * dt;
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
-          load[d] += force[2 * i + d];
+          work.load[body.index][d] += force[2 * i + d];
+      load += work.load[body.index];
     }
   std::vector<double> law_loss(state.bodies.size(), 0.);
   const std::optional<CellMotion> cell = state.cell_motion(motion);

@@ -47,7 +47,7 @@ void solve_contacts(const Problem &problem,
       [&](const Body<2> &body)
       {
         Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
-        work.contact.add_impulses(body.index, work.contact.impulses(), impulse);
+        work.contact.add_impulses(body.index, impulse);
         for (unsigned int i = 0; i < body.mass.size(); ++i)
           v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
       });

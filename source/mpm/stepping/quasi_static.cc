@@ -120,10 +120,20 @@ double unbalanced_force_here(const Problem &problem, State &state, Workspace &wo
 {
   // With rows where the bodies are: those of the step may be some way off.
   find_rows(problem, state, work, wall_motion(state, work, {dt, true, 0.}), dt, nullptr, 0., true);
-  return unbalanced_force(problem, state, work, dt);
+  std::vector<Vector> loads(state.bodies.size());
+  Eigen::VectorXd load;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven && external_force(body, problem.scene.gravity, state.time, load))
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        loads[body.index] += Vector({load[2 * i], load[2 * i + 1]});
+  return unbalanced_force(problem, state, work, dt, loads);
 }
 
-double unbalanced_force(const Problem &problem, const State &state, const Workspace &work, const double dt)
+double unbalanced_force(const Problem &problem,
+                        const State &state,
+                        const Workspace &work,
+                        const double dt,
+                        const std::vector<dealii::Tensor<1, 2>> &loads)
 {
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
@@ -147,13 +157,10 @@ double unbalanced_force(const Problem &problem, const State &state, const Worksp
   double mean = 0., worst = 0., floor = 0.;
   for (const auto &pair : pairs)
     mean += pair.second.norm() / pairs.size();
-  Eigen::VectorXd load;
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
     {
-      if (external_force(body, problem.scene.gravity, state.time, load))
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          net[body.index] += Vector({load[2 * i], load[2 * i + 1]});
+      net[body.index] += loads[body.index];
       worst = std::max(worst, net[body.index].norm());
       floor = std::max(floor, 1e-6 * body.law->young_modulus() * problem.lattice->cell_size());
     }

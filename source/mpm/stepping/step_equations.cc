@@ -2,7 +2,6 @@
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step_equations.h>
-#include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
@@ -34,10 +33,12 @@ StepEquations::StepEquations(const Problem &problem,
     , old_force(state.bodies.size())
     , missing_impulse(state.bodies.size())
     , rotation(state.bodies.size())
+    , lever(state.bodies.size())
     , shift(state.bodies.size(), 0.)
     , rotation_weight(state.bodies.size(), 0.)
     , round_and_smooth(state.bodies.size(), 0)
     , turns_easily(state.bodies.size(), 0.)
+    , half_turn(state.bodies.size(), 0.)
     , spin(state.bodies.size(), 0.)
     , internal_norm(state.bodies.size(), 0.)
     , holding(state.bodies.size(), 0.)
@@ -135,7 +136,7 @@ bool StepEquations::evaluate(const Vectors &v)
         Eigen::VectorXd &P = missing_impulse[b];
         // Forces at both ends are turned with the body to where it is halfway: there they and the contacts
         // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
-        const double half =
+        const double half = half_turn[b] =
             scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
         if (half == 0.)
           P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
@@ -153,7 +154,8 @@ bool StepEquations::evaluate(const Vectors &v)
             P.segment<2>(2 * i) -= shift[b] * body.mass[i] * resisted.segment<2>(2 * i);
         if (rotation_weight[b] > 0.)
         {
-          const Eigen::VectorXd z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
+          Eigen::VectorXd &z = lever[b];
+          z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
           const double forbidden = scheme.inertia ? z.dot(v[b] - body.velocity) - spin[b] : z.dot(v[b]);
           holding[b] = rotation_weight[b] * forbidden;
           P -= holding[b] * z;
@@ -179,7 +181,7 @@ bool StepEquations::evaluate(const Vectors &v)
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
 {
   Eigen::VectorXd P = missing_impulse[b];
-  work.contact.add_impulses(b, work.contact.impulses(), P);
+  work.contact.add_impulses(b, P);
   return P;
 }
 
@@ -203,7 +205,7 @@ double StepEquations::residual() const
       {
         const unsigned int b = body.index;
         Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
-        work.contact.add_impulses(b, work.contact.impulses(), contact);
+        work.contact.add_impulses(b, contact);
         norms[b] = (missing_impulse[b] + contact).norm();
         double scale = std::max(contact.norm(), dt * internal_norm[b]);
         if (scheme.inertia)
@@ -285,93 +287,5 @@ Eigen::VectorXd StepEquations::go(const unsigned int b,
   Eigen::VectorXd step = (fraction * scheme.theta * dt) * direction;
   turn_along_circles(state.bodies[b], rotation[b], state.bodies[b].displacement + from, step);
   return x + step / (scheme.theta * dt);
-}
-
-void StepEquations::assemble(const Body<2> &body, const double shift_of_body, const bool pressure_follows)
-{
-  SystemMatrix &matrix = work.matrices[body.index];
-  const double factor = scheme.theta * scheme.theta * dt * dt;
-  matrix.set_zero();
-  const double against_rotation = factor * rotation_stiffness(body, work.trial[body.index]);
-  if (!pressure_follows)
-    turns_easily[body.index] =
-        scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
-  add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
-  matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + shift_of_body);
-  work.solvers[body.index]->set_update(
-      rotation[body.index], (pressure_follows ? 0.2 : 1.) * against_rotation + rotation_weight[body.index]);
-}
-
-std::string StepEquations::factorise()
-{
-  std::vector<double> extra = shift;
-  std::vector<double> pending(state.bodies.size(), 1.); // numbers, for other ranks to know them
-  for (unsigned int attempt = 0;; ++attempt)
-  {
-    // Under pressure many shapes of a body are unstable that its contacts hold, for they follow it.
-    const bool pressure_follows = attempt > 0;
-    const auto assemble_mine = [&]()
-    {
-      dealii::TimerOutput::Scope section(*work.timer, "assembly");
-      work.share.for_mine_here(state.bodies,
-                               [&](const Body<2> &body)
-                               {
-                                 if (pending[body.index])
-                                   assemble(body, extra[body.index], pressure_follows);
-                               });
-    };
-    const auto factorise_mine = [&]()
-    {
-      dealii::TimerOutput::Scope section(*work.timer, "factorisation");
-      work.share.for_mine_here(state.bodies,
-                               [&](const Body<2> &body)
-                               {
-                                 const unsigned int b = body.index;
-                                 if (pending[b])
-                                   pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
-                                 if (pending[b])
-                                   if (attempt > 0)
-                                     extra[b] =
-                                         std::max(10. * extra[b], 1e-2 * dt * dt * body.law->young_modulus() /
-                                                                      body.mass.sum());
-                               });
-    };
-    work.share.together(
-        [&]()
-        {
-          assemble_mine();
-          factorise_mine();
-        },
-        [&](BodyShare::Message &message)
-        {
-          message.add(pending);
-          message.add(turns_easily);
-        });
-    bool done = true;
-    for (const Body<2> &body : state.bodies)
-      if (moves(body.index) && pending[body.index])
-      {
-        done = false;
-        if (attempt == 7)
-          return "the stiffness of body '" + body.name +
-                 "' is not positive definite: it buckles or the step is too long ('Time/Time step')";
-      }
-    has_followed = has_followed || attempt > 0;
-    if (done)
-      return "";
-  }
-}
-
-void StepEquations::solve(const bool with_contact, Vectors &x) const
-{
-  dealii::TimerOutput::Scope section(*work.timer, "linear solves");
-  work.share.for_mine(
-      state.bodies,
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
-      },
-      [&](BodyShare::Message &message) { message.add(state.bodies, x); });
 }
 } // namespace softgrain::mpm

@@ -85,7 +85,8 @@ GapsByRow true_gaps(const Problem &problem,
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
   std::vector<ContactRow<2>> rows;
   const std::optional<CellMotion> cell = state.cell_motion(motion);
-  const ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
+  ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
+  where.gaps_only = true;
   const auto find = [&]() { problem.geometry->find(where, rows); };
   if (!work.share.alone() && problem.geometry->looks_by_body())
     return share_gaps_where_found(work.share, state.bodies.size(), find, rows);

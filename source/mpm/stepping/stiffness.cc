@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
+#include <softgrain/linear/dense_kernels.h>
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/field/cell_slopes.h>
 #include <softgrain/mpm/stepping/stiffness.h>
+
+#include <algorithm>
 
 namespace softgrain::mpm
 {
@@ -176,19 +179,25 @@ private:
 class PlaneCell
 {
 public:
-  /// @return blocks x x, x y and y y, side by side: rows for the first direction, columns for the second.
-  Buffer::Matrix
-  stiffness(const Body<2> &body, const StepState<2> &s, const unsigned int cell, const bool pressure_follows)
+  /// Adds the stiffness of a cell times @p factor to @p matrix.
+  void add(const Body<2> &body,
+           const StepState<2> &s,
+           const unsigned int cell,
+           const double factor,
+           const bool pressure_follows,
+           SystemMatrix &matrix)
   {
     const unsigned int first = body.field.first_point(cell);
     const unsigned int n_points = body.field.first_point(cell + 1) - first;
-    const Buffer::Matrix slopes = find_slopes(body, s, first, n_points, body.field.cell_extension(cell));
-    const Eigen::Index m = slopes.rows();
-    Buffer::Matrix response = of_response.sized(3 * m, 2 * n_points);
+    const int m = body.field.cell_independent(cell).size(), n_rows = DenseKernels::filled(m),
+              n_columns = DenseKernels::filled(3 * m);
+    const DenseKernels::Out slopes = find_slopes(body, s, cell, n_rows);
+    const DenseKernels::Out response = of_response.sized(n_columns, 2 * n_points);
+    const DenseKernels::Out blocks = of_blocks.sized(n_rows, n_columns);
     for (unsigned int q = 0; q < n_points; ++q)
     {
-      const auto gx = slopes.col(2 * q), gy = slopes.col(2 * q + 1);
-      const double v = s.volume[first + q];
+      const double *const gx = slopes.at(0, 2 * q), *const gy = slopes.at(0, 2 * q + 1);
+      const double v = factor * s.volume[first + q];
       const auto &tau = s.stress[first + q];
       const bool geometric = !body.small_strain();
       const double txx = geometric ? v * tau[0][0] : 0., txy = geometric ? v * tau[0][1] : 0.,
@@ -196,46 +205,83 @@ public:
       // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
       const auto C = [&](const unsigned int a, const unsigned int b)
       { return v * s.tangent[first + q].access_raw_entry(3 * a + b); };
-      auto with_gx = response.col(2 * q), with_gy = response.col(2 * q + 1);
-      with_gx.head(m) = (C(0, 0) + txx) * gx + (C(0, 2) + txy) * gy;
-      with_gy.head(m) = (C(2, 0) + txy) * gx + (C(2, 2) + tyy) * gy;
+      double *const with_gx = response.at(0, 2 * q), *const with_gy = response.at(0, 2 * q + 1);
       const double p = pressure_follows ? -0.5 * (txx + tyy) : 0.;
-      with_gx.segment(m, m) = C(0, 2) * gx + (C(0, 1) + p) * gy;
-      with_gy.segment(m, m) = (C(2, 2) - p) * gx + C(2, 1) * gy;
-      with_gx.tail(m) = (C(2, 2) + txx) * gx + (C(2, 1) + txy) * gy;
-      with_gy.tail(m) = (C(1, 2) + txy) * gx + (C(1, 1) + tyy) * gy;
+      combine(m, gx, C(0, 0) + txx, gy, C(0, 2) + txy, with_gx);
+      combine(m, gx, C(2, 0) + txy, gy, C(2, 2) + tyy, with_gy);
+      combine(m, gx, C(0, 2), gy, C(0, 1) + p, with_gx + m);
+      combine(m, gx, C(2, 2) - p, gy, C(2, 1), with_gy + m);
+      combine(m, gx, C(2, 2) + txx, gy, C(2, 1) + txy, with_gx + 2 * m);
+      combine(m, gx, C(1, 2) + txy, gy, C(1, 1) + tyy, with_gy + 2 * m);
+      std::fill(with_gx + 3 * m, with_gx + n_columns, 0.);
+      std::fill(with_gy + 3 * m, with_gy + n_columns, 0.);
     }
-    Buffer::Matrix blocks = of_blocks.sized(m, 3 * m);
-    blocks.noalias() = slopes * response.transpose();
-    return blocks;
+    DenseKernels::set_product(n_rows, n_columns, 2 * n_points, slopes, response, blocks);
+    matrix.add_plane_cell(cell, blocks.data, blocks.stride);
   }
 
 private:
-  /// Derivatives along x and y of the independent nodes' functions, two columns per point.
-  Buffer::Matrix find_slopes(const Body<2> &body,
-                             const StepState<2> &s,
-                             const unsigned int first,
-                             const unsigned int n_points,
-                             const Eigen::MatrixXd &extension)
+  /// Memory of a matrix whose size changes from cell to cell.
+  class Memory
   {
-    const unsigned int n = body.field.nodes_per_cell();
-    Buffer::Matrix nodal = of_nodes.sized(n, 2 * n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
+  public:
+    DenseKernels::Out sized(const int n_rows, const int n_columns)
     {
-      current_slopes(body, s, first + q, of_point);
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int d = 0; d < 2; ++d)
-          nodal(k, 2 * q + d) = of_point[k][d];
+      const std::size_t size = static_cast<std::size_t>(n_rows) * n_columns;
+      if (values.size() < size)
+        values.resize(size);
+      return {values.data(), n_rows};
     }
-    if (extension.size() == 0)
-      return nodal;
-    Buffer::Matrix slopes = of_independent.sized(extension.cols(), 2 * n_points);
-    slopes.noalias() = extension.transpose() * nodal;
+
+  private:
+    std::vector<double, Eigen::aligned_allocator<double>> values;
+  };
+
+  static void combine(
+      const int m, const double *const x, const double a, const double *const y, const double b, double *out)
+  {
+    for (int k = 0; k < m; ++k)
+      out[k] = a * x[k] + b * y[k];
+  }
+
+  /// Derivatives along x and y of the independent nodes' functions, two columns per point.
+  DenseKernels::Out
+  find_slopes(const Body<2> &body, const StepState<2> &s, const unsigned int cell, const int n_rows)
+  {
+    const Eigen::MatrixXd &spread = body.field.cell_spread(cell);
+    const bool extended = spread.size() > 0;
+    const unsigned int first = body.field.first_point(cell), n = body.field.nodes_per_cell();
+    const int n_columns = 2 * (body.field.first_point(cell + 1) - first),
+              n_filled = extended ? DenseKernels::filled(n_columns) : n_columns;
+    const DenseKernels::Out slopes = of_slopes.sized(n_rows, n_filled);
+    // A column for every node where they are still to be extended, else one for every derivative.
+    const DenseKernels::Out nodal = extended ? of_nodes.sized(n_filled, n) : slopes;
+    const std::ptrdiff_t to_node = extended ? nodal.stride : 1, to_derivative = extended ? 1 : nodal.stride;
+    for (int q = 0; 2 * q < n_columns; ++q)
+    {
+      const dealii::Tensor<1, 2> *const slope = body.field.slopes(first + q);
+      const dealii::Tensor<2, 2> inverse = body.small_strain() ? dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}})
+                                                               : invert(s.grid_gradient[first + q]);
+      double *const x = nodal.data + 2 * q * to_derivative, *const y = x + to_derivative;
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        x[k * to_node] = slope[k][0] * inverse[0][0] + slope[k][1] * inverse[1][0];
+        y[k * to_node] = slope[k][0] * inverse[0][1] + slope[k][1] * inverse[1][1];
+      }
+    }
+    if (!extended)
+    {
+      for (int j = 0; j < n_columns; ++j)
+        std::fill(slopes.at(n, j), slopes.at(n_rows, j), 0.);
+      return slopes;
+    }
+    for (unsigned int k = 0; k < n; ++k)
+      std::fill(nodal.at(n_columns, k), nodal.at(n_filled, k), 0.);
+    DenseKernels::set_product(n_rows, n_filled, n, {spread.data(), spread.outerStride()}, nodal, slopes);
     return slopes;
   }
 
-  CellSlopes<2> of_point;
-  Buffer of_nodes, of_independent, of_response, of_blocks;
+  Memory of_nodes, of_slopes, of_response, of_blocks;
 };
 
 /// Adds the cells by PlaneCell.
@@ -249,14 +295,7 @@ void add_plane_stiffness(const Body<2> &body,
   {
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local PlaneCell plane;
-    const Buffer::Matrix blocks = plane.stiffness(body, s, c, pressure_follows);
-    const Eigen::Index m = blocks.rows();
-    matrix.add_cell<2>(
-        c,
-        [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
-        // What is left of the diagonal of a block y x stands right of it in the block x y.
-        { return e >= d ? (e == d ? blocks(a, 2 * d * m + b) : blocks(b, m + a)) : blocks(a, m + b); },
-        factor);
+    plane.add(body, s, c, factor, pressure_follows, matrix);
   };
   for_cells(body, work);
 }

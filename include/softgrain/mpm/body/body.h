@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,9 +41,24 @@ struct Boundary
 
   unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
   /// Marker after @p m in its loop.
-  unsigned int next(unsigned int m) const;
+  unsigned int next(const unsigned int m) const
+  {
+    const auto end = end_of_loop(m);
+    return m + 1 == *end ? *(end - 1) : m + 1;
+  }
   /// Marker before @p m in its loop.
-  unsigned int previous(unsigned int m) const;
+  unsigned int previous(const unsigned int m) const
+  {
+    const auto end = end_of_loop(m);
+    return m == *(end - 1) ? *end - 1 : m - 1;
+  }
+
+private:
+  std::vector<unsigned int>::const_iterator end_of_loop(const unsigned int m) const
+  {
+    return loop_start.size() == 2 ? loop_start.begin() + 1
+                                  : std::upper_bound(loop_start.begin(), loop_start.end(), m);
+  }
 };
 
 /**

@@ -6,6 +6,7 @@
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/body_share.h>
+#include <softgrain/mpm/contact/body_rows.h>
 #include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/free_walls.h>
@@ -60,8 +61,8 @@ public:
                                         const std::vector<dealii::Tensor<1, dim>> &drive,
                                         const std::vector<Eigen::VectorXd> &nodal) const;
 
-  /// Adds H^T P of body @p b to @p nodal.
-  void add_impulses(unsigned int b, const std::vector<double> &P, Eigen::VectorXd &nodal) const;
+  /// Adds H^T P of body @p b to @p nodal, with the present impulses.
+  void add_impulses(unsigned int b, Eigen::VectorXd &nodal) const;
 
   /**
    * @brief W from the bodies' factorised matrices, and from the sub-grid compliance of every pair under the
@@ -117,6 +118,7 @@ private:
     double compliance = 0; ///< sub-grid, as last condensed [m^2/N]
   };
 
+  void keep_pushes();
   double normal_force(const Pair &pair, double dt) const;
 
   void color_pairs(const std::vector<Body<dim>> &bodies);
@@ -128,7 +130,9 @@ private:
   std::vector<Pair> pairs;
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
-  std::vector<LinearSolver::Rows> body_rows;              ///< its H^T on them
+  std::vector<BodyRows<dim>> body_rows;                   ///< its H^T on them
+  std::vector<Eigen::VectorXd>
+      pushes; ///< H^T P of every body after a solve(), asked for several times; else none
   std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
 };

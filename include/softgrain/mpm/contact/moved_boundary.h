@@ -6,6 +6,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <utility>
 #include <vector>
 
 namespace softgrain::mpm
@@ -53,6 +54,11 @@ public:
   Place place(unsigned int m, double share, bool with_weights) const;
   /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
   Place place(double parameter, bool with_weights) const;
+  /// Its weights alone; empty for a driven body.
+  NodeWeights weights(unsigned int m, double share) const;
+  NodeWeights weights(double parameter) const;
+  /// Its position alone [m].
+  Point position_at(double parameter) const;
   /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
   double facing(const Vector &direction) const;
 
@@ -84,10 +90,11 @@ public:
 
   /// Whether places that look for contact may stand in space: round, smooth, and ContactScene::free_places.
   bool is_free = false;
-  Point center;      ///< of mass [m]
-  Point start;       ///< where that is at the start of the step, in a cell that repeats [m]
-  Vector travel;     ///< of the centre over the whole step [m]
-  double spread = 0; ///< largest displacement of a contact marker against that of the centre [m]
+  Point center;        ///< of mass [m]
+  Point start;         ///< where that is at the start of the step, in a cell that repeats [m]
+  Vector travel;       ///< of the centre over the whole step [m]
+  Vector nodal_travel; ///< the same by its nodes alone, without what a cell that repeats adds [m]
+  double spread = 0;   ///< largest displacement of a contact marker against that of the centre [m]
 
 private:
   /// The curve from a marker to the next: its chord, and above that the cubic with these slopes at its ends.
@@ -99,6 +106,8 @@ private:
     double height_change(double share) const; ///< per share [m]
   };
   Arc arc(unsigned int m) const;
+  /// The marker before a parameter on the only loop, and the share of the way to the next.
+  std::pair<unsigned int, double> segment(double parameter) const;
 
   void find_center(const ContactScene<2> &scene);
   void move_markers(const ContactScene<2> &scene);

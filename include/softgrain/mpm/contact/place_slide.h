@@ -2,9 +2,9 @@
 #ifndef softgrain_mpm_contact_place_slide_h
 #define softgrain_mpm_contact_place_slide_h
 
-#include <deal.II/base/tensor.h>
+#include <softgrain/mpm/field/body_field.h>
 
-#include <Eigen/Core>
+#include <deal.II/base/tensor.h>
 
 namespace softgrain::mpm
 {
@@ -16,14 +16,19 @@ namespace softgrain::mpm
  * its partner. They slide when that line turns, and when the outline moves across the ray. A gap that has a
  * slope along the outline changes by that, too: without it contact forces are not those of a potential, and
  * turn bodies that nothing can turn.
+ *
+ * The form is `of_body_centre` times the displacement of the centre of mass of the body, less `across` times
+ * that of the outline at `place`, plus `of_centre` times that of the centre of the partner.
  */
 template <int dim>
 struct PlaceSlide
 {
-  Eigen::VectorXd of_body,
-      of_partner; ///< on the degrees of freedom of both; the second empty for a wall [1/m]
+  NodeWeights place;                     ///< where the ray to the partner leaves the body
+  dealii::Tensor<1, dim> across;         ///< [1/m]
+  dealii::Tensor<1, dim> of_body_centre; ///< [1/m]
   /// What the partner as a whole adds when it moves, and the body takes off; 0 for a wall [1/m].
   dealii::Tensor<1, dim> of_centre;
+  double way = 0; ///< over the step, as far as that is known; without what a cell that repeats does [markers]
 };
 } // namespace softgrain::mpm
 

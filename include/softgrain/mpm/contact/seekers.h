@@ -64,8 +64,8 @@ inline double tributary_length(const MovedBoundary &own, const Seeker &seeker)
   if (!own.is_free)
     return own.tributary_length(seeker.number);
   const double stride = own.boundary().contact_stride;
-  return 0.5 * (own.place(seeker.parameter + stride, false).position.distance(seeker.at.position) +
-                own.place(seeker.parameter - stride, false).position.distance(seeker.at.position));
+  return 0.5 * (own.position_at(seeker.parameter + stride).distance(seeker.at.position) +
+                own.position_at(seeker.parameter - stride).distance(seeker.at.position));
 }
 } // namespace softgrain::mpm
 

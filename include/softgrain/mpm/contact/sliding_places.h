@@ -8,12 +8,11 @@
 
 namespace softgrain::mpm
 {
-/// The slide of the places of @p body that look along @p direction from its centre; null where its outline
-/// is folded. @param partner the body at the end of it, round like this one, or null for a wall
-std::shared_ptr<const PlaceSlide<2>> slide_of_places(const Body<2> &body,
-                                                     const MovedBoundary &own,
+/// The slide of the places of a body that look along @p direction from its centre; null where its outline @p
+/// own is folded. @param partner what is at the end of it, round like this one, or null for a wall
+std::shared_ptr<const PlaceSlide<2>> slide_of_places(const MovedBoundary &own,
                                                      const MovedBoundary::Vector &direction,
-                                                     const Body<2> *partner);
+                                                     const MovedBoundary *partner);
 
 /// Gives a row without friction the slope of its gap, and takes what that has done so far off the gap at the
 /// start of the step. @param at where the row touches, on the outline of its body @param slide may be null

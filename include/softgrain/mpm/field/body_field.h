@@ -125,6 +125,9 @@ public:
   const std::vector<unsigned int> &cell_independent(const unsigned int c) const { return cell_dependence[c]; }
   const Eigen::MatrixXd &cell_extension(const unsigned int c) const { return cell_matrix[c]; }
 
+  /// The transpose of that matrix in the plane, filled up for DenseKernels with rows of zeros.
+  const Eigen::MatrixXd &cell_spread(const unsigned int c) const { return cell_transpose[c]; }
+
   /// Groups of cells of which no two touch the same independent node (for assembly) or the same node (for
   /// scattering): cells of a group can be worked on at once, and the order of additions never depends on the
   /// number of threads.
@@ -196,7 +199,7 @@ private:
   std::vector<NodeWeights> marker_rows;
 
   std::vector<std::vector<unsigned int>> cell_dependence;
-  std::vector<Eigen::MatrixXd> cell_matrix;
+  std::vector<Eigen::MatrixXd> cell_matrix, cell_transpose;
   std::vector<std::vector<unsigned int>> cell_colors;
 };
 } // namespace softgrain::mpm

@@ -25,6 +25,7 @@ struct Workspace
   std::vector<SystemMatrix> matrices;                  ///< one per body of this rank, implicit schemes
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< likewise
   ContactSystem<2> contact;                            ///< rows found, and the problem that they pose
+  std::vector<dealii::Tensor<1, 2>> load;              ///< on every body, as the last step had it [N/m]
   dealii::TimerOutput *timer = nullptr;
 };
 } // namespace softgrain::mpm

@@ -25,8 +25,12 @@ StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, 
 
 /// How far the bodies are from balance under the impulses of a step of length @p dt, along its rows: the
 /// largest net force of contacts and loads on a body, over the mean force of a contact, of a pair of bodies
-/// or a body and a wall (dimensionless; 0 when there are no forces).
-double unbalanced_force(const Problem &problem, const State &state, const Workspace &work, double dt);
+/// or a body and a wall (dimensionless; 0 when there are no forces). @param loads on every body [N/m]
+double unbalanced_force(const Problem &problem,
+                        const State &state,
+                        const Workspace &work,
+                        double dt,
+                        const std::vector<dealii::Tensor<1, 2>> &loads);
 
 /// The same with rows found again where the bodies are.
 double unbalanced_force_here(const Problem &problem, State &state, Workspace &work, double dt);

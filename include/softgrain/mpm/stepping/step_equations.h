@@ -94,6 +94,8 @@ private:
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
   /// A of one body, with @p shift_of_body times its mass.
   void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
+  /// Mends x = A⁻¹ @p b of a body that turns by much in the step: A does not know that its forces are turned.
+  void heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eigen::VectorXd &x) const;
   /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
   Eigen::VectorXd free_way(unsigned int b) const;
 
@@ -104,11 +106,13 @@ private:
   const StepPlan plan;
   const double dt;
   Vectors old_force, missing_impulse, rotation;
+  Vectors lever; ///< of the torque that holds a body's rotation, where it is halfway; none where nothing does
   std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
   bool has_followed = false;           ///< some matrix of the step was made with pressure that follows
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
   std::vector<double> turns_easily; ///< 1 for bodies whose pressure turns them sooner than inertia holds them
+  std::vector<double> half_turn;    ///< of every body over half the step, by which its forces are turned
   std::vector<double> spin;         ///< of such a body: its change by loads, with inertia [1/s]
   std::vector<double> internal_norm; ///< of the internal forces [N]
   std::vector<double> holding;       ///< torque that holds a body's rotation, times the step [N s m/m]
