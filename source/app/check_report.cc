@@ -34,10 +34,9 @@ double memory_of_machine()
 }
 } // namespace
 
-SizeReport cost_report(const RunOutline &outline, const Forecast &forecast)
+SizeReport cost_report(const RunOutline &outline, const Forecast &forecast, const double slowness)
 {
   SizeReport report;
-  const double slowness = slowness_of_machine();
   if (forecast.n_steps > 0.)
     report = {
         {"simulated time", "about " + number_in_words(outline.duration, "s")},
@@ -54,13 +53,13 @@ SizeReport cost_report(const RunOutline &outline, const Forecast &forecast)
 namespace
 {
 /// What falls to one of @p n ranks, beside what they wait for each other.
-SizeReport cost_of_rank(const Forecast &whole, const unsigned int n)
+SizeReport cost_of_rank(const Forecast &whole, const unsigned int n, const double slowness)
 {
   const Forecast one = whole.of_rank(n);
   const double memory = start_memory + one.memory;
   SizeReport report;
-  const auto time = [](const double seconds)
-  { return "about " + duration_in_words(slowness_of_machine() * seconds); };
+  const auto time = [slowness](const double seconds)
+  { return "about " + duration_in_words(slowness * seconds); };
   if (one.n_steps > 0.)
     report.emplace_back("of one of " + std::to_string(n) + " ranks",
                         time(start_seconds + one.seconds()) + " of processor time, and what it waits");
@@ -116,9 +115,12 @@ void print_check_report(std::ostream &out,
     append(forecast->sizes);
   }
   if (forecast)
-    append(cost_report(*outline, *forecast));
-  if (forecast && n_ranks > 0)
-    append(cost_of_rank(*forecast, n_ranks));
+  {
+    const double slowness = slowness_of_machine();
+    append(cost_report(*outline, *forecast, slowness));
+    if (n_ranks > 0)
+      append(cost_of_rank(*forecast, n_ranks, slowness));
+  }
   print_size_report(out, report);
   if (!forecast)
     return;

@@ -2,6 +2,7 @@
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/command_line.h>
 #include <softgrain/app/input.h>
+#include <softgrain/app/machine_speed.h>
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/outlook.h>
 #include <softgrain/app/output_folder.h>
@@ -293,7 +294,7 @@ bool CommandLine::run() const
   Simulation simulation(input, *created, lock, ranks.first() ? std::cout : silence);
   if (forecast)
   {
-    SizeReport expected = cost_report(*outline, *forecast);
+    SizeReport expected = cost_report(*outline, *forecast, slowness_of_machine());
     for (const std::string &warning : forecast->warnings)
       expected.emplace_back("warning", warning);
     simulation.expect(expected);

@@ -25,9 +25,9 @@ void print_check_report(std::ostream &out,
                         const Model<2> *model,
                         unsigned int n_ranks = 0);
 
-/// Length, steps, processor time on this machine, which is measured, and memory that a run is expected to
-/// take.
-SizeReport cost_report(const RunOutline &outline, const Forecast &forecast);
+/// Length, steps, processor time and memory that a run is expected to take, on a machine as slow as
+/// slowness_of_machine() says.
+SizeReport cost_report(const RunOutline &outline, const Forecast &forecast, double slowness);
 } // namespace softgrain
 
 #endif
