@@ -55,7 +55,7 @@ struct Forecast
 };
 
 /// What every process of softgrain takes, with its libraries: [s] and [bytes].
-constexpr double start_seconds = 0.4, start_memory = 1.6e8;
+constexpr double start_seconds = 0.3, start_memory = 1.6e8;
 
 /// "about 3400", "2.1 million".
 std::string count_in_words(double number);

@@ -18,23 +18,23 @@ namespace fitted
 {
 constexpr double boundary = 0.34;    ///< cells beside the boundary that get points
 constexpr double near_contact = 0.5; ///< smaller cells of a level, per cell of its size along the outline
-constexpr double point_seconds = 0.57e-6;    ///< of one iteration of Newton's method, one body
-constexpr double contact_seconds = 0.68e-6;  ///< more of it where bodies meet
-constexpr double factor_seconds = 2.5e-10;   ///< of a row of a band matrix, per square of its width
-constexpr double sparse_seconds = 2.8e-8;    ///< of a sparse factorisation, per power 3/2 of the unknowns
-constexpr double condense_seconds = 4.4e-8;  ///< of one body to its contact rows, in the same way
+constexpr double point_seconds = 0.33e-6;    ///< of one iteration of Newton's method, one body
+constexpr double contact_seconds = 0.38e-6;  ///< more of it where bodies meet
+constexpr double factor_seconds = 1.2e-10;   ///< of a row of a band matrix, per square of its width
+constexpr double sparse_seconds = 2.2e-8;    ///< of a sparse factorisation, per power 3/2 of the unknowns
+constexpr double condense_seconds = 1.6e-8;  ///< of one body to its contact rows, in the same way
 constexpr double explicit_seconds = 0.4e-6;  ///< of a step of a point without a matrix
 constexpr double grid_seconds = 0.18e-6;     ///< of a point when a new grid is laid
 constexpr double picture_seconds = 6e-6;     ///< of a point in a picture
 constexpr double history_seconds = 1.5e-7;   ///< of a point in a row of the history
 constexpr double preparation_seconds = 2e-5; ///< of a point
 constexpr double packing_seconds = 4e-3;     ///< of a grain
-constexpr double slow_friction_factor = 2.3; ///< on the time of a step in which no waves are resolved
-constexpr double obstacle_factor = 1.5;      ///< the same, one body at obstacles
+constexpr double slow_friction_factor = 2.6; ///< on the time of a step in which no waves are resolved
+constexpr double obstacle_factor = 1.35;     ///< the same, one body at obstacles
 constexpr double rough_factor = 3.5;         ///< the same, one body that may slip
 constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matter flows and keeps its volume
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
-constexpr double pressed_factor = 1.6;       ///< the same, walls under pressure
+constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
 constexpr double point_memory = 4.6e3;       ///< [bytes]
 constexpr double divided_work = 0.74, divided_memory = 0.31; ///< among ranks, see doc/ranks.md
