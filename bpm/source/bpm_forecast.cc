@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_forecast.h>
+#include <softgrain/contact/disk_solver.h>
+#include <softgrain/contact/neighbour_list.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -29,8 +31,6 @@ constexpr double aggregate_seconds = 3e-2;     ///< of an aggregate, however sma
 constexpr double packing_seconds = 4e-3;       ///< of a grain
 constexpr double primary_memory = 1.8e3;       ///< [bytes]
 constexpr double divided_work = 0.87;          ///< among ranks, see doc/ranks.md
-constexpr double strip = 1000.; ///< primaries that are swept one after the other; a rank has two at least
-constexpr double contacts_to_share = 4000.; ///< that a solve has at least, for ranks to share it
 } // namespace fitted
 
 /// Those of one body: fewer the larger they are, because none reaches beyond the outline.
@@ -106,8 +106,10 @@ Forecast forecast(const Scene<2> &scene,
   if (run.to_pack)
     result.preparation += fitted::packing_seconds * run.crowd.n_bodies();
   result.memory = fitted::primary_memory * result.n_points;
-  if (fitted::contacts * result.n_points > fitted::contacts_to_share)
-    result.divided = {1., fitted::divided_work, 0., 0.5 * result.n_points / fitted::strip};
+  // A rank has a tile of each of the two colours at least.
+  if (fitted::contacts * result.n_points > contact::contacts_to_share)
+    result.divided = {1., fitted::divided_work, 0.,
+                      0.5 * result.n_points / contact::NeighbourList::disks_per_tile};
   result.warnings = warnings(relative_step, run, fewest);
   result.sizes = {{"primaries", "about " + count_in_words(result.n_points)},
                   {"mean diameter", "about " + text(diameter, " m")},

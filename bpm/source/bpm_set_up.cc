@@ -22,18 +22,23 @@ namespace softgrain::bpm
 {
 namespace
 {
-/// Gives all ranks the aggregates that each has made: number i by rank i modulo their number.
+/// The rank that makes aggregate @p i.
+unsigned int maker(const std::size_t i, const Ranks &ranks)
+{
+  return i % ranks.number();
+}
+
+/// Gives all ranks the aggregates that each has made.
 void share(std::vector<Aggregate> &made, const Ranks &ranks)
 {
   if (ranks.alone())
     return;
   std::vector<double> sizes(made.size());
   std::vector<Ranks::Piece> pieces;
-  const auto owner = [&](const std::size_t i) { return static_cast<unsigned int>(i % ranks.number()); };
   for (std::size_t i = 0; i < made.size(); ++i)
   {
     sizes[i] = made[i].size();
-    pieces.push_back({owner(i), &sizes[i], 1});
+    pieces.push_back({maker(i, ranks), &sizes[i], 1});
   }
   ranks.share(pieces);
   pieces.clear();
@@ -42,8 +47,8 @@ void share(std::vector<Aggregate> &made, const Ranks &ranks)
     made[i].position.resize(sizes[i]);
     made[i].radius.resize(sizes[i]);
     // Places of two numbers, one after the other in memory.
-    pieces.push_back({owner(i), made[i].position.data()->data(), 2 * made[i].size()});
-    pieces.push_back({owner(i), made[i].radius.data(), made[i].size()});
+    pieces.push_back({maker(i, ranks), made[i].position.data()->data(), 2 * made[i].size()});
+    pieces.push_back({maker(i, ranks), made[i].radius.data(), made[i].size()});
   }
   ranks.share(pieces);
 }
@@ -73,28 +78,26 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
       missing.push_back(b);
   }
   std::vector<Aggregate> made(missing.size());
+  std::vector<std::exception_ptr> errors(missing.size());
+  const auto make_own = [&](const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t k = begin; k < end; ++k)
+      try
+      {
+        const std::size_t b = missing[k];
+        if (maker(k, ranks) == ranks.here())
+          made[k] =
+              make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material], settings, seeds[b]);
+      }
+      catch (...)
+      {
+        errors[k] = std::current_exception();
+      }
+  };
   ranks.together(
       [&]()
       {
-        std::vector<std::size_t> own;
-        for (std::size_t k = ranks.here(); k < missing.size(); k += ranks.number())
-          own.push_back(k);
-        std::vector<std::exception_ptr> errors(own.size());
-        parallel_for(own.size(), 1,
-                     [&](const std::size_t begin, const std::size_t end)
-                     {
-                       for (std::size_t i = begin; i < end; ++i)
-                         try
-                         {
-                           const std::size_t b = missing[own[i]];
-                           made[own[i]] = make_aggregate(scene.bodies[b], density[b],
-                                                         laws[scene.bodies[b].material], settings, seeds[b]);
-                         }
-                         catch (...)
-                         {
-                           errors[i] = std::current_exception();
-                         }
-                     });
+        parallel_for(missing.size(), 1, make_own);
         for (const std::exception_ptr &error : errors)
           if (error)
             std::rethrow_exception(error);

@@ -5,9 +5,8 @@ is there already is not repeated; `softgrain figures thesis-5` draws them."""
 import argparse
 import math
 import pathlib
-import sys
 
-from running import RunFailed, run
+from running import run_all
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
 ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
@@ -94,7 +93,8 @@ SCENES = {"mpm": material_points, "bpm": bonded}
 
 
 def cases(arguments):
-    """One set of arguments for every run, with its name."""
+    """Name, scene and changes of every run."""
+    further = dict(text.split("=", 1) for text in arguments.set)
     for pressure in arguments.pressures:
         for friction in arguments.friction:
             for seed in arguments.seeds:
@@ -102,7 +102,9 @@ def cases(arguments):
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
                     name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
-                    yield name + case.suffix, friction, seed, case
+                    scene, changes = SCENES[arguments.model](case)
+                    yield name + case.suffix, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed),
+                                                      **further}
 
 
 def main():
@@ -127,17 +129,8 @@ def main():
     parser.add_argument("--suffix", default="", help="of the names of the folders")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
-    further = dict(text.split("=", 1) for text in arguments.set)
     print("| run | steps | shear strain | seconds |\n|---|---|---|---|")
-    for name, friction, seed, case in cases(arguments):
-        scene, changes = SCENES[arguments.model](case)
-        try:
-            summary, rows = run(arguments.program, scene, arguments.folder / name,
-                                {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further},
-                                arguments.threads, again=False)
-        except RunFailed as trouble:
-            print(f"{name}: {trouble}", file=sys.stderr, flush=True)
-            continue
+    for name, changes, summary, rows in run_all(arguments.program, arguments.folder, cases(arguments), arguments.threads):
         sheared = changes["Stages/Names"].split(", ").index("shear") + 1
         strain = [math.log(1 / (row["top_position_m"] - row["bottom_position_m"])) -
                   math.log(1 / (row["right_position_m"] - row["left_position_m"])) for row in rows]

@@ -35,3 +35,15 @@ def run(program, scene, folder, changes, threads=0, limit=None, again=True):
     if done.log is not None:
         pathlib.Path(folder, "log").write_text(done.log, encoding="utf-8")
     return read_run(folder)
+
+
+def run_all(program, folder, cases, threads=0):
+    """Runs @cases (name, scene, changes) into folders of these names, and gives (name, changes, summary, rows) of each. One that is there
+    already is only read; one that fails is named and left out."""
+    for name, scene, changes in cases:
+        try:
+            summary, rows = run(program, scene, pathlib.Path(folder) / name, changes, threads, again=False)
+        except RunFailed as trouble:
+            print(f"{name}: {trouble}", file=sys.stderr, flush=True)
+            continue
+        yield name, changes, summary, rows

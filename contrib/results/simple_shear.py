@@ -5,10 +5,9 @@ and by BPM. A run that is there already is not repeated."""
 import argparse
 import math
 import pathlib
-import sys
 
 from chapter_five import DENSITY, DIAMETER, SIDE, WORDS
-from running import RunFailed, run
+from running import run_all
 
 GRAINS = 30
 
@@ -42,6 +41,17 @@ def bonded(case):
 SCENES = {"mpm": material_points, "bpm": bonded}
 
 
+def cases(arguments):
+    """Name, scene and changes of every run."""
+    further = dict(text.split("=", 1) for text in arguments.set)
+    for pressure in arguments.pressures:
+        for friction in arguments.friction:
+            for seed in arguments.seeds:
+                name = f"simple-{arguments.model}-{GRAINS}-mu{friction:g}-p{pressure:g}-seed{seed}{arguments.suffix}"
+                scene, changes = SCENES[arguments.model](argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6}))
+                yield name, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="build/release/bin/softgrain")
@@ -57,20 +67,8 @@ def main():
     parser.add_argument("--suffix", default="", help="of the names of the folders")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
-    further = dict(text.split("=", 1) for text in arguments.set)
-    for pressure in arguments.pressures:
-        for friction in arguments.friction:
-            for seed in arguments.seeds:
-                name = f"simple-{arguments.model}-{GRAINS}-mu{friction:g}-p{pressure:g}-seed{seed}{arguments.suffix}"
-                scene, changes = SCENES[arguments.model](argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6}))
-                try:
-                    summary, _ = run(arguments.program, scene, arguments.folder / name,
-                                     {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further},
-                                     arguments.threads, again=False)
-                except RunFailed as trouble:
-                    print(f"{name}: {trouble}", file=sys.stderr, flush=True)
-                    continue
-                print(f"{name}: {summary['steps']} steps, {summary['wall_seconds']:.0f} s", flush=True)
+    for name, _, summary, _ in run_all(arguments.program, arguments.folder, cases(arguments), arguments.threads):
+        print(f"{name}: {summary['steps']} steps, {summary['wall_seconds']:.0f} s", flush=True)
 
 
 if __name__ == "__main__":

@@ -53,9 +53,8 @@ SizeReport cost_report(const RunOutline &outline, const Forecast &forecast, cons
 namespace
 {
 /// What falls to one of @p n ranks, beside what they wait for each other.
-SizeReport cost_of_rank(const Forecast &whole, const unsigned int n, const double slowness)
+SizeReport cost_of_rank(const Forecast &one, const unsigned int n, const double slowness)
 {
-  const Forecast one = whole.of_rank(n);
   const double memory = start_memory + one.memory;
   SizeReport report;
   const auto time = [slowness](const double seconds)
@@ -114,17 +113,22 @@ void print_check_report(std::ostream &out,
     report.emplace_back("bodies", count_in_words(outline->crowd.n_bodies()));
     append(forecast->sizes);
   }
+  std::vector<std::string> warnings;
   if (forecast)
   {
     const double slowness = slowness_of_machine();
     append(cost_report(*outline, *forecast, slowness));
+    warnings = forecast->warnings;
     if (n_ranks > 0)
-      append(cost_of_rank(*forecast, n_ranks, slowness));
+    {
+      const Forecast of_rank = forecast->of_rank(n_ranks);
+      append(cost_of_rank(of_rank, n_ranks, slowness));
+      warnings = of_rank.warnings;
+    }
   }
   print_size_report(out, report);
   if (!forecast)
     return;
-  std::vector<std::string> warnings = n_ranks > 0 ? forecast->of_rank(n_ranks).warnings : forecast->warnings;
   if (start_memory + forecast->memory > 0.9 * memory_of_machine())
     warnings.push_back("about " + bytes_in_words(start_memory + forecast->memory) +
                        " of memory are needed, this machine has " + bytes_in_words(memory_of_machine()));

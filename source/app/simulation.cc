@@ -19,7 +19,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
-#include <numeric>
 #include <ostream>
 
 namespace softgrain
@@ -350,21 +349,18 @@ void Simulation::print_ranks()
   here.messages += output.messages;
   // Of the whole program: what is no rank's own is done alike by all.
   const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning - output.spinning);
-  std::vector<double> own(ranks.number()), alike(ranks.number()), waiting(ranks.number());
-  std::vector<Ranks::Piece> pieces;
-  for (unsigned int r = 0; r < ranks.number(); ++r)
-    pieces.insert(pieces.end(), {{r, &own[r], 1}, {r, &alike[r], 1}, {r, &waiting[r], 1}});
-  own[ranks.here()] = here.own;
-  alike[ranks.here()] = alike_here;
-  waiting[ranks.here()] = here.waiting;
-  ranks.share(pieces);
-  const auto mean = [](const std::vector<double> &numbers)
-  { return std::accumulate(numbers.begin(), numbers.end(), 0.) / numbers.size(); };
-  const double busiest = *std::max_element(own.begin(), own.end());
-  log.both() << std::fixed << std::setprecision(2) << "  processor seconds of a rank: its own work "
-             << mean(own) << " (the busiest " << busiest << "), what all do alike " << mean(alike)
-             << "\n  it waits for others " << mean(waiting) << " s, in " << here.messages << " exchanges of "
-             << std::setprecision(1) << here.bytes / 1e6 << " MB\n"
+  double own = 0., busiest = 0., alike = 0., waiting = 0.; // means, but for the busiest
+  for (const std::vector<double> &one : ranks.of_all({here.own, alike_here, here.waiting}))
+  {
+    own += one[0] / ranks.number();
+    busiest = std::max(busiest, one[0]);
+    alike += one[1] / ranks.number();
+    waiting += one[2] / ranks.number();
+  }
+  log.both() << std::fixed << std::setprecision(2) << "  processor seconds of a rank: its own work " << own
+             << " (the busiest " << busiest << "), what all do alike " << alike << "\n  it waits for others "
+             << waiting << " s, in " << here.messages << " exchanges of " << std::setprecision(1)
+             << here.bytes / 1e6 << " MB\n"
              << std::defaultfloat << std::setprecision(6);
 }
 

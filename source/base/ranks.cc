@@ -234,16 +234,22 @@ std::string Ranks::share(const std::string &text, const unsigned int owner) cons
   return result;
 }
 
-void Ranks::check_alike(const std::vector<double> &numbers) const
+std::vector<std::vector<double>> Ranks::of_all(const std::vector<double> &numbers) const
 {
-  if (alone())
-    return;
-  // Everyone sees those of all, and so comes to the same verdict.
   std::vector<std::vector<double>> of_ranks(n, numbers);
   std::vector<Piece> pieces;
   for (unsigned int r = 0; r < n; ++r)
     pieces.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
   share(pieces);
+  return of_ranks;
+}
+
+void Ranks::check_alike(const std::vector<double> &numbers) const
+{
+  if (alone())
+    return;
+  // Everyone sees those of all, and so comes to the same verdict.
+  const std::vector<std::vector<double>> of_ranks = of_all(numbers);
   const auto differs = [&](const std::vector<double> &others)
   { return std::memcmp(others.data(), of_ranks[0].data(), others.size() * sizeof(double)) != 0; };
   if (std::any_of(of_ranks.begin(), of_ranks.end(), differs))

@@ -170,30 +170,32 @@ void DiskShare::swap(const std::size_t colour, const unsigned int n)
   ranks.swap(outgoing, incoming);
 }
 
-void DiskShare::share_contacts(std::vector<double> &of_contacts) const
+template <class Part>
+void DiskShare::share(std::vector<double> &numbers, const Part &part) const
 {
   std::vector<Ranks::Piece> pieces;
   for (std::size_t colour = 0; colour < n_colours(); ++colour)
     for (unsigned int rank = 0; rank < ranks.number(); ++rank)
     {
       const auto [begin, end] = range_of(colour, rank);
-      if (begin < end)
-        pieces.push_back(
-            {rank, &of_contacts[0] + ranges[begin].first, ranges[end - 1].last - ranges[begin].first});
+      if (begin == end)
+        continue;
+      const auto [first, last] = part(begin, end);
+      pieces.push_back({rank, numbers.data() + first, last - first});
     }
   ranks.share(pieces);
 }
 
+void DiskShare::share_contacts(std::vector<double> &of_contacts) const
+{
+  share(of_contacts, [this](const std::uint32_t begin, const std::uint32_t end)
+        { return std::make_pair(ranges[begin].first, ranges[end - 1].last); });
+}
+
 void DiskShare::share_ranges(std::vector<double> &of_ranges) const
 {
-  std::vector<Ranks::Piece> pieces;
-  for (std::size_t colour = 0; colour < n_colours(); ++colour)
-    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
-    {
-      const auto [begin, end] = range_of(colour, rank);
-      pieces.push_back({rank, &of_ranges[0] + begin, end - begin});
-    }
-  ranks.share(pieces);
+  share(of_ranges,
+        [](const std::uint32_t begin, const std::uint32_t end) { return std::make_pair(begin, end); });
 }
 
 void DiskShare::share_walls(std::vector<double> &of_walls) const
@@ -203,19 +205,9 @@ void DiskShare::share_walls(std::vector<double> &of_walls) const
 
 void DiskShare::take_largest(std::vector<double> &numbers) const
 {
-  const std::size_t n = numbers.size();
-  std::vector<double> all(ranks.number() * n);
-  std::copy(numbers.begin(), numbers.end(), all.begin() + ranks.here() * n);
-  std::vector<Ranks::Piece> pieces;
-  for (unsigned int rank = 0; rank < ranks.number(); ++rank)
-    pieces.push_back({rank, &all[rank * n], n});
-  ranks.share(pieces);
-  for (std::size_t i = 0; i < n; ++i)
-    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
-    {
-      const double other = all[rank * n + i];
-      if (!std::isnan(numbers[i]) && !(other <= numbers[i]))
-        numbers[i] = other;
-    }
+  for (const std::vector<double> &other : ranks.of_all(numbers))
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (!std::isnan(numbers[i]) && !(other[i] <= numbers[i]))
+        numbers[i] = other[i];
 }
 } // namespace softgrain::contact

@@ -17,9 +17,6 @@ namespace softgrain::contact
 {
 namespace
 {
-/// Contacts below which other threads or ranks would cost more than they do.
-constexpr std::size_t contacts_to_share = 4000;
-
 void check_size(const std::size_t size, const std::size_t expected, const char *name)
 {
   if (size != expected)

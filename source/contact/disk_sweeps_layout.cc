@@ -24,7 +24,7 @@ DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies,
 {
   number_bodies();
   make_ranges();
-  if (ranges.size() > 1 && ranks != nullptr && !ranks->alone() && !bodies.cell.is_free())
+  if (ranges.size() > 1 && ranks != nullptr && !bodies.cell.is_free())
     share.emplace(*ranks, contacts, packed_of, n_bodies(), ranges, colour_end);
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }

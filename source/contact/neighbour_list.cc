@@ -12,9 +12,6 @@ namespace softgrain::contact
 {
 namespace
 {
-/// Disks per tile that keep a tile in the cache and leave enough tiles for all threads.
-constexpr double disks_per_tile = 1000.;
-
 /// Disks sorted by the cells of a grid whose columns are what tiles are made of.
 struct CellGrid
 {

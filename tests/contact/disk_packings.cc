@@ -16,20 +16,6 @@ using contact::DiskAlgorithm;
 
 namespace
 {
-/// Walls that close in on disks with random velocities; the right and the upper one have a mass.
-DiskSystem random_system(const Packing &packing, const SystemSettings &settings, const unsigned int seed)
-{
-  DiskSystem system = make_system(packing, settings);
-  squeeze(system, packing, 0.1, false);
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0., 0.1);
-  for (std::size_t i = 0; i < packing.size(); ++i)
-    system.bodies.velocity[i] = {{normal(generator), normal(generator)}};
-  system.bodies.inverse_mass[packing.size() + 1] = 0.1;
-  system.bodies.inverse_mass[packing.size() + 3] = 0.02;
-  return system;
-}
-
 contact::DiskSolverSettings exact(const DiskAlgorithm algorithm, const double tolerance)
 {
   contact::DiskSolverSettings settings;

@@ -8,28 +8,12 @@
 #include <softgrain/contact/disk_solver.h>
 
 #include <iostream>
-#include <random>
 
 using namespace softgrain;
 using contact::DiskAlgorithm;
 
 namespace
 {
-/// Walls that close in on disks with random velocities; the right and the upper one have a mass.
-DiskSystem random_system(const SystemSettings &settings)
-{
-  const Packing packing = lattice_packing(80, 60);
-  DiskSystem system = make_system(packing, settings);
-  squeeze(system, packing, 0.1, false);
-  std::mt19937 generator(3);
-  std::normal_distribution<double> normal(0., 0.1);
-  for (std::size_t i = 0; i < packing.size(); ++i)
-    system.bodies.velocity[i] = {{normal(generator), normal(generator)}};
-  system.bodies.inverse_mass[packing.size() + 1] = 0.1;
-  system.bodies.inverse_mass[packing.size() + 3] = 0.02;
-  return system;
-}
-
 bool same(const DiskSystem &one, const DiskSystem &other)
 {
   return one.bodies.velocity == other.bodies.velocity &&
@@ -58,7 +42,7 @@ int main(int argc, char **argv)
         solver.algorithm = algorithm;
         solver.tolerance = 1e-3;
         solver.max_sweeps = 200000;
-        const DiskSystem start = random_system(settings);
+        const DiskSystem start = random_system(lattice_packing(80, 60), settings, 3);
         DiskSystem alone = start, shared = start;
         const auto expected = solve_disks(alone.bodies, alone.contacts, solver);
         const auto bytes = ranks.taken().bytes;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -230,6 +231,21 @@ inline void squeeze(DiskSystem &system, const Packing &packing, const double spe
   v[n + 1] = {{-speed, 0.}};
   v[n + 2] = {{0., speed}};
   v[n + 3] = {{0., -speed}};
+}
+
+/// Walls that close in on disks with random velocities; the right and the upper one have a mass.
+inline DiskSystem
+random_system(const Packing &packing, const SystemSettings &settings, const unsigned int seed)
+{
+  DiskSystem system = make_system(packing, settings);
+  squeeze(system, packing, 0.1, false);
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0., 0.1);
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    system.bodies.velocity[i] = {{normal(generator), normal(generator)}};
+  system.bodies.inverse_mass[packing.size() + 1] = 0.1;
+  system.bodies.inverse_mass[packing.size() + 3] = 0.02;
+  return system;
 }
 
 #endif

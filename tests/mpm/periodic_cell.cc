@@ -155,14 +155,19 @@ void compact(const std::string &what, const Changes &changes)
             << std::endl;
 }
 
-void shear(const std::string &what, const Changes &changes)
+/// Thirty grains under 1e5 Pa, whose lattice slides by what @p drive says from 6e-5 s on.
+std::unique_ptr<mpm::MpmModel> sheared(const Changes &changes, const std::string &drive)
 {
   Changes all = {"Mesh/Cell size=4e-4"};
   all.insert(all.end(), changes.begin(), changes.end());
   all.insert(all.end(), {"Stop/End time=1", "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5",
-                         "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5",
-                         "Walls/top/Tangential velocity=t < 6e-5 ? 0 : -1.5"});
-  const auto model = shipped_scene("gallery/simple_shear_periodic.prm", all);
+                         "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5", "Walls/top/" + drive});
+  return shipped_scene("gallery/simple_shear_periodic.prm", all);
+}
+
+void shear(const std::string &what, const Changes &changes)
+{
+  const auto model = sheared(changes, "Tangential velocity=t < 6e-5 ? 0 : -1.5");
   double asymmetry = 0., largest = 0.;
   for (unsigned int i = 0; i < 4; ++i)
   {
@@ -178,12 +183,7 @@ void shear(const std::string &what, const Changes &changes)
 /// The lattice is free to slide, under a fifth of the pressure.
 void shear_stress(const std::string &what, const Changes &changes)
 {
-  Changes all = {"Mesh/Cell size=4e-4"};
-  all.insert(all.end(), changes.begin(), changes.end());
-  all.insert(all.end(), {"Stop/End time=1", "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5",
-                         "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5",
-                         "Walls/top/Shear stress=t < 6e-5 ? 0 : 2e4"});
-  const auto model = shipped_scene("gallery/simple_shear_periodic.prm", all);
+  const auto model = sheared(changes, "Shear stress=t < 6e-5 ? 0 : 2e4");
   double asymmetry = 0., off = 0.;
   for (unsigned int i = 0; i < 4; ++i)
   {

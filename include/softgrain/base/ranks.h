@@ -95,6 +95,9 @@ public:
   /// Copies pieces from their owners to all. Every rank has the same list, with its own places.
   void share(const std::vector<Piece> &pieces) const;
 
+  /// @p numbers of every rank, as many on each; first those of the first rank.
+  std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;
+
   /// Numbers in memory that one other rank sends, or gets.
   struct Message
   {

@@ -25,7 +25,7 @@ struct ContactRange
  * of contacts of several ranks is at all of them: who has changed it in one colour tells the others before
  * the next. So each contact meets the same velocities as with one rank, to the last bit.
  *
- * Bodies are numbered as their owner wants, see @p number_of of the constructor.
+ * Bodies have the numbers that the caller gives them, see @p number_of of the constructor.
  */
 class DiskShare
 {
@@ -65,8 +65,6 @@ public:
   template <unsigned int n, class At>
   void tell(const std::size_t colour, const At &at)
   {
-    if (send[colour].empty() && receive[colour].empty())
-      return;
     for (Exchange &one : send[colour])
       one.template each<n>([&](double &number, const std::uint32_t body, const unsigned int c)
                            { number = at(body, c); });
@@ -132,6 +130,10 @@ private:
                   const std::vector<std::uint32_t> &number_of,
                   const Work &work) const;
   void swap(std::size_t colour, unsigned int n);
+  /// Gives all ranks what each has in its parts of @p numbers; part(begin, end) says where that of some
+  /// ranges begins and ends.
+  template <class Part>
+  void share(std::vector<double> &numbers, const Part &part) const;
 
   const Ranks &ranks;
   const std::vector<ContactRange> &ranges;

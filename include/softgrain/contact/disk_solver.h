@@ -4,6 +4,7 @@
 
 #include <softgrain/contact/disk_system.h>
 
+#include <cstddef>
 #include <string>
 
 namespace softgrain
@@ -13,6 +14,9 @@ class Ranks;
 
 namespace softgrain::contact
 {
+/// Contacts below which other threads or ranks would cost more than they do.
+constexpr std::size_t contacts_to_share = 4000;
+
 /// Ways to solve the contacts between disks.
 enum class DiskAlgorithm
 {

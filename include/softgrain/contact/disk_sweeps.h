@@ -40,8 +40,8 @@ public:
     double approach = 0.;    ///< largest speed of approach that an impulse could still change [m/s]
   };
 
-  /// Packs; set_free_velocities() comes next. All arguments have to stay; without @p ranks, or where the cell
-  /// is free to deform, this one sweeps all contacts.
+  /// Packs; set_free_velocities() comes next. All arguments have to stay. Several @p ranks share the
+  /// contacts, unless the cell is free to deform; null: this process sweeps all.
   DiskSweeps(const DiskBodies &bodies,
              const DiskContacts &contacts,
              ThreadTeam &team,

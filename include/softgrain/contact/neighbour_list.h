@@ -26,6 +26,9 @@ namespace softgrain::contact
 class NeighbourList
 {
 public:
+  /// Disks per tile that keep a tile in the cache and leave enough tiles for all threads.
+  static constexpr double disks_per_tile = 1000.;
+
   /// How near a pair is that belongs to the list.
   struct Range
   {
