@@ -194,7 +194,8 @@ MovedBoundary::Arc MovedBoundary::arc(const unsigned int m) const
   arc.chord = position[next] - position[m];
   arc.normal = edge_normal(position[m], position[next]);
   arc.length = arc.chord.norm();
-  if (arc.length == 0. || body->boundary.corner[m] || body->boundary.corner[next])
+  const bool begins = body->boundary.corner[m], ends = body->boundary.corner[next];
+  if (arc.length == 0. || (begins && ends))
     return arc;
   const auto slope = [&arc](const Vector &n)
   {
@@ -202,8 +203,9 @@ MovedBoundary::Arc MovedBoundary::arc(const unsigned int m) const
     // An outline that is folded by more than 60 degrees is no curve any more.
     return tangent * arc.normal / std::max(0.5, tangent * arc.chord / arc.length);
   };
-  arc.start_slope = slope(normals[m]);
-  arc.end_slope = slope(normals[next]);
+  // From a corner on it is a parabola.
+  arc.start_slope = begins ? -slope(normals[next]) : slope(normals[m]);
+  arc.end_slope = ends ? -arc.start_slope : slope(normals[next]);
   return arc;
 }
 
@@ -216,11 +218,10 @@ MovedBoundary::place(const unsigned int m, const double share, const bool with_w
   at.position = position[m] + share * curve.chord + curve.height(share) * curve.normal;
   const Vector tangent = curve.chord + curve.height_change(share) * curve.normal;
   at.speed = tangent.norm();
-  if (body->boundary.corner[m] || body->boundary.corner[next] || at.speed == 0.)
-  {
-    const Vector sum = (1. - share) * normals[m] + share * normals[next];
-    at.normal = sum / sum.norm();
-  }
+  const bool at_corner =
+      (share == 0. && body->boundary.corner[m]) || (share == 1. && body->boundary.corner[next]);
+  if (at_corner || at.speed == 0.)
+    at.normal = normals[share < 0.5 ? m : next];
   else
     at.normal = Vector({tangent[1], -tangent[0]}) / at.speed;
   at.displacement = (1. - share) * displacement[m] + share * displacement[next];

@@ -235,6 +235,8 @@ private:
     row.gap = start;
     row.length = tributary_length(own, seeker);
     take_pair(scene, row);
+    if (row.adhesion == 0. && gap >= 0. && is_held_by_a_corner(found, seeker, corners_only))
+      return true;
     // What lies around the corners of a partner is held by the rows of the one that looks everywhere.
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
@@ -251,6 +253,18 @@ private:
     }
     rows.push_back(std::move(row));
     return true;
+  }
+
+  /// Whether what is nearest to a place is a corner of the partner, which looks back: its row has the normal
+  /// of the side that it touches. Where two corners meet the row is of the one that looks everywhere.
+  bool is_held_by_a_corner(const Projection &found, const Seeker &seeker, const bool corners_only) const
+  {
+    const Boundary<2> &outline = other.boundary();
+    const bool corner = (found.share == 0. && outline.corner[found.first]) ||
+                        (found.share == 1. && outline.corner[outline.next(found.first)]);
+    if (!corner || partner.driven)
+      return false;
+    return corners_only || own.is_free || !own.boundary().corner[seeker.number];
   }
 
   const ContactScene<2> &scene;

@@ -22,9 +22,9 @@ namespace
 using Vectors = StepEquations::Vectors;
 
 constexpr unsigned int searches_before_mixing = 4; ///< for contact rows, with inertia
-/// For rows of a step without inertia and without friction in which walls are free: where rows do not settle,
-/// contact gives energy, and a refused step is made in several shorter ones.
-constexpr unsigned int searches_with_free_walls = 20;
+/// For rows without friction, with inertia or where walls are free: where rows do not settle, contact gives
+/// energy, and a refused step is made in several shorter ones.
+constexpr unsigned int searches_to_settle = 20;
 
 /// Newton's method with contact for the velocities v⁺ at the end of a step.
 class ImplicitStep
@@ -52,6 +52,7 @@ public:
   /// Looks for v⁺. @return why it is not found, empty when it is
   std::string find()
   {
+    outcome.unsolved = true;
     if (!first_guess())
       return equations.why_not();
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
@@ -151,9 +152,9 @@ bool ImplicitStep::rows_go_on(const bool settled) const
 unsigned int ImplicitStep::most_searches() const
 {
   const Settings &settings = problem.settings;
-  return settings.scheme.inertia || !problem.slippery() || work.contact.free_walls.list.empty()
-             ? settings.max_searches
-             : std::max(settings.max_searches, searches_with_free_walls);
+  const bool must_settle =
+      problem.slippery() && (settings.scheme.inertia || !work.contact.free_walls.list.empty());
+  return must_settle ? std::max(settings.max_searches, searches_to_settle) : settings.max_searches;
 }
 
 // Goes to these increments, unless a point turns inside out there.
@@ -219,13 +220,15 @@ std::string ImplicitStep::iterate()
 // one, which the outcome tells
 std::string ImplicitStep::at_end(const bool settled)
 {
+  outcome.unsolved = false;
   outcome.rows_follow = settled || rows.follow(equations.increment);
   settle_free_walls(problem, state, work, motion);
   const std::string overlap = too_deep();
   heed_laws(state.bodies, equations.stress_outcome(), outcome);
   if (outcome.law_asks || !overlap.empty())
     return outcome.law_asks ? outcome.reason : overlap;
-  outcome.gives_energy = GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled);
+  outcome.gives_energy =
+      GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled, outcome.max_penetration);
   return outcome.gives_energy ? "contact would give energy: rows and bodies do not settle" : "";
 }
 

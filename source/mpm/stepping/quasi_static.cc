@@ -171,11 +171,12 @@ StepOutcome
 quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
   StepOutcome sum;
-  // A step in which contact would give energy goes well when bodies resist more; held steps take that off.
+  // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
+  // bodies resist more; held steps take that off.
   for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
   {
     sum = implicit_step(problem, state, work, {dt, false, resistance});
-    if (!sum.gives_energy || resistance > 10.)
+    if (!(sum.gives_energy || (sum.unsolved && !sum.law_asks)) || resistance > 10.)
       break;
   }
   // Walls under pressure go as far as balance lets them.

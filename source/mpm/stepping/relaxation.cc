@@ -108,6 +108,6 @@ void Relaxation::resist(const StepOutcome &step, const double before, const doub
     next.regularisation = std::max(next.regularisation, std::min(10. * next.regularisation, 10.));
   else if (step.rows_follow && after > 0.3 * before)
     next.regularisation = std::max(0.1 * next.regularisation, least);
-  least = std::max(0.8 * least, weakest * wanted);
+  least = std::max((step.newton_iterations <= 4 ? 0.5 : 0.8) * least, weakest * wanted);
 }
 } // namespace softgrain::mpm

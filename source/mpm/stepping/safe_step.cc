@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/mpm/stepping/step.h>
 
@@ -16,7 +17,7 @@ using Vector = dealii::Tensor<1, 2>;
 struct Flight
 {
   Vector velocity;               ///< mean [m/s]
-  double spread = 0.;            ///< of the velocities of its nodes about the mean [m/s]
+  double spread = 0.;            ///< of the velocities of its outline about the mean [m/s]
   double width = 0.;             ///< of the body where it is narrowest [m]
   dealii::Point<2> lower, upper; ///< of the box around it [m]
 };
@@ -25,14 +26,20 @@ Flight flight_of(const Body<2> &body, const Vector &drive)
 {
   Flight flight;
   const unsigned int n = body.velocity.size() / 2;
+  const double mass = body.mass.sum();
   for (unsigned int i = 0; i < n; ++i)
-    flight.velocity += Vector({body.velocity[2 * i], body.velocity[2 * i + 1]}) / n;
+    flight.velocity += body.mass[i] / mass * Vector({body.velocity[2 * i], body.velocity[2 * i + 1]});
   if (body.driven)
     flight.velocity = drive;
-  else
+  else if (n > 0)
+  {
+    // Of the outline, not of the nodes: those on the rim may be fast and move nothing.
+    Eigen::VectorXd about_mean = body.velocity;
     for (unsigned int i = 0; i < n; ++i)
-      flight.spread = std::max(
-          flight.spread, (Vector({body.velocity[2 * i], body.velocity[2 * i + 1]}) - flight.velocity).norm());
+      for (unsigned int d = 0; d < 2; ++d)
+        about_mean[2 * i + d] -= flight.velocity[d];
+    flight.spread = largest_way(body, about_mean);
+  }
   const std::vector<dealii::Point<2>> &markers = body.boundary.position;
   flight.lower = flight.upper = markers.front();
   double perimeter = 0.;

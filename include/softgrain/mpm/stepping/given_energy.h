@@ -27,9 +27,10 @@ public:
               const std::vector<WallMotion<2>> &motion,
               const StepEquations &equations);
 
-  /// @param settled whether the rows are those of the step as it came out
+  /// @param settled     whether the rows are those of the step as it came out
+  /// @param penetration how deep bodies are in each other at its end [m]
   /// @return whether contact gives more than rounding and tolerances do
-  bool is_given(bool settled) const;
+  bool is_given(bool settled, double penetration) const;
 
 private:
   /// Work of the present contact forces on the overlaps of bodies at a share of the step, 0 or 1 [J/m].

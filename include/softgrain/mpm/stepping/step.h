@@ -34,6 +34,7 @@ struct StepOutcome
   std::string reason;        ///< why not: names body, place and what happened
   double share = 0.5;        ///< of the step with which it is to be tried again when it is not accepted
   bool law_asks = false;     ///< it is not accepted only because a law asks for a shorter one
+  bool unsolved = false;     ///< it is not accepted because its equations were not solved
   bool gives_energy = false; ///< it is not accepted because contact gives energy, see GivenEnergy
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
