@@ -14,7 +14,11 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
 constexpr double lag = 0.1; ///< share of the way of a step by which rows may lag behind and still follow
-constexpr double mixing_range = 0.02; ///< move of nodes below which searches are mixed [cells]
+/// When searches are mixed: move of nodes [cells], and its growth since the search before. A corner in the
+/// dent that it makes sends its body to and fro from the first search on; round bodies that are sent so far
+/// slip.
+constexpr double mixing_range = 0.02, mixing_growth = 2.;
+constexpr double mixing_range_with_corners = 0.1, mixing_growth_with_corners = 5.;
 
 double deepest(const GapsByRow &gaps)
 {
@@ -30,7 +34,14 @@ FollowingRows::FollowingRows(const Problem &problem,
                              Workspace &work,
                              const double dt,
                              const std::vector<WallMotion<2>> &motion)
-    : problem(problem), state(state), work(work), dt(dt), motion(motion)
+    : problem(problem)
+    , state(state)
+    , work(work)
+    , dt(dt)
+    , motion(motion)
+    , corners(std::any_of(state.bodies.begin(),
+                          state.bodies.end(),
+                          [](const Body<2> &body) { return !body.boundary.smooth; }))
 {
 }
 
@@ -70,8 +81,9 @@ bool FollowingRows::follow(const Vectors &increment) const
 
 bool FollowingRows::mix(Vectors &increment)
 {
-  const double now = way(increment, &place), range = mixing_range * problem.lattice->cell_size();
-  if (now > range || now > 2. * last_way)
+  const double now = way(increment, &place),
+               range = (corners ? mixing_range_with_corners : mixing_range) * problem.lattice->cell_size();
+  if (now > range || now > (corners ? mixing_growth_with_corners : mixing_growth) * last_way)
     mixing.restart();
   last_way = now;
   if (now > range)

@@ -70,6 +70,7 @@ private:
   Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
+  const bool corners;   ///< whether a body has any
   GapsByRow start_gaps; ///< of a step with inertia
   Vectors place;        ///< displacements for which the rows were found [m]
   AndersonMixing mixing{5};
