@@ -26,12 +26,16 @@ def missing(force, approach):
     return (johnson - approach) * math.pi * PLANE / (2 * force)
 
 
+def mesh(cell, cut):
+    """Cells of a size, shifted by @cut of one against the disk."""
+    left, low = (-(math.ceil(reach * RADIUS / cell) + 1 + cut) * cell for reach in (1.6, 1.2))
+    return {"Mesh/Cell size": cell, "Mesh/Lower": f"{left}, {low}", "Mesh/Upper": f"{cell - left}, {cell - low}"}
+
+
 def points(program, folder, spacing, cut, friction):
     """(a/h, g) of one run, up to where Johnson's force is that of finite elements."""
     cell = 2 * spacing * RADIUS
-    left, low = (-(math.ceil(reach * RADIUS / cell) + 1 + cut) * cell for reach in (1.6, 1.2))
-    changes = {"Mesh/Cell size": cell, "Mesh/Lower": f"{left}, {low}", "Mesh/Upper": f"{cell - left}, {cell - low}",
-               "Contact/Sub-grid compliance": "false", "Stop/End time": 0.03, "Time/Time step": 2e-3,
+    changes = {**mesh(cell, cut), "Contact/Sub-grid compliance": "false", "Stop/End time": 0.03, "Time/Time step": 2e-3,
                "Output/Number of field outputs": 0, "Walls/bottom/Friction": friction, "Walls/top/Friction": friction}
     _, rows = run(program, "verification/line_contact.prm", folder, changes, threads=1)
     forces = [(row["top_force_N_per_m"], row["time_s"] * RADIUS) for row in rows]
