@@ -15,6 +15,9 @@ QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/M
 BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/results/bonded-particles.md, "The step"
 # A wall 25 times slower, by steps as much longer: .3 cells each, all of them written. See doc/results/quasi-static.md.
 SLOW = {"Walls/top/Velocity": "0.2", "Time/Time step": "4.8e-4", "Output/Snapshots every": "4.8e-4", "Stop/End time": "0.1"}
+# Without inertia: the same steps, every tenth in balance and written. See doc/results/thesis-4.md.
+STATIC = {"Time/Scheme": "quasi_static", "Time/Time step": "1.92e-5", "Output/Snapshots every": "1.92e-4", "Output/History every": "10",
+          "Stop/End time": "1", "Stop/Packing fraction": "0.95"}
 FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "3"}  # the step goes with the cell
 
 
@@ -36,6 +39,8 @@ SERIES = {
     "friction": [(f"mpm-friction-{seed}", "mpm_friction", {"Packing/Seed": str(seed)}) for seed in SEEDS],
     "slow": [(f"mpm-slow-{seed}", "mpm", {**SLOW, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "slow-friction": [(f"mpm-slow-friction-{seed}", "mpm_friction", {**SLOW, "Packing/Seed": str(seed)}) for seed in SEEDS],
+    "static": [(f"mpm-static-{seed}", "mpm", {**STATIC, "Packing/Seed": str(seed)}) for seed in SEEDS],
+    "static-friction": [(f"mpm-static-friction-{seed}", "mpm_friction", {**STATIC, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "fine": [(f"mpm-fine-{seed}", "mpm", {**FINE, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bodies": [(f"mpm-{number}-bodies", "mpm", {**box(number), "Output/Measures": "", "Stop/Packing fraction": "0.82"})
                for number in (30, 100, 300, 1000)],
@@ -85,6 +90,7 @@ def main():
     parser.add_argument("program", help="build/release/bin/softgrain")
     parser.add_argument("folder", type=pathlib.Path, help="for the output folders of the runs")
     parser.add_argument("--only", choices=sorted(SERIES), nargs="*", default=list(SERIES))
+    parser.add_argument("--first", type=int, help="only so many runs of a series")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
     fractions = [0.80 + 0.01 * i for i in range(16)]
@@ -92,7 +98,7 @@ def main():
     print("| run | points | steps | Newton / step | sweeps / step | contact solve [s] | seconds | us / point / step |\n"
           "|---|---|---|---|---|---|---|---|")
     for series in arguments.only:
-        for name, scene, changes in SERIES[series]:
+        for name, scene, changes in SERIES[series][:arguments.first]:
             try:
                 summary, rows = run(arguments.program, f"thesis/uniaxial_compaction_{scene}.prm", arguments.folder / name,
                                     {**QUIET, **changes}, arguments.threads, again=False)
