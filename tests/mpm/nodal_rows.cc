@@ -40,6 +40,7 @@ public:
     bodies.push_back(make_body(description, bodies.size(),
                                Registry<constitutive::Law<2>>::instance().create("linear_elastic"), 1000.,
                                context));
+    fill_body(bodies.back(), description, context);
     points.sort();
     const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)

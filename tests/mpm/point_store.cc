@@ -49,9 +49,8 @@ std::vector<unsigned int> order(const mpm::PointStore<2> &store)
 
 void move(mpm::PointStore<2> &store, const mpm::Lattice<2> &lattice, const std::vector<Point> &places)
 {
-  const auto handles = store.by_id();
-  for (unsigned int p = 0; p < places.size(); ++p)
-    store(handles[p]).move_to(lattice.off_faces(places[p]));
+  for (const auto &particle : store.handler())
+    store(particle.get_local_index()).move_to(lattice.off_faces(places[particle.get_id()]));
   store.sort();
 }
 } // namespace

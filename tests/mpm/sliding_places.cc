@@ -119,6 +119,7 @@ private:
     description.shape = std::make_shared<Disk2D>(center, radius);
     const BuildContext context{lattice, *shape, settings, points};
     bodies.push_back(make_body(description, bodies.size(), law(), 1000., context));
+    fill_body(bodies.back(), description, context);
     points.sort();
     const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)

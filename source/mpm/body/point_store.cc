@@ -83,15 +83,6 @@ PointStore<dim>::by_body(const LevelsOfBodies &levels) const
   return lists;
 }
 
-template <int dim>
-std::vector<typename PointStore<dim>::Handle> PointStore<dim>::by_id() const
-{
-  std::vector<Handle> list(size());
-  for (const auto &particle : particles)
-    list[particle.get_id()] = particle.get_local_index();
-  return list;
-}
-
 template class PointStore<2>;
 template class PointStore<3>;
 } // namespace softgrain::mpm

@@ -56,7 +56,7 @@ std::size_t MpmModel::n_points() const
 {
   std::size_t sum = 0;
   for (const Body<2> &body : state.bodies)
-    sum += body.points.size();
+    sum += body.n_points;
   return sum;
 }
 

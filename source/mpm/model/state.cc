@@ -9,9 +9,8 @@ namespace softgrain::mpm
 State::State() = default;
 State::~State() = default;
 
-void State::sort_points()
+void State::order_points()
 {
-  points->sort();
   PointStore<2>::LevelsOfBodies levels;
   for (const Body<2> &body : bodies)
     levels.push_back(body.levels.get());

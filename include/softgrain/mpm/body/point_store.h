@@ -53,7 +53,8 @@ public:
   unsigned int id(const Handle handle) const { return particles.get_property_pool().get_id(handle); }
 
   /**
-   * @brief Finds the cells of all points after their places have changed.
+   * @brief Finds the cells of all points after their places have changed. Those that were added are in theirs
+   * already; sorting makes deal.II keep tables of the whole mesh.
    * @throw ComputationError when a point has left the mesh
    */
   void sort();
@@ -63,8 +64,6 @@ public:
 
   /// Handles of the points of every body, by cell in the order of the lattice, in a cell by id.
   std::vector<std::vector<Handle>> by_body(const LevelsOfBodies &levels) const;
-  /// Handles of all points by id.
-  std::vector<Handle> by_id() const;
 
   const dealii::Particles::ParticleHandler<dim> &handler() const { return particles; }
 

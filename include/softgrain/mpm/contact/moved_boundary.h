@@ -12,7 +12,7 @@
 namespace softgrain::mpm
 {
 /// `a` and `b` blended: (1 - share) a + share b; both are in the order of their nodes.
-NodeWeights blend(const NodeWeights &a, const NodeWeights &b, double share);
+NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, double share);
 
 /// Of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go far and move
 /// nothing.
