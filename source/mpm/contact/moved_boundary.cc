@@ -104,6 +104,24 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
   }
 }
 
+MovedBoundary::Sketch MovedBoundary::sketch() const
+{
+  return {{center[0], center[1], start[0], start[1], travel[0], travel[1], nodal_travel[0], nodal_travel[1],
+           spread, lower[0], lower[1], upper[0], upper[1]}};
+}
+
+MovedBoundary::MovedBoundary(const Body<2> &body, const Sketch &sketch)
+    : center(sketch[0], sketch[1])
+    , start(sketch[2], sketch[3])
+    , travel({sketch[4], sketch[5]})
+    , nodal_travel({sketch[6], sketch[7]})
+    , spread(sketch[8])
+    , body(&body)
+    , lower(sketch[9], sketch[10])
+    , upper(sketch[11], sketch[12])
+{
+}
+
 void MovedBoundary::move_markers(const ContactScene<2> &scene)
 {
   const Point start_center = center - scene.share * travel;

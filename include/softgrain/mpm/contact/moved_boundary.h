@@ -6,6 +6,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,13 @@ public:
 
   MovedBoundary() = default;
   MovedBoundary(const Body<2> &body, const ContactScene<2> &scene);
+
+  /// What tells whether anything may meet it: of a boundary that another rank has moved.
+  using Sketch = std::array<double, 13>;
+  Sketch sketch() const;
+  /// Without markers, as its sketch has it.
+  MovedBoundary(const Body<2> &body, const Sketch &sketch);
+  bool has_markers() const { return !position.empty(); }
 
   /// A place on the curve.
   struct Place
