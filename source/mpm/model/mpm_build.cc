@@ -134,12 +134,35 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   update_momentum_scale();
 }
 
+void MpmModel::cover_points()
+{
+  // Where grids are laid anew, points may come to any cell.
+  if (problem.settings.grid_update != GridUpdate::never)
+    return state.points->cover_all();
+  // Points are within outlines; a cell more makes up for rounding.
+  const Lattice<2>::Index &n = problem.lattice->n_cells();
+  Lattice<2>::Index first = n, last{};
+  for (const Body<2> &body : state.bodies)
+    if (work.share.holds(body.index))
+      for (const dealii::Point<2> &x : body.boundary.grid_position)
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          const int c = problem.lattice->cell_of(x)[d];
+          first[d] = std::min(first[d], std::max(0, c - 1));
+          last[d] = std::max(last[d], std::min(n[d] - 1, c + 1));
+        }
+  if (first[0] > last[0]) // no body
+    first = last = {};
+  state.points->cover(first, last);
+}
+
 void MpmModel::fill_bodies(const std::vector<BodyDescription<2>> &descriptions)
 {
   const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
   work.share.ranks.together(
       [&]()
       {
+        cover_points();
         for (Body<2> &body : state.bodies)
           if (work.share.holds(body.index))
             fill_body(body, descriptions[body.index], context);

@@ -116,7 +116,7 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
   if (work.share.alone() || !problem.settings.contact_on_boundaries)
     return;
   // Not all at once: what is sent takes memory on every rank.
-  const std::size_t at_once = std::max<std::size_t>(64, of_bodies.size() / 16);
+  const std::size_t at_once = std::max<std::size_t>(16, of_bodies.size() / 64);
   for (std::size_t first = 0; first < of_bodies.size(); first += at_once)
   {
     const auto begin = of_bodies.begin() + first,

@@ -95,14 +95,23 @@ void MpmModel::load_points(const StateReader &in, const bool of_all)
                               bodies = in.read_doubles("mpm/points/body");
     if (positions.size() != 2 * expected || bodies.size() != expected)
       throw InputError("the checkpoint was made with another number of material points");
-    store.clear();
+    const auto place = [&positions](const std::size_t p)
+    { return dealii::Point<2>(positions[2 * p], positions[2 * p + 1]); };
+    bool all_covered = true;
     for (std::size_t p = 0; p < expected; ++p)
       if (work.share.holds(static_cast<unsigned int>(bodies[p])))
+      {
         here.push_back(p);
+        all_covered = all_covered && store.covers(problem.lattice->cell_of(place(p)));
+      }
+    // A run that laid grids anew may go on as one that does not.
+    if (all_covered)
+      store.clear();
+    else
+      store.cover_all();
     store.reserve(here.size());
     for (const std::size_t p : here)
-      handles.push_back(store.add(dealii::Point<2>(positions[2 * p], positions[2 * p + 1]),
-                                  static_cast<unsigned int>(bodies[p])));
+      handles.push_back(store.add(place(p), static_cast<unsigned int>(bodies[p])));
   }
   for (const PointSlotDescription &slot : store.layout().slots())
   {

@@ -70,6 +70,8 @@ private:
   void renew_grids();
   /// Of the grids of all bodies, see grid_distortion(); only where it is asked for.
   std::vector<double> grid_distortions() const;
+  /// Makes the mesh where points of this rank may be.
+  void cover_points();
   /// Makes the points of all bodies, and lays their first grids: each rank for its own.
   void fill_bodies(const std::vector<BodyDescription<2>> &descriptions);
   /// Gives every body to a rank, as long as there is more than one.
