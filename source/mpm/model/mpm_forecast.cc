@@ -29,7 +29,8 @@ constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matte
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
-constexpr double divided_work = 0.74, divided_memory = 0.31; ///< among ranks, see doc/ranks.md
+constexpr double divided_work = 0.77, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
+constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
 
 /// Whether dilatations are averaged over cells, in one of the bodies.
@@ -225,7 +226,10 @@ Forecast forecast(const Scene<2> &scene,
   result.preparation = fitted::preparation_seconds * points +
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
-  result.divided = {0., fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
+  result.divided = {result.preparation > 0.
+                        ? fitted::divided_points * fitted::preparation_seconds * points / result.preparation
+                        : 0.,
+                    fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
   result.warnings = warnings(scene, settings, run, result.step, cfl);
   const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.finest_cell() *
                               (1. - 1e-9)),
