@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of Simulation that writes: history, pictures, snapshots, checkpoints.
 #include <softgrain/analysis/box_measures.h>
+#include <softgrain/app/first_rank_writer.h>
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/restart_check.h>
 #include <softgrain/app/simulation.h>
@@ -9,6 +10,7 @@
 #include <softgrain/output/summary.h>
 
 #include <limits>
+#include <memory>
 
 namespace softgrain
 {
@@ -83,7 +85,6 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
   if (!write_fields && !write_snapshots)
     return;
   const auto begin = std::chrono::steady_clock::now();
-  model.gather();
   const Snapshot<2> snapshot = model.snapshot();
   ranks.at_first(
       [&]()
@@ -102,18 +103,20 @@ void Simulation::write_pictures(const bool write_fields, const bool write_snapsh
 
 void Simulation::write_state(const std::string &file)
 {
-  model.gather();
+  std::unique_ptr<CheckpointWriter> writer;
+  ranks.at_first([&]() { writer = std::make_unique<CheckpointWriter>(file); });
+  FirstRankWriter of_all(writer.get());
+  model.save(of_all);
   ranks.at_first(
       [&]()
       {
-        CheckpointWriter writer(file);
-        model.save(writer);
-        statistics.save(writer);
-        path.save(writer);
-        save(writer, stop_seen_name, seen);
-        writer.write("driver/natural_step", std::vector<double>{planner.natural_step()});
-        save_description(writer, effective_parameters, scene);
-        writer.commit();
+        of_all.check();
+        statistics.save(*writer);
+        path.save(*writer);
+        save(*writer, stop_seen_name, seen);
+        writer->write("driver/natural_step", std::vector<double>{planner.natural_step()});
+        save_description(*writer, effective_parameters, scene);
+        writer->commit();
       });
 }
 

@@ -102,6 +102,37 @@ private:
   RankTimes &times;
   const double begin, processor_begin;
 };
+
+/// Numbers that lie in several places, as one message of MPI.
+class ScatteredNumbers
+{
+public:
+  void add(double *const begin, const std::size_t size)
+  {
+    // MPI counts with an int.
+    constexpr std::size_t most = std::numeric_limits<int>::max();
+    for (std::size_t first = 0; first < size; first += most)
+    {
+      MPI_Aint place;
+      MPI_Get_address(begin + first, &place);
+      places.push_back(place);
+      sizes.push_back(static_cast<int>(std::min(most, size - first)));
+    }
+  }
+  bool empty() const { return places.empty(); }
+  /// To be freed.
+  MPI_Datatype type() const
+  {
+    MPI_Datatype result;
+    MPI_Type_create_hindexed(sizes.size(), sizes.data(), places.data(), MPI_DOUBLE, &result);
+    MPI_Type_commit(&result);
+    return result;
+  }
+
+private:
+  std::vector<MPI_Aint> places;
+  std::vector<int> sizes;
+};
 } // namespace
 
 Ranks::Ranks()
@@ -190,6 +221,34 @@ void Ranks::share(const std::vector<Piece> &pieces) const
 {
   if (!alone())
     exchange(pieces, nullptr);
+}
+
+void Ranks::bring(const std::vector<Piece> &pieces) const
+{
+  if (alone())
+    return;
+  constexpr int tag = 2;
+  // Of the first rank, what every other one sends; of another, what it sends itself.
+  std::vector<ScatteredNumbers> of_ranks(n);
+  for (const Piece &piece : pieces)
+    if (piece.owner != 0 && (first() || piece.owner == rank))
+    {
+      of_ranks[piece.owner].add(piece.begin, piece.size);
+      if (first())
+        times.bytes += piece.size * sizeof(double);
+    }
+  const Wait wait(times);
+  for (unsigned int r = 1; r < n; ++r)
+  {
+    if (of_ranks[r].empty())
+      continue;
+    MPI_Datatype type = of_ranks[r].type();
+    if (first())
+      MPI_Recv(MPI_BOTTOM, 1, type, r, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    else
+      MPI_Send(MPI_BOTTOM, 1, type, 0, tag, MPI_COMM_WORLD);
+    MPI_Type_free(&type);
+  }
 }
 
 void Ranks::swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const

@@ -234,13 +234,8 @@ void Hdf5File::close(const bool sealed)
 {
   if (in_memory)
   {
-    std::vector<char> bytes = hdf5_image(file, path);
-    if (sealed)
-    {
-      const std::string seal = seal_of(bytes.data(), bytes.size());
-      bytes.insert(bytes.end(), seal.begin(), seal.end());
-    }
-    write_bytes(path, bytes.data(), bytes.size());
+    const Hdf5Image image = hdf5_image(file, path);
+    write_bytes(path, image.bytes, image.size, sealed ? seal_of(image.bytes, image.size) : "");
   }
   const hid_t closing = file;
   file = -1;

@@ -22,23 +22,6 @@ double length_of(const Polygon &polygon)
   return sum;
 }
 
-BodyGroup group_of(const BodyDescription<2> &body)
-{
-  BodyGroup group;
-  group.name = body.name;
-  group.material = body.material;
-  group.area = body.shape->area();
-  group.driven = body.driven;
-  for (const Polygon &line : body.shape->outline(0.05 * body.shape->size()))
-    group.perimeter += length_of(line);
-  const auto box = body.shape->bounding_box();
-  // The diameter of a disk, twice the wall of a ring and twice the width of a long strip.
-  const double mean_width = 4. * group.area / group.perimeter;
-  group.short_edge = std::min(box.second[0] - box.first[0], box.second[1] - box.first[1]);
-  group.thickness = std::min(mean_width, group.short_edge);
-  return group;
-}
-
 /// Disks that are still to be packed.
 std::optional<BodyGroup> group_of(const PackingMethod<2> &method)
 {
@@ -55,6 +38,23 @@ std::optional<BodyGroup> group_of(const PackingMethod<2> &method)
   return group;
 }
 } // namespace
+
+BodyGroup group_of(const BodyDescription<2> &body)
+{
+  BodyGroup group;
+  group.name = body.name;
+  group.material = body.material;
+  group.area = body.shape->area();
+  group.driven = body.driven;
+  for (const Polygon &line : body.shape->outline(0.05 * body.shape->size()))
+    group.perimeter += length_of(line);
+  const auto box = body.shape->bounding_box();
+  // The diameter of a disk, twice the wall of a ring and twice the width of a long strip.
+  const double mean_width = 4. * group.area / group.perimeter;
+  group.short_edge = std::min(box.second[0] - box.first[0], box.second[1] - box.first[1]);
+  group.thickness = std::min(mean_width, group.short_edge);
+  return group;
+}
 
 double Crowd::n_bodies() const
 {

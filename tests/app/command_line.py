@@ -189,12 +189,20 @@ class CheckRanks(unittest.TestCase):
 
     def test_shares(self):
         # Share of the work that is divided, of 300 grains; both are measured, see doc/ranks.md.
-        for scene, divided in (("thesis/uniaxial_compaction_mpm.prm", 0.74), ("thesis/uniaxial_compaction_bpm.prm", 0.87)):
+        for scene, divided in (("thesis/uniaxial_compaction_mpm.prm", 0.77), ("thesis/uniaxial_compaction_bpm.prm", 0.87)):
             for ranks in (1, 4, 16):
                 share, printed = self.said(scene, ranks)
                 # There are two digits, and an extra part for the start of the program.
                 self.assertAlmostEqual(share, 1 - divided * (1 - 1 / ranks), delta=0.02 + 0.06 * share)
                 self.assertNotIn("there is work for", printed)
+
+    def test_memory(self):
+        # 160 MB of every process, and of the points a share of 0.8 is divided; two digits are told.
+        for ranks in (2, 8):
+            _, printed = self.said("thesis/uniaxial_compaction_mpm.prm", ranks)
+            whole, of_rank = (float(re.search(rf"^  {name} +about (\d+) MB", printed, re.M).group(1)) - 160.
+                              for name in ("memory", "memory of a rank"))
+            self.assertAlmostEqual(of_rank / whole, 1 - 0.8 * (1 - 1 / ranks), delta=0.06)
 
     def test_too_many(self):
         _, printed = self.said("gallery/two_disks.prm", 4)

@@ -48,6 +48,9 @@ SCENES = {
                     "Stages/compact/right/Drive=velocity", "Stages/compact/right/Pressure=0",
                     "Stages/compact/Stop/End time=2e-5", "Stages/shear/top/Drive=velocity", "Stages/shear/top/Pressure=0",
                     "Stages/shear/Stop/End time=1e-5"],
+    # Loads of a body's own are known to its rank alone; of what is driven all ranks have the points.
+    "pushed": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4", "Bodies/left/Driven=true",
+               "Bodies/right/Body force=-2e4*(1+50*X); 1e4*y*t"],
     "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
                       "Material points/Shape function=linear", "Material points/Fill limit=0.01",
                       "Material points/Grid update=every step", "Contact/Geometry=nodes", "Contact/Nodal gap=false",
@@ -140,12 +143,22 @@ class SameBits(RankRuns):
 
     def test_thirty(self):
         self.check("thirty", (2, 3, 4))
+        # Every rank has the points of its own bodies alone.
+        said = (self.base / "3" / "run.log").read_text()
+        total = int(re.search(r"material points +(\d+)", said).group(1))
+        fewest, most = (int(number) for number in re.search(r"points of a rank +(\d+) to (\d+)", said).groups())
+        self.assertGreater(fewest, 0.2 * total)
+        self.assertLess(most, 0.45 * total)
+        self.assertLessEqual(fewest + 2 * most, 1.2 * total)
 
     def test_friction(self):
         self.check("friction", (2, 4))
 
     def test_plastic(self):
         self.check("plastic")
+
+    def test_pushed(self):
+        self.check("pushed")
 
     def test_explicit(self):
         self.check("explicit")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What ranks tell each other. Known: numbers go from their owners to all, and between neighbours, to the bit;
-// a failure of one is everybody's, that of the lowest rank first; a request to stop that comes to one rank
-// stops all at the same place.
+// What ranks tell each other. Known: numbers go from their owners to all, to the first, and between
+// neighbours, to the bit; a failure of one is everybody's, that of the lowest rank first; a request to stop
+// that comes to one rank stops all at the same place.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/mpi_session.h>
@@ -32,6 +32,28 @@ unsigned int wrong_numbers(const Ranks &ranks)
     pieces.push_back({owner, lists[i].data(), lists[i].size()});
   }
   ranks.share(pieces);
+  unsigned int wrong = 0;
+  for (unsigned int i = 0; i < lists.size(); ++i)
+    for (const double number : lists[i])
+      wrong += !(number == value(i) || (std::isnan(number) && std::isnan(value(i))));
+  return wrong;
+}
+
+/// Numbers that differ from what their owners have, after they were brought to the first rank.
+unsigned int wrong_at_first(const Ranks &ranks)
+{
+  std::vector<std::vector<double>> lists(17);
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int i = 0; i < lists.size(); ++i)
+  {
+    const unsigned int owner = i * i % ranks.number();
+    if (owner == ranks.here())
+      lists[i].assign(i % 4, value(i));
+    else if (ranks.first())
+      lists[i].assign(i % 4, 0.);
+    pieces.push_back({owner, lists[i].data(), i % 4});
+  }
+  ranks.bring(pieces);
   unsigned int wrong = 0;
   for (unsigned int i = 0; i < lists.size(); ++i)
     for (const double number : lists[i])
@@ -97,7 +119,7 @@ int main(int argc, char **argv)
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
       parted(ranks.number());
   const unsigned int here = ranks.here();
-  wrong[here] = wrong_numbers(ranks) + wrong_messages(ranks);
+  wrong[here] = wrong_numbers(ranks) + wrong_at_first(ranks) + wrong_messages(ranks);
   caught[here] = failure(ranks, last) == "no good on " + std::to_string(last) &&
                  failure(ranks, ranks.number()) == "none";
   await_telling_of_interruption();

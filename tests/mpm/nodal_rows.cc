@@ -27,6 +27,7 @@ public:
       , points(lattice, PointLayout<2>(needs()))
       , shape(create_shape_function("linear"))
   {
+    points.cover_all();
   }
 
   void add(const double left, const double bottom, const double right, const double top)
@@ -40,10 +41,11 @@ public:
     bodies.push_back(make_body(description, bodies.size(),
                                Registry<constitutive::Law<2>>::instance().create("linear_elastic"), 1000.,
                                context));
+    fill_body(bodies.back(), description, context);
     points.sort();
     const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)
-      body.points.renew(lists[body.index]);
+      body.points.renew(points.handler().get_property_pool(), lists[body.index]);
     start_body(bodies.back(), description, context);
   }
 

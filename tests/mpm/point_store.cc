@@ -29,7 +29,7 @@ unsigned int n_wrong(const mpm::PointStore<2> &store, const mpm::Lattice<2> &lat
   unsigned int wrong = 0;
   for (const auto &particle : store.handler())
   {
-    const auto expected = lattice.cell(lattice.cell_of(particle.get_location()));
+    const auto expected = store.cell(lattice.cell_of(particle.get_location()));
     const auto point = store(particle.get_local_index());
     wrong += particle.get_surrounding_cell() != expected || point.velocity()[1] != particle.get_id() ||
              point.body() != particle.get_id() % 3;
@@ -49,9 +49,8 @@ std::vector<unsigned int> order(const mpm::PointStore<2> &store)
 
 void move(mpm::PointStore<2> &store, const mpm::Lattice<2> &lattice, const std::vector<Point> &places)
 {
-  const auto handles = store.by_id();
-  for (unsigned int p = 0; p < places.size(); ++p)
-    store(handles[p]).move_to(lattice.off_faces(places[p]));
+  for (const auto &particle : store.handler())
+    store(particle.get_local_index()).move_to(lattice.off_faces(places[particle.get_id()]));
   store.sort();
 }
 } // namespace
@@ -64,11 +63,12 @@ int main()
 
   // A cell size that is no binary fraction, so that faces suffer from rounding.
   const mpm::Lattice<2> lattice(Point(-0.7, 0.3), Point(2.4, 2.2), 0.1);
+  mpm::PointStore<2> store(lattice, mpm::PointLayout<2>());
+  store.cover_all();
   unsigned int wrong_cells = 0;
   for (int j = 0; j < lattice.n_cells()[1]; ++j)
     for (int i = 0; i < lattice.n_cells()[0]; ++i)
-      wrong_cells +=
-          lattice.cell({{i, j}})->center().distance(Point(-0.65 + 0.1 * i, 0.35 + 0.1 * j)) > 1e-12;
+      wrong_cells += store.cell({{i, j}})->center().distance(Point(-0.65 + 0.1 * i, 0.35 + 0.1 * j)) > 1e-12;
   std::cout << lattice.n_cells()[0] << " x " << lattice.n_cells()[1] << " cells, wrong: " << wrong_cells
             << '\n';
 
@@ -86,7 +86,6 @@ int main()
     place[0] = std::max(-0.7, place[0] + small(generator));
     place[1] = std::max(0.3, place[1] + small(generator));
   }
-  mpm::PointStore<2> store(lattice, mpm::PointLayout<2>());
   store.reserve(special.size());
   for (unsigned int p = 0; p < special.size(); ++p)
     store(store.add(special[p], p % 3)).velocity()[1] = p;
@@ -101,6 +100,21 @@ int main()
     std::cout << names[k] << ", wrong: " << n_wrong(store, lattice) << '\n';
   }
   std::cout << "order " << (order(store) == at_first ? "as at first" : "differs") << '\n';
+
+  // A mesh of the middle alone, as a rank makes that has no points elsewhere.
+  mpm::PointStore<2> part(lattice, mpm::PointLayout<2>()), whole(lattice, mpm::PointLayout<2>());
+  part.cover({{7, 4}}, {{20, 13}});
+  whole.cover_all();
+  for (const Point &place : random)
+    if (part.covers(lattice.cell_of(place)))
+      for (mpm::PointStore<2> *const some : {&part, &whole})
+      {
+        const unsigned int id = some->size();
+        (*some)(some->add(place, id % 3)).velocity()[1] = id;
+      }
+  std::cout << (part.size() > 300 ? "hundreds of" : "few")
+            << " points in the middle, wrong: " << n_wrong(part, lattice) << ", order "
+            << (order(part) == order(whole) ? "that of the whole" : "differs") << '\n';
 
   special[7] = Point(2.4000001, 1.);
   try

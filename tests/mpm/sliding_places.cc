@@ -34,6 +34,7 @@ public:
       , shape(create_shape_function("linear"))
       , drive(2)
   {
+    points.cover_all();
     add({0.73, 0.80});
     add({1.72, 0.87});
     scene.materials.resize(1);
@@ -119,10 +120,11 @@ private:
     description.shape = std::make_shared<Disk2D>(center, radius);
     const BuildContext context{lattice, *shape, settings, points};
     bodies.push_back(make_body(description, bodies.size(), law(), 1000., context));
+    fill_body(bodies.back(), description, context);
     points.sort();
     const auto lists = points.by_body(PointStore<2>::LevelsOfBodies(bodies.size(), nullptr));
     for (Body<2> &body : bodies)
-      body.points.renew(lists[body.index]);
+      body.points.renew(points.handler().get_property_pool(), lists[body.index]);
     start_body(bodies.back(), description, context);
     centers.push_back(center);
   }

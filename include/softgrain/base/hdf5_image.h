@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace softgrain
 {
@@ -19,15 +18,27 @@ namespace softgrain
  */
 std::int64_t create_hdf5_image(const std::string &path);
 
-/// All bytes of the file in memory; @p path is for the message. @throw ComputationError
-std::vector<char> hdf5_image(std::int64_t file, const std::string &path);
+/// The bytes of a file in memory.
+struct Hdf5Image
+{
+  const char *bytes;
+  std::size_t size;
+};
+
+/// All bytes of the file in memory, where HDF5 has them: until the next call of HDF5. @p path is for the
+/// message. @throw ComputationError
+Hdf5Image hdf5_image(std::int64_t file, const std::string &path);
 
 /// Writes everything the file in memory holds to @p path. @throw ComputationError with the reason of the
 /// system.
 void write_hdf5_image(std::int64_t file, const std::string &path);
 
-/// Replaces @p path by these bytes. @throw ComputationError "cannot write PATH: REASON"
-void write_bytes(const std::string &path, const void *bytes, std::size_t n_bytes);
+/// Replaces @p path by these bytes, with @p tail behind them. @throw ComputationError "cannot write PATH:
+/// REASON"
+void write_bytes(const std::string &path,
+                 const void *bytes,
+                 std::size_t n_bytes,
+                 const std::string &tail = std::string());
 } // namespace softgrain
 
 #endif

@@ -58,21 +58,22 @@ public:
   template <class Work, class Pieces>
   void together(const Work &work, const Pieces &pieces) const
   {
-    if (alone())
-    {
-      work();
-      return;
-    }
     std::exception_ptr failure;
-    const double begin = processor_seconds();
+    const double begin = alone() ? 0. : processor_seconds();
     try
     {
+      // Called here alone: where the compiler copies it to two places, it may round differently in each, and
+      // one rank would not find what several do.
       work();
     }
     catch (...)
     {
+      if (alone())
+        throw;
       failure = std::current_exception();
     }
+    if (alone())
+      return;
     times.own += processor_seconds() - begin;
     exchange(pieces(), failure);
   }
@@ -94,6 +95,10 @@ public:
 
   /// Copies pieces from their owners to all. Every rank has the same list, with its own places.
   void share(const std::vector<Piece> &pieces) const;
+
+  /// Copies pieces from their owners to the first rank, without a copy on the way. Every rank has the same
+  /// list; of the places it names, an owner needs its own, and the first rank all.
+  void bring(const std::vector<Piece> &pieces) const;
 
   /// @p numbers of every rank, as many on each; first those of the first rank.
   std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;

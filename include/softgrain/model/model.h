@@ -71,13 +71,11 @@ public:
   virtual double time() const = 0; ///< [s]
   virtual std::size_t step() const = 0;
 
-  /// With several ranks: brings together on each what lies with one, so that snapshot() and save() tell all.
-  /// What else a model tells is told by all ranks alike.
-  virtual void gather() {}
   /// What working with other ranks has taken so far.
   virtual RankTimes rank_times() const { return {}; }
 
-  /// The neutral state: what pictures and measures are made of. Costs a pass over the points.
+  /// The neutral state: what pictures and measures are made of. Costs a pass over the points. With several
+  /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
   virtual Snapshot<dim> snapshot() const = 0;
 
   /// Walls alone, cheap enough for every step.
@@ -107,7 +105,8 @@ public:
   /// Seconds spent per phase since the start.
   virtual std::map<std::string, double> phases() const = 0;
 
-  /// Everything needed to go on as if never stopped.
+  /// Everything needed to go on as if never stopped. With several ranks all call both; what counts is what
+  /// the first rank writes, and all read the same.
   virtual void save(StateWriter &) const = 0;
   virtual void load(StateReader &) = 0;
 };

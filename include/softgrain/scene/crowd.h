@@ -23,6 +23,9 @@ struct BodyGroup
   bool driven = false;
 };
 
+/// One body by its size.
+BodyGroup group_of(const BodyDescription<2> &body);
+
 /// The bodies of a scene before they are made: what size, memory and time are judged by.
 struct Crowd
 {

@@ -12,6 +12,20 @@ namespace softgrain::mpm
 {
 namespace
 {
+/// Says of which body it is what @p work throws.
+template <class Work>
+void of_body(const BodyDescription<2> &description, const Work &work)
+{
+  try
+  {
+    work();
+  }
+  catch (const ComputationError &error)
+  {
+    throw InputError("'Bodies/" + description.name + "': " + error.what());
+  }
+}
+
 void make_points(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
   const GeneratedPoints<2> generated =
@@ -38,6 +52,7 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
     if (!body.body_force.empty())
       body.rest_position.push_back(point.position());
   }
+  body.n_points = n;
 }
 
 /// A corner turns by more than any marker of a round outline.
@@ -77,6 +92,7 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   {
     // A loop of a whole number of strides; disks keep their circle.
     const unsigned int n = coarse.size();
+    boundary.grid_position.reserve(boundary.grid_position.size() + n * pieces);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int k = 0; k < pieces; ++k)
       {
@@ -115,29 +131,23 @@ Body<2> make_body(const BodyDescription<2> &description,
   if (!description.body_force.empty() && description.body_force != "0; 0")
     body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});
   make_boundary(body, description, context);
-  try
-  {
-    for (const dealii::Point<2> &x : body.boundary.position)
-      context.lattice.check_inside(x, "boundary marker");
-    make_points(body, description, context);
-  }
-  catch (const ComputationError &error)
-  {
-    throw InputError("'Bodies/" + description.name + "': " + error.what());
-  }
+  of_body(description,
+          [&]()
+          {
+            for (const dealii::Point<2> &x : body.boundary.position)
+              context.lattice.check_inside(x, "boundary marker");
+          });
   return body;
+}
+
+void fill_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
+{
+  of_body(description, [&]() { make_points(body, description, context); });
 }
 
 void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
-  try
-  {
-    lay_grid(body, context);
-  }
-  catch (const ComputationError &error)
-  {
-    throw InputError("'Bodies/" + description.name + "': " + error.what());
-  }
+  of_body(description, [&]() { lay_grid(body, context); });
 
   // Formulas are taken at the nodes, so that affine motions are exact; the points follow.
   std::vector<Expression> formulas;

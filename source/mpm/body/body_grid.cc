@@ -109,9 +109,13 @@ std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<
         places[p][d] += body.field.values(p)[k] * u[2 * body.field.point_nodes(p)[k] + d];
     lattice.check_inside(places[p], "material point of body '" + body.name + "'");
   }
+  return places;
+}
+
+void check_markers(const Body<2> &body, const Lattice<2> &lattice)
+{
   for (const dealii::Point<2> &x : body.boundary.position)
     lattice.check_inside(x, "boundary marker of body '" + body.name + "'");
-  return places;
 }
 
 void leave_grid(Body<2> &body,
@@ -177,16 +181,15 @@ void leave_grid(Body<2> &body,
                            : rate;
     }
   }
-  body.boundary.grid_position = body.boundary.position;
 }
 
 void move_boundary(Body<2> &body)
 {
   for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
   {
-    const NodeWeights &weights = body.field.marker_weights(m);
+    const NodeWeightsView weights = body.field.marker_weights(m);
     dealii::Tensor<1, 2> moved;
-    for (unsigned int k = 0; k < weights.node.size(); ++k)
+    for (unsigned int k = 0; k < weights.size; ++k)
       for (unsigned int d = 0; d < 2; ++d)
         moved[d] += weights.weight[k] * body.displacement[2 * weights.node[k] + d];
     body.boundary.position[m] = body.boundary.grid_position[m] + moved;

@@ -2,7 +2,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/body/point_store.h>
 
+#include <deal.II/grid/grid_generator.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <tuple>
 
@@ -10,22 +13,82 @@ namespace softgrain::mpm
 {
 template <int dim>
 PointStore<dim>::PointStore(const Lattice<dim> &lattice, const PointLayout<dim> &layout)
-    : lattice(lattice), the_layout(layout), particles(lattice.triangulation(), mapping, layout.n_components())
+    : lattice(lattice), the_layout(layout)
 {
-  particles.signals.particle_lost.connect([this](const auto &particle, const auto &)
-                                          { lost.push_back(particle->get_location()); });
+}
+
+template <int dim>
+void PointStore<dim>::cover(const Index &first, const Index &last)
+{
+  particles.reset(); // it looks at its mesh to the end
+  n_points = 0;
+  first_cell = first;
+  std::vector<unsigned int> repetitions(dim);
+  dealii::Point<dim> lower = lattice.lower(), upper;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    n_cells[d] = last[d] - first[d] + 1;
+    repetitions[d] = n_cells[d];
+    lower[d] += first[d] * lattice.cell_size();
+    upper[d] = lower[d] + n_cells[d] * lattice.cell_size();
+  }
+  mesh = std::make_unique<dealii::Triangulation<dim>>();
+  dealii::GridGenerator::subdivided_hyper_rectangle(*mesh, repetitions, lower, upper);
+  particles =
+      std::make_unique<dealii::Particles::ParticleHandler<dim>>(*mesh, mapping, the_layout.n_components());
+  particles->signals.particle_lost.connect([this](const auto &particle, const auto &)
+                                           { lost.push_back(particle->get_location()); });
+}
+
+template <int dim>
+void PointStore<dim>::cover_all()
+{
+  Index first{}, last = lattice.n_cells();
+  for (int &c : last)
+    --c;
+  cover(first, last);
+}
+
+template <int dim>
+bool PointStore<dim>::covers(const Index &cell) const
+{
+  for (unsigned int d = 0; d < dim; ++d)
+    if (cell[d] < first_cell[d] || cell[d] >= first_cell[d] + n_cells[d])
+      return false;
+  return true;
+}
+
+template <int dim>
+typename PointStore<dim>::Cell PointStore<dim>::cell(const Index &c) const
+{
+  int index = 0;
+  for (int d = dim - 1; d >= 0; --d)
+    index = index * n_cells[d] + c[d] - first_cell[d];
+  return Cell(mesh.get(), 0, index);
+}
+
+template <int dim>
+typename PointStore<dim>::Index PointStore<dim>::index_of(int index) const
+{
+  Index c;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    c[d] = first_cell[d] + index % n_cells[d];
+    index /= n_cells[d];
+  }
+  return c;
 }
 
 template <int dim>
 void PointStore<dim>::reserve(const std::size_t n)
 {
-  particles.get_property_pool().reserve(n);
+  particles->get_property_pool().reserve(n);
 }
 
 template <int dim>
 void PointStore<dim>::clear()
 {
-  particles.clear();
+  particles->clear();
   n_points = 0;
 }
 
@@ -35,8 +98,7 @@ typename PointStore<dim>::Handle PointStore<dim>::add(const dealii::Point<dim> &
 {
   const dealii::Point<dim> x = lattice.off_faces(place);
   const typename Lattice<dim>::Index cell = lattice.cell_of(x);
-  auto particle =
-      particles.insert_particle(x, lattice.unit_position(x, cell), n_points++, lattice.cell(cell));
+  auto particle = particles->insert_particle(x, lattice.unit_position(x, cell), n_points++, this->cell(cell));
   const dealii::ArrayView<double> properties = particle->get_properties();
   std::fill(properties.begin(), properties.end(), 0.);
   properties[the_layout.offset(PointSlot::body)] = body;
@@ -47,7 +109,7 @@ template <int dim>
 void PointStore<dim>::sort()
 {
   lost.clear();
-  particles.sort_particles_into_subdomains_and_cells();
+  particles->sort_particles_into_subdomains_and_cells();
   if (lost.empty())
     return;
   std::ostringstream message;
@@ -61,16 +123,20 @@ std::vector<std::vector<typename PointStore<dim>::Handle>>
 PointStore<dim>::by_body(const LevelsOfBodies &levels) const
 {
   // The particles of a cell stand in the order in which they came there: a restart would not know it, ids do.
-  using Place = std::tuple<int, unsigned int, Handle>;
+  using Place = std::tuple<std::int64_t, unsigned int, Handle>;
   std::vector<std::vector<Place>> places(levels.size());
-  for (const auto &particle : particles)
+  for (const auto &particle : *particles)
   {
     const Handle handle = particle.get_local_index();
     const unsigned int body = (*this)(handle).body();
-    int cell = particle.get_surrounding_cell()->index();
+    Index c = index_of(particle.get_surrounding_cell()->index());
     if (levels[body] != nullptr)
-      cell = lattice.cell(levels[body]->first(lattice.cell_of(particle.get_location())))->index();
-    places[body].emplace_back(cell, particle.get_id(), handle);
+      c = levels[body]->first(lattice.cell_of(particle.get_location()));
+    // Counted in the whole lattice, so that it does not depend on what this rank covers.
+    std::int64_t number = 0;
+    for (int d = dim - 1; d >= 0; --d)
+      number = number * lattice.n_cells()[d] + c[d];
+    places[body].emplace_back(number, particle.get_id(), handle);
   }
   std::vector<std::vector<Handle>> lists(levels.size());
   for (unsigned int b = 0; b < levels.size(); ++b)
@@ -81,15 +147,6 @@ PointStore<dim>::by_body(const LevelsOfBodies &levels) const
       lists[b].push_back(std::get<2>(place));
   }
   return lists;
-}
-
-template <int dim>
-std::vector<typename PointStore<dim>::Handle> PointStore<dim>::by_id() const
-{
-  std::vector<Handle> list(size());
-  for (const auto &particle : particles)
-    list[particle.get_id()] = particle.get_local_index();
-  return list;
 }
 
 template class PointStore<2>;

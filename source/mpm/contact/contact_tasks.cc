@@ -95,9 +95,14 @@ std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
   for (MovedBoundary &boundary : boundaries)
   {
     folds.push_back(scene.cell->cell.image_of(boundary.start));
-    if (folds.back() != PeriodicCell<2>::Image())
-      boundary = image_of(boundary, opposite(folds.back()), scene);
+    fold_back(scene, folds.back(), boundary);
   }
   return folds;
+}
+
+void fold_back(const ContactScene<2> &scene, const PeriodicCell<2>::Image &fold, MovedBoundary &boundary)
+{
+  if (fold != PeriodicCell<2>::Image())
+    boundary = image_of(boundary, opposite(fold), scene);
 }
 } // namespace softgrain::mpm

@@ -20,10 +20,10 @@ Vector edge_normal(const Point &a, const Point &b)
   return norm > 0. ? Vector({edge[1] / norm, -edge[0] / norm}) : Vector();
 }
 
-Vector at_marker(const NodeWeights &weights, const Eigen::VectorXd &nodal)
+Vector at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
 {
   Vector value;
-  for (unsigned int k = 0; k < weights.node.size(); ++k)
+  for (unsigned int k = 0; k < weights.size; ++k)
     for (unsigned int d = 0; d < 2; ++d)
       value[d] += weights.weight[k] * nodal[2 * weights.node[k] + d];
   return value;
@@ -45,11 +45,11 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
   return way;
 }
 
-NodeWeights blend(const NodeWeights &a, const NodeWeights &b, const double share)
+NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, const double share)
 {
-  const unsigned int n_a = a.node.size(), n_b = b.node.size();
-  const unsigned int *const node_a = a.node.data(), *const node_b = b.node.data();
-  const double *const weight_a = a.weight.data(), *const weight_b = b.weight.data();
+  const unsigned int n_a = a.size, n_b = b.size;
+  const unsigned int *const node_a = a.node, *const node_b = b.node;
+  const double *const weight_a = a.weight, *const weight_b = b.weight;
   NodeWeights result;
   result.node.resize(n_a + n_b, boost::container::default_init);
   result.weight.resize(n_a + n_b, boost::container::default_init);
@@ -102,6 +102,24 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
       before = after;
     }
   }
+}
+
+MovedBoundary::Sketch MovedBoundary::sketch() const
+{
+  return {{center[0], center[1], start[0], start[1], travel[0], travel[1], nodal_travel[0], nodal_travel[1],
+           spread, lower[0], lower[1], upper[0], upper[1]}};
+}
+
+MovedBoundary::MovedBoundary(const Body<2> &body, const Sketch &sketch)
+    : center(sketch[0], sketch[1])
+    , start(sketch[2], sketch[3])
+    , travel({sketch[4], sketch[5]})
+    , nodal_travel({sketch[6], sketch[7]})
+    , spread(sketch[8])
+    , body(&body)
+    , lower(sketch[9], sketch[10])
+    , upper(sketch[11], sketch[12])
+{
 }
 
 void MovedBoundary::move_markers(const ContactScene<2> &scene)
@@ -249,7 +267,7 @@ NodeWeights MovedBoundary::weights(const unsigned int m, const double share) con
   if (body->driven)
     return {};
   if (share == 0.)
-    return body->field.marker_weights(m);
+    return body->field.marker_weights(m).copy();
   return blend(body->field.marker_weights(m), body->field.marker_weights(body->boundary.next(m)), share);
 }
 

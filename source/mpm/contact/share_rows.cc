@@ -139,6 +139,36 @@ void for_parts(Parts &part, SomeRow &row)
 }
 } // namespace
 
+std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const ContactScene<2> &scene)
+{
+  const std::vector<Body<2>> &bodies = scene.bodies;
+  std::vector<MovedBoundary> boundaries(bodies.size());
+  std::vector<MovedBoundary::Sketch> sketches(bodies.size());
+  share.together(
+      [&]()
+      {
+        parallel_for(bodies.size(), 8,
+                     [&](const std::size_t begin, const std::size_t end)
+                     {
+                       for (std::size_t b = begin; b < end; ++b)
+                         if (share.mine(b) || bodies[b].driven)
+                         {
+                           boundaries[b] = MovedBoundary(bodies[b], scene);
+                           sketches[b] = boundaries[b].sketch();
+                         }
+                     });
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < sketches.size(); ++b)
+          message.add(b, sketches[b].data(), sketches[b].size());
+      });
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!boundaries[b].has_markers())
+      boundaries[b] = MovedBoundary(bodies[b], sketches[b]);
+  return boundaries;
+}
+
 void share_rows(const BodyShare &share,
                 const std::size_t n_bodies,
                 const std::function<void()> &find,

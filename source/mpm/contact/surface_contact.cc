@@ -277,6 +277,32 @@ private:
   std::vector<unsigned int> segments;
   mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
+/// Moves the boundaries of those that bodies of this rank may meet, where there were sketches.
+void move_partners(const ContactScene<2> &scene,
+                   const std::vector<std::vector<ContactTask>> &tasks,
+                   const std::vector<PeriodicCell<2>::Image> &folds,
+                   std::vector<MovedBoundary> &boundaries)
+{
+  std::vector<unsigned int> partners;
+  for (unsigned int b = 0; b < tasks.size(); ++b)
+    if (scene.looking->mine(b))
+      for (const ContactTask &task : tasks[b])
+        if (!boundaries[task.partner].has_markers())
+          partners.push_back(task.partner);
+  std::sort(partners.begin(), partners.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+  parallel_for(partners.size(), 8,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   const unsigned int p = partners[i];
+                   boundaries[p] = MovedBoundary(scene.bodies[p], scene);
+                   if (!folds.empty())
+                     fold_back(scene, folds[p], boundaries[p]);
+                 }
+               });
+}
 } // namespace
 
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
@@ -285,14 +311,19 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
   const ObstacleContact obstacles(scene);
   const ContactReach reach(scene, obstacles.largest_way());
   std::vector<MovedBoundary> boundaries(n);
-  parallel_for(n, 8,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   boundaries[b] = MovedBoundary(scene.bodies[b], scene);
-               });
+  if (scene.moved != nullptr)
+    boundaries.swap(*scene.moved);
+  else
+    parallel_for(n, 8,
+                 [&](const std::size_t begin, const std::size_t end)
+                 {
+                   for (std::size_t b = begin; b < end; ++b)
+                     boundaries[b] = MovedBoundary(scene.bodies[b], scene);
+                 });
   const std::vector<PeriodicCell<2>::Image> folds = fold_into_cell(scene, boundaries);
   const std::vector<std::vector<ContactTask>> tasks = find_tasks(scene, reach, boundaries);
+  if (scene.moved != nullptr)
+    move_partners(scene, tasks, folds, boundaries);
   std::vector<std::vector<Row>> of_body(n);
   parallel_for(
       n, 4,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace softgrain::mpm
 {
@@ -91,9 +93,25 @@ void BodyField<dim>::build(const Lattice<dim> &the_lattice,
   build_extension(places.volumes, fill_limit);
   build_cell_dependence();
   color_cells();
-  marker_rows.resize(places.markers.size());
-  for (unsigned int m = 0; m < places.markers.size(); ++m)
-    marker_rows[m] = weights_at(places.markers[m]);
+  marker_rows.clear();
+  for (const dealii::Point<dim> &marker : places.markers)
+  {
+    const NodeWeights weights = weights_at(marker);
+    marker_rows.add(weights.node.data(), weights.weight.data(), weights.node.size());
+  }
+  marker_rows.finish();
+}
+
+template <int dim>
+void BodyField<dim>::take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers)
+{
+  *this = BodyField();
+  cell_point_start.assign(1, 0);
+  node_position = std::move(independent);
+  marker_rows = std::move(markers);
+  independent_node.resize(node_position.size());
+  std::iota(independent_node.begin(), independent_node.end(), 0u);
+  independent_number = independent_node;
 }
 
 template <int dim>

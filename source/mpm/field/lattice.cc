@@ -2,8 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/field/lattice.h>
 
-#include <deal.II/grid/grid_generator.h>
-
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -15,16 +14,9 @@ Lattice<dim>::Lattice(const dealii::Point<dim> &lower,
                       const double cell_size)
     : origin(lower), h(cell_size)
 {
-  std::vector<unsigned int> repetitions(dim);
-  dealii::Point<dim> end = lower;
   for (unsigned int d = 0; d < dim; ++d)
-  {
     // A mesh that ends within rounding of `upper` must not grow by one row of cells.
     cells[d] = std::max(1, static_cast<int>(std::ceil((upper[d] - lower[d]) / h - 1e-9)));
-    repetitions[d] = cells[d];
-    end[d] += cells[d] * h;
-  }
-  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, repetitions, lower, end);
 }
 
 template <int dim>

@@ -65,6 +65,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   const BuildContext context{*problem.lattice, *problem.shape, settings, *state.points};
   std::vector<BodyDescription<2>> descriptions = problem.scene.bodies;
   const LevelsOfScene levels = refine_near_contact(problem.scene, settings, *problem.lattice);
+  state.bodies.reserve(descriptions.size() + problem.scene.walls.size());
   for (const BodyDescription<2> &body : descriptions)
     state.bodies.push_back(make_body(body, state.bodies.size(), laws[body.material],
                                      problem.scene.materials[body.material].density, context,
@@ -83,14 +84,9 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
                                        problem.scene.materials[0].density, context));
       state.bodies.back().wall = w;
     }
-  state.sort_points();
-  for (Body<2> &body : state.bodies)
-  {
-    start_body(body, descriptions[body.index], context);
-    work.drive.push_back(body.drive);
-  }
+  share_out_bodies(descriptions);
+  fill_bodies(descriptions);
   work.trial.resize(state.bodies.size());
-  share_out_bodies();
   if (settings.scheme.implicit)
   {
     work.matrices.resize(state.bodies.size());
@@ -121,17 +117,62 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     throw InputError(message.str());
   }
   if (settings.scheme.stored_acceleration)
+  {
+    const std::vector<Eigen::VectorXd> loads =
+        external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
     for (Body<2> &body : state.bodies)
-      if (!body.driven && external_force(body, problem.scene.gravity, state.time, body.acceleration))
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          for (unsigned int d = 0; d < 2; ++d)
-          {
-            // Bodies start without stress: their loads alone accelerate them.
-            state.balance.carried_load[d] += body.acceleration[2 * i + d];
-            body.acceleration[2 * i + d] /= body.mass[i];
-          }
+      for (unsigned int i = 0; 2 * i < loads[body.index].size(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          // Bodies start without stress: their loads alone accelerate them.
+          state.balance.carried_load[d] += loads[body.index][2 * i + d];
+          body.acceleration[2 * i + d] = loads[body.index][2 * i + d] / body.mass[i];
+        }
+  }
   state.balance.initial_momentum = momentum();
   initial_energy = energies().kinetic;
   update_momentum_scale();
+}
+
+void MpmModel::cover_points()
+{
+  // Where grids are laid anew, points may come to any cell.
+  if (problem.settings.grid_update != GridUpdate::never)
+    return state.points->cover_all();
+  // Points are within outlines; a cell more makes up for rounding.
+  const Lattice<2>::Index &n = problem.lattice->n_cells();
+  Lattice<2>::Index first = n, last{};
+  for (const Body<2> &body : state.bodies)
+    if (work.share.holds(body.index))
+      for (const dealii::Point<2> &x : body.boundary.grid_position)
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          const int c = problem.lattice->cell_of(x)[d];
+          first[d] = std::min(first[d], std::max(0, c - 1));
+          last[d] = std::max(last[d], std::min(n[d] - 1, c + 1));
+        }
+  if (first[0] > last[0]) // no body
+    first = last = {};
+  state.points->cover(first, last);
+}
+
+void MpmModel::fill_bodies(const std::vector<BodyDescription<2>> &descriptions)
+{
+  const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
+  work.share.ranks.together(
+      [&]()
+      {
+        cover_points();
+        for (Body<2> &body : state.bodies)
+          if (work.share.holds(body.index))
+            fill_body(body, descriptions[body.index], context);
+        state.order_points();
+        for (Body<2> &body : state.bodies)
+          if (work.share.holds(body.index))
+            start_body(body, descriptions[body.index], context);
+      });
+  for (const Body<2> &body : state.bodies)
+    work.drive.push_back(body.drive);
+  share_grids(all_bodies());
 }
 } // namespace softgrain::mpm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/driving/obstacle.h>
-#include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/model/body_cost.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -16,13 +16,6 @@ namespace
 /// Fitted to processor time and peak memory of runs of the shipped scenes on one thread.
 namespace fitted
 {
-constexpr double boundary = 0.34;    ///< cells beside the boundary that get points
-constexpr double near_contact = 0.5; ///< smaller cells of a level, per cell of its size along the outline
-constexpr double point_seconds = 0.33e-6;    ///< of one iteration of Newton's method, one body
-constexpr double contact_seconds = 0.38e-6;  ///< more of it where bodies meet
-constexpr double factor_seconds = 1.2e-10;   ///< of a row of a band matrix, per square of its width
-constexpr double sparse_seconds = 2.2e-8;    ///< of a sparse factorisation, per power 3/2 of the unknowns
-constexpr double condense_seconds = 1.6e-8;  ///< of one body to its contact rows, in the same way
 constexpr double explicit_seconds = 0.4e-6;  ///< of a step of a point without a matrix
 constexpr double grid_seconds = 0.18e-6;     ///< of a point when a new grid is laid
 constexpr double picture_seconds = 6e-6;     ///< of a point in a picture
@@ -36,40 +29,9 @@ constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matte
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
 constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
-constexpr double point_memory = 4.6e3;       ///< [bytes]
-constexpr double divided_work = 0.74, divided_memory = 0.31; ///< among ranks, see doc/ranks.md
+constexpr double divided_work = 0.77, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
+constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
-
-/// What a body costs.
-struct BodyCost
-{
-  double points = 0., unknowns = 0., factor_seconds = 0., condense_seconds = 0., memory = 0.;
-};
-
-BodyCost cost_of(const BodyGroup &body, const Settings &settings)
-{
-  const double h = settings.cell_size, per_cell = std::pow(settings.points_per_direction, 2);
-  double cells = (body.area + fitted::boundary * h * body.perimeter) / (h * h);
-  // Each level puts cells of its size along what is near contact.
-  for (unsigned int l = 1; l <= settings.refine_near_contact; ++l)
-    cells += fitted::near_contact * body.perimeter / std::ldexp(h, -static_cast<int>(l));
-  BodyCost cost;
-  cost.points = std::max(1., per_cell * cells);
-  cost.memory = fitted::point_memory * cost.points;
-  if (body.driven)
-    return cost;
-  const double per_edge = create_shape_function(settings.shape)->nodes_per_edge();
-  cost.unknowns = 2. * cells * per_edge * per_edge;
-  if (!settings.scheme.implicit)
-    return cost;
-  // Rows that span the body's shorter side, unless a sparse factorisation takes over.
-  const double n = cost.unknowns, band = 2. * per_edge * body.short_edge / h;
-  cost.factor_seconds =
-      std::min(fitted::factor_seconds * n * band * band, fitted::sparse_seconds * std::pow(n, 1.5));
-  cost.condense_seconds = fitted::condense_seconds * std::pow(n, 1.5);
-  cost.memory += 8. * n * std::min(band, 8. * std::log2(n + 2.));
-  return cost;
-}
 
 /// Whether dilatations are averaged over cells, in one of the bodies.
 bool has_f_bar(const Settings &settings,
@@ -242,7 +204,7 @@ Forecast forecast(const Scene<2> &scene,
   double iterations = n_iterations(settings, run, result.step, cfl);
   if (slow && f_bar && remembers(laws, run.crowd))
     iterations *= fitted::f_bar_factor;
-  double of_point = fitted::point_seconds + (run.crowd.n_bodies() > 1.5 ? fitted::contact_seconds : 0.);
+  double of_point = BodyCost::point_seconds + (run.crowd.n_bodies() > 1.5 ? BodyCost::contact_seconds : 0.);
   if (f_bar)
     of_point *= fitted::f_bar_point_factor;
   double seconds = settings.scheme.implicit ? iterations * (of_point * points + factors)
@@ -264,7 +226,10 @@ Forecast forecast(const Scene<2> &scene,
   result.preparation = fitted::preparation_seconds * points +
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
-  result.divided = {0., fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
+  result.divided = {result.preparation > 0.
+                        ? fitted::divided_points * fitted::preparation_seconds * points / result.preparation
+                        : 0.,
+                    fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
   result.warnings = warnings(scene, settings, run, result.step, cfl);
   const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.finest_cell() *
                               (1. - 1e-9)),

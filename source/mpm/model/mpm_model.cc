@@ -54,14 +54,14 @@ StepReport MpmModel::advance(const double dt_limit)
 {
   if (!keeps_state_before_step())
     return try_steps(dt_limit);
-  save(before_step);
+  write_state(before_step, false);
   try
   {
     return try_steps(dt_limit);
   }
   catch (...)
   {
-    load(before_step);
+    read_state(before_step, false);
     throw;
   }
 }
@@ -122,7 +122,7 @@ void MpmModel::settle(StepReport &report)
   }
   catch (...)
   {
-    load(before_step);
+    read_state(before_step, false);
     throw;
   }
   last_unbalanced = outcome.unbalanced;
@@ -180,117 +180,4 @@ void MpmModel::update_momentum_scale()
   state.balance.note_momentum(scale);
 }
 
-void MpmModel::refresh_forces(Body<2> &body)
-{
-  StepState<2> &s = work.trial[body.index];
-  const auto n = body.points.size();
-  s.grid_gradient.assign(n, dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}}));
-  s.gradient.resize(n);
-  s.stress.resize(n);
-  s.volume.resize(n);
-  for (unsigned int p = 0; p < n; ++p)
-  {
-    const auto point = body.points[p];
-    s.gradient[p] = point.gradient();
-    s.stress[p] = point.stress();
-    s.volume[p] = body.small_strain() ? point.volume() : point.rest_volume();
-  }
-  internal_force(body, s, body.internal_force);
-}
-
-void MpmModel::renew_grids()
-{
-  if (problem.settings.grid_update == GridUpdate::never)
-    return;
-  dealii::TimerOutput::Scope section(*timer, "grid update");
-  const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
-  // All are looked at before any changes, so that a body that has left the mesh ends the run with a good
-  // state.
-  std::vector<unsigned int> leaving;
-  std::vector<std::vector<dealii::Point<2>>> places;
-  const std::vector<double> distortion = grid_distortions();
-  for (Body<2> &body : state.bodies)
-    if (problem.settings.grid_update == GridUpdate::every_step ||
-        distortion[body.index] >= problem.settings.distortion_limit)
-    {
-      bring_into_cell(body); // so that the mesh need not reach where it goes
-      leaving.push_back(body.index);
-      places.push_back(places_reached(body, *problem.lattice));
-    }
-  if (leaving.empty())
-    return;
-  share_trial_volumes(leaving);
-  for (unsigned int i = 0; i < leaving.size(); ++i)
-    leave_grid(state.bodies[leaving[i]], work.trial[leaving[i]], places[i], context);
-  state.sort_points();
-  for (const unsigned int b : leaving)
-  {
-    Body<2> &body = state.bodies[b];
-    lay_grid(body, context);
-    if (body.driven)
-    {
-      for (unsigned int i = 0; body.velocity.size() > 0 && i < body.field.n_independent(); ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-          body.velocity[2 * i + d] = work.drive[b][d];
-      continue;
-    }
-    if (problem.settings.scheme.implicit && work.share.mine(b))
-      lay_out_stiffness(body.field, work.matrices[b]);
-  }
-  work.share.for_mine(
-      state.bodies,
-      [&](Body<2> &body)
-      {
-        if (std::binary_search(leaving.begin(), leaving.end(), body.index))
-          refresh_forces(body);
-      },
-      [&](BodyShare::Message &message)
-      {
-        for (const unsigned int b : leaving)
-          if (Body<2> &body = state.bodies[b]; !body.driven)
-          {
-            body.internal_force.conservativeResize(body.field.n_dofs());
-            message.add(b, body.internal_force.data(), body.internal_force.size());
-          }
-      });
-}
-
-std::vector<double> MpmModel::grid_distortions() const
-{
-  std::vector<double> distortion(state.bodies.size(), 1.);
-  if (problem.settings.grid_update != GridUpdate::distortion)
-    return distortion;
-  work.share.for_mine(
-      state.bodies,
-      [&](const Body<2> &body) { distortion[body.index] = grid_distortion(work.trial[body.index]); },
-      [&](BodyShare::Message &message) { message.add(distortion); });
-  return distortion;
-}
-
-/// All ranks move the points of all bodies to their new grids, and volumes of small strain belong to that.
-void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
-{
-  BodyShare::Message message(work.share);
-  for (const unsigned int b : of_bodies)
-    if (const Body<2> &body = state.bodies[b]; body.small_strain() && !body.driven)
-    {
-      work.trial[b].volume.resize(body.points.size());
-      message.add(b, work.trial[b].volume.data(), body.points.size());
-    }
-  message.send();
-}
-
-void MpmModel::bring_into_cell(Body<2> &body) const
-{
-  if (!state.repeats())
-    return;
-  const PeriodicCell<2> cell = cell_of(state.walls);
-  const PeriodicCell<2>::Image image = cell.image_of(body.center());
-  if (image == PeriodicCell<2>::Image())
-    return;
-  for (unsigned int d = 0; d < 2; ++d)
-    body.home[d] += image[d];
-  body.translate(-cell.shift(image));
-  move_boundary(body);
-}
 } // namespace softgrain::mpm

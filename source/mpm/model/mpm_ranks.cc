@@ -1,70 +1,155 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How MpmModel shares its bodies out to ranks, and brings together what they know.
+// How MpmModel shares its bodies out to ranks, and what ranks tell each other of them.
 #include <softgrain/geometry/bisection.h>
-#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/geometry/shape.h>
+#include <softgrain/mpm/model/body_cost.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace softgrain::mpm
 {
 namespace
 {
-/// Of the matrix of a body, as its cells ask for it.
-unsigned int half_band(const BodyField<2> &field)
+/// What ranks without the points of a body know of its grid, number by number.
+std::vector<double> outline_of_grid(const Body<2> &body)
 {
-  unsigned int widest = 0;
-  for (unsigned int c = 0; c < field.n_cells(); ++c)
+  const BodyField<2> &field = body.field;
+  std::vector<double> numbers = {
+      static_cast<double>(body.n_points), body.rest_area, static_cast<double>(field.n_independent()),
+      static_cast<double>(body.velocity.size()), static_cast<double>(body.acceleration.size())};
+  for (unsigned int i = 0; i < field.n_independent(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      numbers.push_back(field.position(field.node_of_independent(i))[d]);
+  for (const Eigen::VectorXd *const vector : {&body.mass, &body.velocity, &body.acceleration})
+    numbers.insert(numbers.end(), vector->data(), vector->data() + vector->size());
+  for (std::size_t m = 0; m < field.all_marker_weights().size(); ++m)
   {
-    const std::vector<unsigned int> &nodes = field.cell_independent(c);
-    const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
-    if (least != nodes.end())
-      widest = std::max(widest, 2 * (*most - *least) + 2);
-  }
-  return widest;
-}
-
-/// What a body costs: stiffness of its points, factors of its matrix.
-double weight_of(const Body<2> &body)
-{
-  if (body.driven)
-    return 0.;
-  const double of_point = 2. * body.field.nodes_per_cell(), band = half_band(body.field);
-  return of_point * of_point * body.points.size() + band * band * body.field.n_dofs();
-}
-
-constexpr unsigned int n_stress = dealii::SymmetricTensor<2, 2>::n_independent_components;
-
-/// Of all points, one after the other.
-std::vector<double> stress_and_history(const Body<2> &body)
-{
-  std::vector<double> numbers;
-  const unsigned int n_history = body.law->n_history();
-  numbers.reserve(body.points.size() * (n_stress + n_history));
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-  {
-    const auto point = body.points[p];
-    for (unsigned int i = 0; i < n_stress; ++i)
-      numbers.push_back(point.stress().access_raw_entry(i));
-    if (n_history > 0)
-      numbers.insert(numbers.end(), point.history(), point.history() + n_history);
+    const NodeWeightsView weights = field.marker_weights(m);
+    numbers.push_back(weights.size);
+    numbers.insert(numbers.end(), weights.node, weights.node + weights.size);
+    numbers.insert(numbers.end(), weights.weight, weights.weight + weights.size);
   }
   return numbers;
 }
+
+/// Reads numbers one after the other.
+class Reader
+{
+public:
+  explicit Reader(const std::vector<double> &numbers) : at(numbers.data()) {}
+
+  double number() { return *at++; }
+  std::size_t count() { return static_cast<std::size_t>(*at++); }
+  void take(Eigen::VectorXd &vector, const std::size_t size)
+  {
+    vector = Eigen::Map<const Eigen::VectorXd>(at, size);
+    at += size;
+  }
+  void add_weights(WeightsOfPlaces &places)
+  {
+    const std::size_t n = count();
+    places.add(at, at + n, n);
+    at += 2 * n;
+  }
+
+private:
+  const double *at;
+};
+
+/// Gives @p body what outline_of_grid() has told, as lay_grid() would have done.
+void take_outline_of_grid(const std::vector<double> &numbers, Body<2> &body)
+{
+  Reader in(numbers);
+  body.n_points = in.count();
+  body.rest_area = in.number();
+  const std::size_t n_nodes = in.count(), n_velocity = in.count(), n_acceleration = in.count();
+  std::vector<dealii::Point<2>> nodes(n_nodes);
+  for (dealii::Point<2> &x : nodes)
+    for (unsigned int d = 0; d < 2; ++d)
+      x[d] = in.number();
+  in.take(body.mass, n_nodes);
+  in.take(body.velocity, n_velocity);
+  in.take(body.acceleration, n_acceleration);
+  WeightsOfPlaces markers;
+  for (std::size_t m = 0; m < body.boundary.position.size(); ++m)
+    in.add_weights(markers);
+  markers.finish();
+  body.field.take_outline(std::move(nodes), std::move(markers));
+  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.velocity_of_points = body.velocity;
+  body.internal_force = body.displacement;
+}
 } // namespace
 
-void MpmModel::share_out_bodies()
+void MpmModel::share_out_bodies(const std::vector<BodyDescription<2>> &descriptions)
 {
   if (work.share.alone())
     return;
   std::vector<dealii::Point<2>> centers;
   std::vector<double> weights;
-  for (const Body<2> &body : state.bodies)
+  for (const BodyDescription<2> &body : descriptions)
   {
-    centers.push_back(body.center());
-    weights.push_back(weight_of(body));
+    const auto box = body.shape->bounding_box();
+    centers.push_back(box.first + 0.5 * (box.second - box.first));
+    weights.push_back(body.driven ? 0. : cost_of(group_of(body), problem.settings).iteration_seconds());
   }
-  work.share.give(bisect(centers, weights, work.share.ranks.number()));
+  std::vector<unsigned int> owners = bisect(centers, weights, work.share.ranks.number());
+  // Where bodies meet at their nodes, every rank looks at the points of all.
+  std::vector<char> held(owners.size());
+  for (unsigned int b = 0; b < owners.size(); ++b)
+    held[b] = owners[b] == work.share.ranks.here() || descriptions[b].driven ||
+              !problem.settings.contact_on_boundaries;
+  work.share.give(std::move(owners), std::move(held));
+}
+
+std::vector<unsigned int> MpmModel::all_bodies() const
+{
+  std::vector<unsigned int> all(state.bodies.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
+{
+  if (work.share.alone() || !problem.settings.contact_on_boundaries)
+    return;
+  // Not all at once: what is sent takes memory on every rank.
+  const std::size_t at_once = std::max<std::size_t>(16, of_bodies.size() / 64);
+  for (std::size_t first = 0; first < of_bodies.size(); first += at_once)
+  {
+    const auto begin = of_bodies.begin() + first,
+               end = of_bodies.begin() + std::min(first + at_once, of_bodies.size());
+    std::vector<std::vector<double>> told(state.bodies.size());
+    work.share.share_lists(
+        [&]()
+        {
+          for (auto b = begin; b != end; ++b)
+            if (work.share.mine(*b) && !state.bodies[*b].driven)
+              told[*b] = outline_of_grid(state.bodies[*b]);
+        },
+        told);
+    for (auto b = begin; b != end; ++b)
+      if (!work.share.holds(*b))
+        take_outline_of_grid(told[*b], state.bodies[*b]);
+  }
+}
+
+/// Where all ranks have all points, they move those of all bodies to their new grids, and volumes of small
+/// strain belong to that.
+void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
+{
+  if (problem.settings.contact_on_boundaries)
+    return;
+  BodyShare::Message message(work.share);
+  for (const unsigned int b : of_bodies)
+    if (const Body<2> &body = state.bodies[b]; body.small_strain() && !body.driven)
+    {
+      work.trial[b].volume.resize(body.points.size());
+      message.add(b, work.trial[b].volume.data(), body.points.size());
+    }
+  message.send();
 }
 
 void MpmModel::check_ranks_agree(const StepReport &report) const
@@ -75,33 +160,5 @@ void MpmModel::check_ranks_agree(const StepReport &report) const
   for (const Body<2> &body : state.bodies)
     moved += body.displacement.squaredNorm();
   work.share.ranks.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
-}
-
-void MpmModel::gather()
-{
-  if (work.share.alone())
-    return;
-  std::vector<std::vector<double>> of_bodies(state.bodies.size());
-  work.share.share_lists(
-      [&]()
-      {
-        work.share.for_mine_here(state.bodies, [&](const Body<2> &body)
-                                 { of_bodies[body.index] = stress_and_history(body); });
-      },
-      of_bodies);
-  for (Body<2> &body : state.bodies)
-  {
-    if (work.share.mine(body.index) || body.driven)
-      continue;
-    const double *number = of_bodies[body.index].data();
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-    {
-      auto point = body.points[p];
-      for (unsigned int i = 0; i < n_stress; ++i)
-        point.stress().access_raw_entry(i) = *number++;
-      for (unsigned int i = 0; i < body.law->n_history(); ++i)
-        point.history()[i] = *number++;
-    }
-  }
 }
 } // namespace softgrain::mpm

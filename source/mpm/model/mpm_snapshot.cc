@@ -3,10 +3,8 @@
 #include <softgrain/driving/folded_bodies.h>
 #include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/polygon.h>
-#include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/model/mpm_model.h>
-#include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,80 +16,6 @@ namespace
 {
 using Row = ContactRow<2>;
 
-/// Value and gradient of a nodal vector at one point.
-std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>>
-field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
-{
-  dealii::Tensor<1, 2> value;
-  dealii::Tensor<2, 2> gradient;
-  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
-  {
-    const unsigned int i = field.point_nodes(p)[k];
-    const dealii::Tensor<1, 2> u({nodal[2 * i], nodal[2 * i + 1]});
-    value += field.values(p)[k] * u;
-    gradient += outer_product(u, field.slopes(p)[k]);
-  }
-  return {value, gradient};
-}
-
-/// Adds the points of one body in the order of their ids, which does not change when they are sorted by cell.
-void add_points(const Body<2> &body, PointStates<2> &points)
-{
-  const std::size_t first = points.position.size(), n = body.points.size();
-  points.position.resize(first + n);
-  points.body.resize(first + n, body.index);
-  points.size.resize(first + n);
-  points.velocity.resize(first + n);
-  points.stress.resize(first + n);
-  points.out_of_plane_stress.resize(first + n);
-  points.deformation_gradient.resize(first + n);
-  Eigen::VectorXd u, v;
-  body.field.prolongate(body.displacement, u);
-  if (body.velocity.size() > 0)
-    body.field.prolongate(body.velocity, v);
-  const std::vector<double> out_of_plane =
-      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
-  for (unsigned int p = 0; p < n; ++p)
-  {
-    const auto point = body.points[p];
-    const std::size_t at = first + body.points.number(p);
-    auto [moved, gradient] = field_at(body.field, p, u);
-    gradient[0][0] += 1.;
-    gradient[1][1] += 1.;
-    const auto F = gradient * point.gradient();
-    const double J = body.small_strain() ? 1. : determinant(F);
-    points.position[at] = point.position() + moved;
-    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v).first : body.drive;
-    points.size[at] = point.rest_volume() * determinant(F);
-    points.stress[at] = point.stress() / J;
-    points.out_of_plane_stress[at] = out_of_plane[p] / J;
-    points.deformation_gradient[at] = F;
-  }
-}
-
-/// Adds the history of laws under the names that they give, to the points that add_points() has added; zero
-/// where the law of a point has no such name.
-void add_history(const std::vector<Body<2>> &bodies, PointStates<2> &points)
-{
-  std::size_t first = 0;
-  for (const Body<2> &body : bodies)
-  {
-    if (body.wall != Row::none)
-      continue;
-    const std::vector<std::string> names = body.law->history_names();
-    for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), body.law->n_history()); ++i)
-    {
-      auto field = std::find_if(points.extra.begin(), points.extra.end(),
-                                [&](const NamedField &other) { return other.name == names[i]; });
-      if (field == points.extra.end())
-        field = points.extra.insert(field, NamedField{names[i], std::vector<double>(points.position.size())});
-      for (unsigned int p = 0; p < body.points.size(); ++p)
-        field->values[first + body.points.number(p)] = body.points[p].history()[i];
-    }
-    first += body.points.size();
-  }
-}
-
 double outline_area(const Body<2> &body)
 {
   double area = 0.;
@@ -102,7 +26,7 @@ double outline_area(const Body<2> &body)
 }
 } // namespace
 
-BodyState<2> MpmModel::body_state(const Body<2> &body) const
+BodyState<2> MpmModel::body_state(const Body<2> &body, const std::array<double, 4> &stress_sum) const
 {
   BodyState<2> state;
   state.name = body.name;
@@ -127,17 +51,44 @@ BodyState<2> MpmModel::body_state(const Body<2> &body) const
     state.angular_momentum +=
         body.mass[i] * (arm[0] * body.velocity[2 * i + 1] - arm[1] * body.velocity[2 * i]);
   }
-  double volume = 0.;
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-  {
-    // Kirchhoff stress per rest volume is Cauchy stress per current volume.
-    const auto point = body.points[p];
-    state.mean_stress += point.rest_volume() * point.stress();
-    volume += point.rest_volume();
-  }
+  for (unsigned int i = 0; i < 3; ++i)
+    state.mean_stress.access_raw_entry(i) = stress_sum[i];
   if (state.area > 0.)
-    state.mean_stress /= body.small_strain() ? volume : state.area;
+    state.mean_stress /= body.small_strain() ? stress_sum[3] : state.area;
   return state;
+}
+
+std::vector<std::array<double, 4>> MpmModel::stress_sums() const
+{
+  std::vector<std::array<double, 4>> sums(state.bodies.size());
+  const auto add_up = [&](const Body<2> &body)
+  {
+    dealii::SymmetricTensor<2, 2> stress;
+    double volume = 0.;
+    for (unsigned int p = 0; p < body.points.size(); ++p)
+    {
+      // Kirchhoff stress per rest volume is Cauchy stress per current volume.
+      const auto point = body.points[p];
+      stress += point.rest_volume() * point.stress();
+      volume += point.rest_volume();
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+      sums[body.index][i] = stress.access_raw_entry(i);
+    sums[body.index][3] = volume;
+  };
+  work.share.together(
+      [&]()
+      {
+        for (const Body<2> &body : state.bodies)
+          if (work.share.mine(body.index))
+            add_up(body);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < sums.size(); ++b)
+          message.add(b, sums[b].data(), sums[b].size());
+      });
+  return sums;
 }
 
 Snapshot<2> MpmModel::snapshot() const
@@ -145,14 +96,14 @@ Snapshot<2> MpmModel::snapshot() const
   Snapshot<2> snapshot;
   snapshot.time = state.time;
   snapshot.step = steps;
+  snapshot.points = point_states();
+  const std::vector<std::array<double, 4>> stress = stress_sums();
   for (const Body<2> &body : state.bodies)
   {
     if (body.wall != Row::none)
       continue; // a slab is shown as the wall it stands for
-    add_points(body, snapshot.points);
-    snapshot.bodies.push_back(body_state(body));
+    snapshot.bodies.push_back(body_state(body, stress[body.index]));
   }
-  add_history(state.bodies, snapshot.points);
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();

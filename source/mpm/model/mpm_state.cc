@@ -42,55 +42,19 @@ Eigen::VectorXd vector_of(const std::vector<double> &numbers)
 {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
 }
-
-/// Points by id, so that equal states give equal files however the particles lie in memory.
-void save_points(const PointStore<2> &store, StateWriter &out)
-{
-  const std::vector<PointStore<2>::Handle> handles = store.by_id();
-  std::vector<dealii::Point<2>> positions;
-  for (const auto handle : handles)
-    positions.push_back(store(handle).position());
-  out.write("mpm/points/position", flat(positions));
-  for (const PointSlotDescription &slot : store.layout().slots())
-  {
-    std::vector<double> values;
-    for (const auto handle : handles)
-    {
-      const auto point = store(handle);
-      values.insert(values.end(), point.data(slot.slot), point.data(slot.slot) + slot.n_components);
-    }
-    out.write("mpm/points/" + slot.name, values);
-  }
-}
-
-void load_points(PointStore<2> &store, const StateReader &in)
-{
-  std::vector<dealii::Point<2>> positions;
-  unflat(in.read_doubles("mpm/points/position"), positions);
-  const std::vector<double> bodies = in.read_doubles("mpm/points/body");
-  if (positions.size() != store.size() || bodies.size() != positions.size())
-    throw InputError("the checkpoint was made with another number of material points");
-  store.clear();
-  store.reserve(positions.size());
-  std::vector<PointStore<2>::Handle> handles;
-  for (std::size_t p = 0; p < positions.size(); ++p)
-    handles.push_back(store.add(positions[p], static_cast<unsigned int>(bodies[p])));
-  for (const PointSlotDescription &slot : store.layout().slots())
-  {
-    const std::vector<double> values = in.read_doubles("mpm/points/" + slot.name);
-    if (values.size() != positions.size() * slot.n_components)
-      throw InputError("the checkpoint was made with other settings: its points have another '" + slot.name +
-                       "'");
-    for (std::size_t p = 0; p < positions.size(); ++p)
-    {
-      auto point = store(handles[p]);
-      std::copy_n(&values[p * slot.n_components], slot.n_components, point.data(slot.slot));
-    }
-  }
-}
 } // namespace
 
 void MpmModel::save(StateWriter &out) const
+{
+  write_state(out, true);
+}
+
+void MpmModel::load(StateReader &in)
+{
+  read_state(in, true);
+}
+
+void MpmModel::write_state(StateWriter &out, const bool of_all) const
 {
   const Balance &b = state.balance;
   out.write("mpm/scalars",
@@ -122,7 +86,7 @@ void MpmModel::save(StateWriter &out) const
   out.write("mpm/contact/impulses", impulses);
   state.adhesion.save(out, "mpm/contact/adhesion");
 
-  save_points(*state.points, out);
+  save_points(out, of_all);
   for (const Body<2> &body : state.bodies)
   {
     const std::string at = "mpm/bodies/" + body.name + "/";
@@ -138,7 +102,7 @@ void MpmModel::save(StateWriter &out) const
   }
 }
 
-void MpmModel::load(StateReader &in)
+void MpmModel::read_state(StateReader &in, const bool of_all)
 {
   const std::vector<double> scalars = in.read_doubles("mpm/scalars");
   load_walls(in, "mpm/walls", state.walls);
@@ -175,14 +139,22 @@ void MpmModel::load(StateReader &in)
 
   state.adhesion.load(in, "mpm/contact/adhesion");
 
-  load_points(*state.points, in);
-  state.sort_points();
+  load_points(in, of_all);
+  state.order_points();
   const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
+  const auto place_of = [](const Body<2> &body) { return "mpm/bodies/" + body.name + "/"; };
   for (Body<2> &body : state.bodies)
   {
-    const std::string at = "mpm/bodies/" + body.name + "/";
-    unflat(in.read_doubles(at + "boundary_grid_position"), body.boundary.grid_position);
-    lay_grid(body, context);
+    unflat(in.read_doubles(place_of(body) + "boundary_grid_position"), body.boundary.grid_position);
+    if (work.share.holds(body.index))
+      lay_grid(body, context);
+  }
+  // What other ranks have told of grids stays true within a step where grids stay.
+  if (of_all || problem.settings.grid_update != GridUpdate::never)
+    share_grids(all_bodies());
+  for (Body<2> &body : state.bodies)
+  {
+    const std::string at = place_of(body);
     unflat(in.read_doubles(at + "boundary_position"), body.boundary.position);
     body.displacement = vector_of(in.read_doubles(at + "nodes/displacement"));
     body.velocity = vector_of(in.read_doubles(at + "nodes/velocity"));

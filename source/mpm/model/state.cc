@@ -9,15 +9,14 @@ namespace softgrain::mpm
 State::State() = default;
 State::~State() = default;
 
-void State::sort_points()
+void State::order_points()
 {
-  points->sort();
   PointStore<2>::LevelsOfBodies levels;
   for (const Body<2> &body : bodies)
     levels.push_back(body.levels.get());
   std::vector<std::vector<BodyPoints<2>::Handle>> lists = points->by_body(levels);
   for (unsigned int b = 0; b < bodies.size(); ++b)
-    bodies[b].points.renew(std::move(lists[b]));
+    bodies[b].points.renew(points->handler().get_property_pool(), std::move(lists[b]));
 }
 
 bool State::repeats() const

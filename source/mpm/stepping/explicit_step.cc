@@ -61,15 +61,14 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);
   const unsigned int n_bodies = state.bodies.size();
-  Vectors v(n_bodies), external(n_bodies), increment(n_bodies);
+  Vectors v(n_bodies), increment(n_bodies),
+      external = external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
   for (const Body<2> &body : state.bodies)
     v[body.index] = body.velocity;
   state.for_moving_bodies(
       [&](const Body<2> &body)
       {
-        Eigen::VectorXd &load = external[body.index];
-        if (!external_force(body, problem.scene.gravity, state.time, load))
-          load.resize(0);
+        const Eigen::VectorXd &load = external[body.index];
         for (unsigned int i = 0; i < body.mass.size(); ++i)
         {
           auto velocity = v[body.index].segment<2>(2 * i);

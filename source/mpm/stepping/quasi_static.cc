@@ -121,11 +121,11 @@ double unbalanced_force_here(const Problem &problem, State &state, Workspace &wo
   // With rows where the bodies are: those of the step may be some way off.
   find_rows(problem, state, work, wall_motion(state, work, {dt, true, 0.}), dt, nullptr, 0., true);
   std::vector<Vector> loads(state.bodies.size());
-  Eigen::VectorXd load;
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven && external_force(body, problem.scene.gravity, state.time, load))
-      for (unsigned int i = 0; i < body.mass.size(); ++i)
-        loads[body.index] += Vector({load[2 * i], load[2 * i + 1]});
+  const std::vector<Eigen::VectorXd> forces =
+      external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
+  for (unsigned int b = 0; b < forces.size(); ++b)
+    for (unsigned int i = 0; 2 * i < forces[b].size(); ++i)
+      loads[b] += Vector({forces[b][2 * i], forces[b][2 * i + 1]});
   return unbalanced_force(problem, state, work, dt, loads);
 }
 

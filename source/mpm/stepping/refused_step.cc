@@ -21,7 +21,7 @@ std::string why_not(const Body<2> &body, const StressOutcome &outcome)
        << (!outcome.refusal.empty() ? outcome.refusal
            : outcome.leaps          ? "deformed by more than 'Newton/Largest strain' allows in one step"
                                     : "turned inside out")
-       << " near (" << body.points[outcome.bad_point].position()
+       << " near (" << outcome.place
        << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
   return text.str();
 }
@@ -49,7 +49,8 @@ void SharedOutcomes::take()
     stress[b].leaps = leaps[b] != 0.;
     stress[b].share = shares[b];
     if (!stress[b].good() && !told)
-      stress[b].refusal = share.ranks.share(stress[b].refusal, share.owner(b));
+      for (std::string *const text : {&stress[b].refusal, &stress[b].place})
+        *text = share.ranks.share(*text, share.owner(b));
     told = told || !stress[b].good();
   }
 }

@@ -23,7 +23,16 @@ StepEquations::StepEquations(const Problem &problem,
                              const StepPlan &plan)
     : increment(state.bodies.size())
     , internal(state.bodies.size())
-    , external(state.bodies.size())
+    , external(external_forces(state.bodies,
+                               work.share,
+                               problem.scene.gravity,
+                               // Loads at the middle of the step: second order, and the same work whatever
+                               // theta is. newmark takes those at the end, (3.21), and has those at the start
+                               // in the acceleration.
+                               state.time + (plan.held                                     ? 0.
+                                             : problem.settings.scheme.stored_acceleration ? 1.
+                                                                                           : 0.5) *
+                                                plan.dt))
     , problem(problem)
     , state(state)
     , work(work)
@@ -50,15 +59,6 @@ StepEquations::StepEquations(const Problem &problem,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes
-        // those at the end, (3.21), and has those at the start in the acceleration.
-        if (!external_force(body, problem.scene.gravity,
-                            state.time + (plan.held                    ? 0.
-                                          : scheme.stored_acceleration ? 1.
-                                                                       : 0.5) *
-                                             dt,
-                            external[b]))
-          external[b].resize(0);
         if (scheme.stored_acceleration)
         {
           old_force[b] = body.acceleration;

@@ -55,8 +55,14 @@ void find_rows(const Problem &problem,
   if (again)
     where.foresight = 0.5; // the next search sees what this one leaves out
   const auto find = [&]() { problem.geometry->find(where, rows); };
-  if (!work.share.alone() && problem.geometry->looks_by_body())
+  const bool by_rank = !work.share.alone() && problem.geometry->looks_by_body();
+  std::vector<MovedBoundary> moved;
+  if (by_rank)
+  {
+    moved = share_boundaries(work.share, where);
+    where.moved = &moved;
     share_rows(work.share, state.bodies.size(), find, rows);
+  }
   else
     find();
   if (start_gaps != nullptr)
@@ -89,7 +95,11 @@ GapsByRow true_gaps(const Problem &problem,
   where.gaps_only = true;
   const auto find = [&]() { problem.geometry->find(where, rows); };
   if (!work.share.alone() && problem.geometry->looks_by_body())
+  {
+    std::vector<MovedBoundary> moved = share_boundaries(work.share, where);
+    where.moved = &moved;
     return share_gaps_where_found(work.share, state.bodies.size(), find, rows);
+  }
   find();
   GapsByRow gaps;
   gaps.reserve(rows.size());

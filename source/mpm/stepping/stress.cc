@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace softgrain::mpm
@@ -275,6 +276,9 @@ StressOutcome evaluate(const Body<dim> &body,
   if (!outcome.good())
   {
     outcome.refusal = refusal(body, s, wishes.trial, outcome.bad_point);
+    std::ostringstream place;
+    place << body.points[outcome.bad_point].position();
+    outcome.place = place.str();
     outcome.leaps = determinant(s.gradient[outcome.bad_point]) > 0.;
   }
   return outcome;

@@ -82,7 +82,8 @@ struct Body
   std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
   std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
 
-  BodyPoints<dim> points;
+  BodyPoints<dim> points;    ///< none when they lie with another rank
+  unsigned int n_points = 0; ///< wherever they lie
   Boundary<dim> boundary;
   BodyField<dim> field;
   std::shared_ptr<const CellLevels<dim>> levels; ///< sizes of its cells; none: as the lattice has them

@@ -21,14 +21,13 @@ struct BuildContext
   const Lattice<2> &lattice;
   const ShapeFunction &shape;
   const Settings &settings;
-  PointStore<2> &points; ///< of all bodies
+  PointStore<2> &points; ///< of all bodies whose points lie here
 };
 
 /**
- * @brief A body at rest in its place: points and boundary. The points are to be sorted, then follows
- * start_body().
+ * @brief A body at rest in its place, but for its points: fill_body() makes them.
  * @param levels sizes of its cells; none: as the lattice has them
- * @throw InputError when it holds no point or reaches out of the mesh
+ * @throw InputError when it reaches out of the mesh
  */
 Body<2> make_body(const BodyDescription<2> &description,
                   unsigned int index,
@@ -36,6 +35,10 @@ Body<2> make_body(const BodyDescription<2> &description,
                   double density,
                   const BuildContext &context,
                   std::shared_ptr<const CellLevels<2>> levels = nullptr);
+
+/// Makes the points of a body. Their order is to be found, then follows start_body(). @throw InputError when
+/// it holds no point
+void fill_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context);
 
 /// Lays the first grid and gives nodes and points their initial velocity. @throw InputError
 void start_body(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context);
@@ -51,18 +54,20 @@ BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext 
  */
 void lay_grid(Body<2> &body, const BuildContext &context);
 
-/// Where the grid has taken the points of a body [m]. @throw ComputationError when one has left the mesh, or
-/// a marker has
+/// Where the grid has taken the points of a body [m]. @throw ComputationError when one has left the mesh
 std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice);
 
 /**
- * @brief Gives what the nodes have reached to the points, before they are sorted and the grid is laid anew:
- * places, deformation, velocities; the volumes of small-strain laws are those of @p s.
+ * @brief Gives what the nodes have reached to the points of a body that lie here, before they are sorted and
+ * the grid is laid anew: places, deformation, velocities; the volumes of small-strain laws are those of @p s.
  */
 void leave_grid(Body<2> &body,
                 const StepState<2> &s,
                 const std::vector<dealii::Point<2>> &places,
                 const BuildContext &context);
+
+/// @throw ComputationError when a marker has left the mesh
+void check_markers(const Body<2> &body, const Lattice<2> &lattice);
 
 /// Places of the boundary markers for the present displacement of the nodes.
 void move_boundary(Body<2> &body);

@@ -38,8 +38,12 @@ public:
   /// Number of point @p p in the body, in the order of generation.
   unsigned int number(const std::size_t p) const { return pool->get_id(handles[p]) - first_id; }
 
-  /// Takes the handles of its points, which every sort changes.
-  void renew(std::vector<Handle> new_handles) { handles = std::move(new_handles); }
+  /// Takes the handles of its points, which every sort changes, and where they are.
+  void renew(typename PointView<dim>::Pool &new_pool, std::vector<Handle> new_handles)
+  {
+    pool = &new_pool;
+    handles = std::move(new_handles);
+  }
 
 private:
   typename PointView<dim>::Pool *pool = nullptr;

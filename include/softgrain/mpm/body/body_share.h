@@ -16,8 +16,10 @@ namespace softgrain::mpm
 /**
  * @brief Which rank does the work on which body, and how the others come to know what it has found.
  *
- * A body has one rank, its owner: it alone knows the stress and the history of the points, and has the matrix
- * and its factors. Everything that holds numbers of nodes or fewer is the same on all ranks.
+ * A body has one rank, its owner: it alone has the points, the shape functions there, the matrix and its
+ * factors. What nodal values do to the outline, and these values, are the same on all ranks. Where bodies
+ * meet at their nodes, and of bodies that are driven, all ranks have the points; the owner's stress and
+ * history count.
  *
  * Results do not depend on who owns what: the work on a body is the same on any rank, and sums over bodies
  * are taken by all ranks in the order of the bodies.
@@ -29,10 +31,16 @@ public:
 
   bool alone() const { return ranks.alone(); }
   bool mine(const unsigned int b) const { return ranks.alone() || owner_of[b] == ranks.here(); }
+  /// Whether the points of a body lie here.
+  bool holds(const unsigned int b) const { return ranks.alone() || lies_here[b] != 0; }
   unsigned int owner(const unsigned int b) const { return ranks.alone() ? 0 : owner_of[b]; }
 
-  /// From now on these ranks own the bodies.
-  void give(std::vector<unsigned int> owners) { owner_of = std::move(owners); }
+  /// From now on these ranks own the bodies. @param held of every body, whether its points lie here
+  void give(std::vector<unsigned int> owners, std::vector<char> held)
+  {
+    owner_of = std::move(owners);
+    lies_here = std::move(held);
+  }
 
   /// Calls @p work for every body of this rank that is not driven, on all threads; it may write only to what
   /// is its body's. Ends when all ranks are done, see Ranks::together().
@@ -116,6 +124,7 @@ private:
   void send_lists(const std::vector<double> &sizes, std::vector<std::vector<double>> &lists) const;
 
   std::vector<unsigned int> owner_of; ///< rank of every body
+  std::vector<char> lies_here;        ///< see holds()
 };
 } // namespace softgrain::mpm
 

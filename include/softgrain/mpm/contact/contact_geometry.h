@@ -13,6 +13,8 @@
 
 namespace softgrain::mpm
 {
+class MovedBoundary;
+
 /// What a search for contact rows looks at.
 template <int dim>
 struct ContactScene
@@ -39,6 +41,8 @@ struct ContactScene
   const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
   const CellMotion *cell = nullptr;                 ///< null: nothing repeats
   const BodyShare *looking = nullptr;               ///< bodies of this rank look for contact; null: all do
+  /// Boundaries that were moved before, as share_boundaries() makes them; find() takes them. Null: none were.
+  std::vector<MovedBoundary> *moved = nullptr;
 };
 
 /// Gives a row what the two that meet there do to each other.

@@ -56,6 +56,9 @@ image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, con
 /// Brings boundaries into the cell. @return the copy of it each was in; empty when nothing repeats
 std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
                                                    std::vector<MovedBoundary> &boundaries);
+
+/// Brings one into the cell that is in copy @p fold of it.
+void fold_back(const ContactScene<2> &scene, const PeriodicCell<2>::Image &fold, MovedBoundary &boundary);
 } // namespace softgrain::mpm
 
 #endif

@@ -6,13 +6,14 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
 namespace softgrain::mpm
 {
 /// `a` and `b` blended: (1 - share) a + share b; both are in the order of their nodes.
-NodeWeights blend(const NodeWeights &a, const NodeWeights &b, double share);
+NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, double share);
 
 /// Of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go far and move
 /// nothing.
@@ -34,6 +35,13 @@ public:
 
   MovedBoundary() = default;
   MovedBoundary(const Body<2> &body, const ContactScene<2> &scene);
+
+  /// What tells whether anything may meet it: of a boundary that another rank has moved.
+  using Sketch = std::array<double, 13>;
+  Sketch sketch() const;
+  /// Without markers, as its sketch has it.
+  MovedBoundary(const Body<2> &body, const Sketch &sketch);
+  bool has_markers() const { return !position.empty(); }
 
   /// A place on the curve.
   struct Place

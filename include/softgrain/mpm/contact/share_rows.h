@@ -4,12 +4,17 @@
 
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
 
 #include <functional>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// Boundaries of all bodies, each moved by its rank; of those of other ranks, sketches. There are several
+/// ranks.
+std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const ContactScene<2> &scene);
+
 /// Makes of the rows that @p find puts into @p rows, on every rank for its own bodies, those of all bodies,
 /// on all ranks: in the order of the bodies that look, as one rank finds them. There are several ranks.
 void share_rows(const BodyShare &share,

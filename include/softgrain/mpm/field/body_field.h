@@ -5,14 +5,13 @@
 #include <softgrain/mpm/field/cell_functions.h>
 #include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
+#include <softgrain/mpm/field/node_weights.h>
 #include <softgrain/mpm/field/shape_function.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <deal.II/lac/affine_constraints.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <Eigen/Core>
 
@@ -22,14 +21,6 @@
 
 namespace softgrain::mpm
 {
-/// Weights by which independent nodes give the value at one place: value = sum of weight * node value. In the
-/// plane there are seldom more than 16: searches for contact make thousands of these.
-struct NodeWeights
-{
-  boost::container::small_vector<unsigned int, 16> node; ///< in ascending order
-  boost::container::small_vector<double, 16> weight;
-};
-
 /**
  * @brief The nodal field of one body on the lattice: which nodes it has, which of them are independent, and
  * the shape values at its points.
@@ -69,6 +60,14 @@ public:
    */
   void
   build(const Lattice<dim> &lattice, const ShapeFunction &shape, const Places &places, double fill_limit);
+
+  /**
+   * @brief Makes it the field of a body whose points lie with another rank: what the nodal values do to the
+   * body's outline is known, what they do to its points is not.
+   * @param independent places of the independent nodes [m]
+   * @param markers     weights of the boundary markers
+   */
+  void take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers);
 
   unsigned int n_nodes() const { return node_position.size(); }
   unsigned int n_independent() const { return independent_node.size(); }
@@ -115,7 +114,8 @@ public:
   /// Row i of T, in terms of independent nodes.
   NodeWeights extension(unsigned int node) const;
   /// The field at marker @p m in terms of independent nodes.
-  const NodeWeights &marker_weights(const unsigned int m) const { return marker_rows[m]; }
+  NodeWeightsView marker_weights(const unsigned int m) const { return marker_rows[m]; }
+  const WeightsOfPlaces &all_marker_weights() const { return marker_rows; }
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.
   NodeWeights weights_at(const dealii::Point<dim> &x) const;
@@ -196,7 +196,7 @@ private:
   std::vector<unsigned int> independent_node;
   std::vector<unsigned int> independent_number; ///< of every node; of those that depend on others: none
   dealii::AffineConstraints<double> dependent;  ///< T without the rows of independent nodes
-  std::vector<NodeWeights> marker_rows;
+  WeightsOfPlaces marker_rows;
 
   std::vector<std::vector<unsigned int>> cell_dependence;
   std::vector<Eigen::MatrixXd> cell_matrix, cell_transpose;

@@ -5,8 +5,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <deal.II/grid/tria.h>
-
 #include <array>
 #include <cmath>
 #include <string>
@@ -14,8 +12,8 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The background mesh that all bodies share: square cells of one size, a deal.II triangulation with
- * integer coordinates on top.
+ * @brief The background mesh that all bodies share: square cells of one size, by integer coordinates. Where
+ * there are points, PointStore makes a triangulation of it.
  *
  * Nodal fields live on integer lattices whose numbering needs no table: the shape functions say which lattice
  * nodes belong to a cell.
@@ -78,22 +76,10 @@ public:
   /// @throw ComputationError when @p x, the place of a @p thing, lies outside of the mesh
   void check_inside(const dealii::Point<dim> &x, const std::string &thing) const;
 
-  const dealii::Triangulation<dim> &triangulation() const { return mesh; }
-
-  /// Cell of the mesh at integer coordinates @p c; its index counts the first coordinate fastest.
-  typename dealii::Triangulation<dim>::active_cell_iterator cell(const Index &c) const
-  {
-    int index = 0;
-    for (int d = dim - 1; d >= 0; --d)
-      index = index * cells[d] + c[d];
-    return typename dealii::Triangulation<dim>::active_cell_iterator(&mesh, 0, index);
-  }
-
 private:
   dealii::Point<dim> origin;
   double h;
   Index cells;
-  dealii::Triangulation<dim> mesh;
 };
 } // namespace softgrain::mpm
 

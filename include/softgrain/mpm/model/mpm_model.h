@@ -8,6 +8,7 @@
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -45,7 +46,6 @@ public:
   double momentum_error() const override;
   std::size_t n_points() const override;
   std::size_t n_bodies() const override;
-  void gather() override;
   RankTimes rank_times() const override { return work.share.ranks.taken(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
@@ -70,9 +70,27 @@ private:
   void renew_grids();
   /// Of the grids of all bodies, see grid_distortion(); only where it is asked for.
   std::vector<double> grid_distortions() const;
-  void share_trial_volumes(const std::vector<unsigned int> &of_bodies);
+  /// Makes the mesh where points of this rank may be.
+  void cover_points();
+  /// Makes the points of all bodies, and lays their first grids: each rank for its own.
+  void fill_bodies(const std::vector<BodyDescription<2>> &descriptions);
   /// Gives every body to a rank, as long as there is more than one.
-  void share_out_bodies();
+  void share_out_bodies(const std::vector<BodyDescription<2>> &descriptions);
+  std::vector<unsigned int> all_bodies() const;
+  /// Moves the points of these bodies along with their grids and lays new ones.
+  void lay_grids_anew(const std::vector<unsigned int> &bodies);
+  /// After grids were laid: tells other ranks what belongs to nodes and outlines.
+  void share_grids(const std::vector<unsigned int> &of_bodies);
+  void share_trial_volumes(const std::vector<unsigned int> &of_bodies);
+  /// What a checkpoint holds; @p of_all: of the points of all ranks, to be called by all, else of those here.
+  void write_state(StateWriter &out, bool of_all) const;
+  void save_points(StateWriter &out, bool of_all) const;
+  /// Reads it back, whichever of both it is.
+  void read_state(StateReader &in, bool of_all);
+  void load_points(const StateReader &in, bool of_all);
+  /// Mean stress of every body times its volume, and the volume, each from the body's rank.
+  std::vector<std::array<double, 4>> stress_sums() const;
+  PointStates<2> point_states() const;
   /// What came of that.
   void add_ranks(SizeReport &report) const;
   /// @throw ComputationError when ranks have come to different steps
@@ -83,7 +101,7 @@ private:
   /// A body that has come to another copy of the cell that repeats is the same there.
   void bring_into_cell(Body<2> &body) const;
   dealii::Tensor<1, 2> momentum() const;
-  BodyState<2> body_state(const Body<2> &body) const;
+  BodyState<2> body_state(const Body<2> &body, const std::array<double, 4> &stress_sum) const;
 
   Problem problem;
   State state;

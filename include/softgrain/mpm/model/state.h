@@ -62,8 +62,8 @@ struct State
   Balance balance;
   double time = 0; ///< [s]
 
-  /// Finds the cells of all points after their places have changed, and the order of the bodies' points.
-  void sort_points();
+  /// Finds the order of the bodies' points after some were added or sorted.
+  void order_points();
 
   /// Whether it is a cell that repeats.
   bool repeats() const;

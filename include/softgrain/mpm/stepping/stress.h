@@ -19,6 +19,7 @@ struct StressOutcome
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t bad_point = none; ///< first point whose trial deformation is no good
+  std::string place;            ///< of that point when its grid was laid, in words
   bool leaps = false;           ///< it is not inside out, but deforms by more than was allowed
   std::string refusal;          ///< what its law has against it, see constitutive::Refusal; mostly empty
   double share = 1.;            ///< of the step that the law allows, see constitutive::Outputs::step_share

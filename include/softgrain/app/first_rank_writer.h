@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_app_first_rank_writer_h
+#define softgrain_app_first_rank_writer_h
+
+#include <softgrain/model/state_file.h>
+
+#include <exception>
+
+namespace softgrain
+{
+/**
+ * @brief What a model writes its state to where all ranks take part: what comes from the first rank is
+ * written, what comes from others is not.
+ *
+ * Errors wait for check(), so that the first rank goes the same way as the others until all have come to the
+ * end.
+ */
+class FirstRankWriter final : public StateWriter
+{
+public:
+  /// @param file where it is written; null on other ranks
+  explicit FirstRankWriter(StateWriter *file) : file(file) {}
+
+  void write(const std::string &name, const std::vector<double> &values) override { hand_on(name, values); }
+  void write(const std::string &name, const std::vector<std::uint64_t> &values) override
+  {
+    hand_on(name, values);
+  }
+  void write(const std::string &name, const std::string &text) override { hand_on(name, text); }
+
+  /// @throw the first error of writing
+  void check() const
+  {
+    if (failure)
+      std::rethrow_exception(failure);
+  }
+
+private:
+  template <class Values>
+  void hand_on(const std::string &name, const Values &values)
+  {
+    if (file == nullptr || failure)
+      return;
+    try
+    {
+      file->write(name, values);
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+    }
+  }
+
+  StateWriter *file;
+  std::exception_ptr failure;
+};
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The points in a snapshot of MpmModel: every rank tells of its own, the first one gets all.
+#include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr unsigned int not_a_wall = static_cast<unsigned int>(-1);
+
+/// Value and gradient of a nodal vector at one point.
+std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>>
+field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
+{
+  dealii::Tensor<1, 2> value;
+  dealii::Tensor<2, 2> gradient;
+  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
+  {
+    const unsigned int i = field.point_nodes(p)[k];
+    const dealii::Tensor<1, 2> u({nodal[2 * i], nodal[2 * i + 1]});
+    value += field.values(p)[k] * u;
+    gradient += outer_product(u, field.slopes(p)[k]);
+  }
+  return {value, gradient};
+}
+
+/// Where the points of a body stand in the lists of a rank.
+struct Section
+{
+  const Body<2> *body;
+  unsigned int owner;
+  std::size_t begin;
+};
+
+/// Those of all bodies that are shown, in their order. @param room for those of this rank, on the first for
+/// those of all
+std::vector<Section> sections_of(const State &state, const BodyShare &share, std::size_t &room)
+{
+  std::vector<Section> sections;
+  room = 0;
+  for (const Body<2> &body : state.bodies)
+    if (body.wall == not_a_wall)
+    {
+      sections.push_back({&body, share.owner(body.index), room});
+      if (share.ranks.first() || share.mine(body.index))
+        room += body.n_points;
+    }
+  return sections;
+}
+
+void resize(PointStates<2> &points, const std::size_t n)
+{
+  points.position.resize(n);
+  points.body.resize(n);
+  points.size.resize(n);
+  points.velocity.resize(n);
+  points.stress.resize(n);
+  points.out_of_plane_stress.resize(n);
+  points.deformation_gradient.resize(n);
+}
+
+/// The points of a body in the order of their ids, which does not change when they are sorted by cell.
+void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
+{
+  Eigen::VectorXd u, v;
+  body.field.prolongate(body.displacement, u);
+  if (body.velocity.size() > 0)
+    body.field.prolongate(body.velocity, v);
+  const std::vector<double> out_of_plane =
+      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+  {
+    const auto point = body.points[p];
+    const std::size_t at = begin + body.points.number(p);
+    auto [moved, gradient] = field_at(body.field, p, u);
+    gradient[0][0] += 1.;
+    gradient[1][1] += 1.;
+    const auto F = gradient * point.gradient();
+    const double J = body.small_strain() ? 1. : determinant(F);
+    points.position[at] = point.position() + moved;
+    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v).first : body.drive;
+    points.size[at] = point.rest_volume() * determinant(F);
+    points.stress[at] = point.stress() / J;
+    points.out_of_plane_stress[at] = out_of_plane[p] / J;
+    points.deformation_gradient[at] = F;
+  }
+}
+
+/// Fields for the history of laws under the names that they give; zero where the law of a point has no such
+/// name.
+void add_history_fields(const std::vector<Section> &sections, PointStates<2> &points)
+{
+  for (const Section &section : sections)
+  {
+    const std::vector<std::string> names = section.body->law->history_names();
+    for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), section.body->law->n_history()); ++i)
+      if (std::none_of(points.extra.begin(), points.extra.end(),
+                       [&](const NamedField &other) { return other.name == names[i]; }))
+        points.extra.push_back(NamedField{names[i], std::vector<double>(points.position.size())});
+  }
+}
+
+void put_history(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
+{
+  const std::vector<std::string> names = body.law->history_names();
+  for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), body.law->n_history()); ++i)
+  {
+    const auto field = std::find_if(points.extra.begin(), points.extra.end(),
+                                    [&](const NamedField &other) { return other.name == names[i]; });
+    for (unsigned int p = 0; p < body.points.size(); ++p)
+      field->values[begin + body.points.number(p)] = body.points[p].history()[i];
+  }
+}
+
+/// All numbers of the points as pieces of their owners, for Ranks::bring().
+std::vector<Ranks::Piece>
+pieces_of(const std::vector<Section> &sections, const Ranks &ranks, PointStates<2> &points)
+{
+  std::vector<Ranks::Piece> pieces;
+  for (const Section &section : sections)
+  {
+    if (!ranks.first() && section.owner != ranks.here())
+      continue; // what it names would be no place of this rank
+    const std::size_t begin = section.begin, n = section.body->n_points;
+    if (n == 0)
+      continue;
+    const auto add = [&](auto &list)
+    {
+      double *const first = reinterpret_cast<double *>(&list[begin]);
+      pieces.push_back({section.owner, first, n * sizeof(list[begin]) / sizeof(double)});
+    };
+    add(points.position);
+    add(points.size);
+    add(points.velocity);
+    add(points.stress);
+    add(points.out_of_plane_stress);
+    add(points.deformation_gradient);
+    for (NamedField &field : points.extra)
+      add(field.values);
+  }
+  return pieces;
+}
+} // namespace
+
+PointStates<2> MpmModel::point_states() const
+{
+  const BodyShare &share = work.share;
+  PointStates<2> points;
+  std::vector<Section> sections;
+  share.ranks.together(
+      [&]()
+      {
+        std::size_t room = 0;
+        sections = sections_of(state, share, room);
+        resize(points, room);
+        add_history_fields(sections, points);
+        for (const Section &section : sections)
+          if (share.mine(section.body->index))
+          {
+            put_points(*section.body, section.begin, points);
+            put_history(*section.body, section.begin, points);
+          }
+      });
+  share.ranks.bring(pieces_of(sections, share.ranks, points));
+  if (!share.ranks.first())
+    return {};
+  for (const Section &section : sections)
+    std::fill_n(points.body.begin() + section.begin, section.body->n_points, section.body->index);
+  return points;
+}
+} // namespace softgrain::mpm
