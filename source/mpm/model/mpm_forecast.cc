@@ -28,7 +28,7 @@ constexpr double rough_factor = 3.5;         ///< the same, one body that may sl
 constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matter flows and keeps its volume
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
-constexpr double falling_way = 0.2;          ///< cells in a step, where bodies fall on each other
+constexpr double falling_way = 0.33;         ///< cells in a step, where bodies fall on each other
 constexpr double divided_work = 0.77, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
 constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
