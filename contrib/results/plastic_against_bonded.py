@@ -14,6 +14,7 @@ PRIMARIES = {"Primaries/Smallest diameter": 0.10e-3, "Primaries/Largest diameter
 EARLY, LATE = (0.04, 0.08), (0.11, 0.15)  # of the plateau
 FRACTIONS = (0.80, 0.84, 0.88, 0.92, 0.94)
 WIDTH = 10e-3  # of the box of thirty grains [m]
+BOX = {"Packing/Upper": "10e-3, 11.4e-3", "Walls/top/Point": "0, 11.4e-3"}  # in which every packing finds room
 QUIET = {"Output/Fields every": 0, "Output/Snapshots every": 0}
 
 
@@ -158,8 +159,8 @@ def main():
     law = "Materials/gel/J2 plastic/"
     plastic = {"Materials/gel/Law": "j2_plastic", law + "Young's modulus": young, law + "Poisson's ratio": words.poisson,
                law + "Yield stress": strength, law + "Hardening modulus": hardening, "Material points/F-bar": "on", **QUIET,
-               "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 4e-5, "Quasi-static/Held steps": 1000}
-    bonded = {**PRIMARIES, **QUIET, "Walls/top/Velocity": 2, "Stop/End time": 2.2e-3, "Output/Measures": "packing, coordination, shape",
+               "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 4e-5, "Quasi-static/Held steps": 1000, "Mesh/Upper": "11e-3, 12.4e-3", **BOX}
+    bonded = {**PRIMARIES, **QUIET, **BOX, "Walls/top/Velocity": 2, "Stop/End time": 2.6e-3, "Output/Measures": "packing, coordination, shape",
               "Output/Snapshots every": 2e-5, "Output/History every": 1}
     kinds = {"bonded": ("thirty_grains_bpm", bonded), "J2": ("thirty_grains_quasi_static_mpm", plastic),
              "J2, friction 0.5": ("thirty_grains_quasi_static_mpm", {**plastic, "Contact/Friction": 0.5})}
