@@ -17,16 +17,16 @@ FRACTIONS = (0.80, 0.85, 0.90)
 COLUMNS = ("coordination", "orientation_anisotropy")
 
 
-def changes(grains, friction, rolling, seed, coarse):
+def changes(grains, friction, rolling, seed, coarse, velocity):
     side = math.sqrt(grains / 30)
     made = {
         "Packing/Number": grains, "Packing/Seed": seed, "Packing/Upper": f"{10e-3 * side}, {11.4e-3 * side}",
         "Walls/top/Point": f"0, {11.4e-3 * side}", "Walls/right/Point": f"{10e-3 * side}, 0",
-        "Walls/top/Velocity": 5 * side,  # of one rate of strain
+        "Walls/top/Velocity": velocity * side,  # of one rate of strain
         "Contact/Friction": friction, "Contact/Rolling resistance": rolling,
         "Primaries/Smallest diameter": 0.1e-3 * coarse, "Primaries/Largest diameter": 0.18e-3 * coarse,
-        "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 1e-5, "Output/Fields every": 0,
-        "Output/Inner forces": "false", "Output/History every": 1, "Stop/End time": 1.4e-3, "Stop/Packing fraction": FRACTIONS[-1] + 0.005}
+        "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 5e-5 / velocity, "Output/Fields every": 0,
+        "Output/Inner forces": "false", "Output/History every": 1, "Stop/End time": 7e-3 / velocity, "Stop/Packing fraction": FRACTIONS[-1] + 0.005}
     for wall in ("bottom", "top", "left", "right"):
         made[f"Walls/{wall}/Friction"] = 0
     return made
@@ -52,6 +52,7 @@ def main():
     parser.add_argument("--rolling", type=float, nargs="+", default=[0, 0.1, 0.5])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("--coarse", type=float, default=1.5, help="size of the primaries over that of the scene")
+    parser.add_argument("--velocity", type=float, default=5, help="of the wall for thirty grains, m/s (default: 5)")
     parser.add_argument("--table", type=pathlib.Path, help="CSV file for the means")
     words = parser.parse_args()
     table = []
@@ -62,7 +63,7 @@ def main():
                 folder = words.output / f"{words.grains}-{friction}-{rolling}-{seed}"
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 summary, rows = run(words.program, "gallery/thirty_grains_bpm.prm", folder,
-                                    changes(words.grains, friction, rolling, seed, words.coarse), threads=1)
+                                    changes(words.grains, friction, rolling, seed, words.coarse, words.velocity), threads=1)
                 cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
                 measures = softgrain.open(folder).measures
                 measured = [dict(zip(measures, row)) for row in zip(*(measures[name] for name in measures))]

@@ -8,7 +8,7 @@ import pathlib
 
 import numpy as np
 
-from running import run, softgrain
+from running import RunFailed, run, softgrain
 
 RADIUS = 5e-3  # of both scenes [m]
 MASS = 1000 * math.pi * RADIUS**2  # [kg/m]
@@ -49,6 +49,31 @@ def pull_off(program, folder):
           f"{rows[-1]['adhesion_work_J_per_m']:.3g} J/m")
 
 
+def small_contact(program, folder, levels):
+    """A stiffer disk between two plates that go apart: a/R = 0.06, cells halved near contact. The largest force that is in balance."""
+    print("| Tabor's number | row of markers over range of the pull along the surface | JKR [N/m] | Baney and Hui | found | difference |\n" + "|---" * 6 + "|")
+    modulus = 2e6 / 0.91
+    for strength, reach in ((1.15e5, 3.24e-5), (2.3e5, 1.62e-5)):
+        for level in levels:
+            changes = {"Mesh/Lower": "-6e-3, -6e-3", "Mesh/Upper": "6e-3, 6e-3", "Mesh/Cell size": 2.5e-4, "Mesh/Refine near contact": level,
+                       "Material points/Shape function": "linear", "Materials/gel/Neo-Hookean/Young's modulus": 2e6,
+                       "Materials/gel/Neo-Hookean/Poisson's ratio": 0.3, "Bodies/disk/Body force": "0; 0", "Contact/Law": "cohesive",
+                       "Contact/Adhesion": strength, "Contact/Adhesion range": reach, "Contact/Marker spacing": 1, "Time/Time step": 0.5,
+                       "Stop/End time": 75, "Output/Snapshots every": 0, "Output/Fields every": 0}
+            for wall in ("bottom", "top"):
+                changes |= {f"Walls/{wall}/Friction": 0, f"Walls/{wall}/Position": "2e-6*(t < 5 ? t : 10 - t)"}
+            name = folder / f"small-{strength:g}-{level}"
+            try:
+                run(program, "verification/partial_slip.prm", name, changes, threads=1, again=False)
+            except RunFailed:
+                pass  # the disk flies off: without inertia there is no balance then
+            found = -min(softgrain.open(name).history_table["bottom_force_N_per_m"])
+            exact, tabor = maugis(modulus, strength, reach), (RADIUS * (strength * reach) ** 2 / (modulus**2 * reach**3)) ** (1 / 3)
+            zone = math.pi / 4 * modulus * reach / strength  # of Dugdale's crack
+            print(f"| {tabor:.2f} | {2.5e-4 / 2**level / zone:.3f} | {jkr(modulus, strength * reach)[0]:.1f} | {exact:.1f} | {found:.1f} | "
+                  f"{100 * (found / exact - 1):+.1f} % |", flush=True)
+
+
 def places(folder):
     """Time and place of the disk along x [s, m], and the forces on the plate at the bottom [N/m]."""
     found = {}
@@ -78,15 +103,16 @@ def slip(program, folder):
               f"{100 * (way / (stuck + more) - 1):+.1f} % | {1e6 * (way - stuck):.2f} | {1e6 * more:.2f} |")
 
 
-def cycles(program, folder, number):
-    """Pushed to and fro by 0.4 of what friction bears, four steps a cycle, on a coarse grid."""
+def cycles(program, folder, number, push):
+    """Pushed to and fro, by 0.4 of what friction bears with a push of 1066, four steps a cycle, on a coarse grid."""
     changes = {"Mesh/Cell size": 2.9e-4, "Time/Time step": 0.25, "Stop/End time": 1 + number, "Output/Snapshots every": 1,
-               "Output/Fields every": 0, "Bodies/disk/Body force": "t < 1 ? 0 : 1066*sin(2*pi*t); 0"}
+               "Output/Fields every": 0, "Bodies/disk/Body force": f"t < 1 ? 0 : {push:g}*sin(2*pi*t); 0"}
     _, rows = run(program, "verification/partial_slip.prm", folder, changes, threads=1, again=False)
     found = places(folder)
     ends = [found[time][0] for time in sorted(found) if time >= 1]
-    print(f"after 1, {len(ends) // 2} and {len(ends) - 1} cycles the disk is off by "
-          + ", ".join(f"{1e9 * (ends[n] - ends[0]):.3f}" for n in (1, len(ends) // 2, len(ends) - 1)) + " nm; load "
+    shown = [n for n in (1, 2, 5, 10, 20, 50, 100, 200, 500) if n < len(ends) - 1] + [len(ends) - 1]
+    print("after cycles the disk is off by " + ", ".join(f"{n}: {1e9 * (ends[n] - ends[0]):.2f}" for n in shown) + " nm; from the tenth on by "
+          + f"{1e9 * (min(ends[10:]) - ends[0]):.2f} to {1e9 * (max(ends[10:]) - ends[0]):.2f}; load "
           + f"{rows[-1]['bottom_force_N_per_m']:.4f} N/m, at the start "
           + f"{next(row['bottom_force_N_per_m'] for row in rows if row['time_s'] >= 1):.4f}")
 
@@ -96,15 +122,20 @@ def main():
     parser.add_argument("program", help="build/release/bin/softgrain")
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/sticking"),
                         help="for the output folders of the runs (default: %(default)s)")
-    parser.add_argument("--only", nargs="+", choices=("pull_off", "slip", "cycles"), default=("pull_off", "slip", "cycles"))
+    tasks = ("pull_off", "small", "slip", "cycles")
+    parser.add_argument("--only", nargs="+", choices=tasks, default=tasks)
+    parser.add_argument("--levels", type=int, nargs="+", default=[3, 4, 5], help="halvings near contact of the task small (default: 3 4 5)")
     parser.add_argument("--cycles", type=int, default=30)
+    parser.add_argument("--push", type=float, default=1066, help="of the cycles, force on the volume [N/m^3] (default: %(default)s)")
     arguments = parser.parse_args()
     if "pull_off" in arguments.only:
         pull_off(arguments.program, arguments.folder / "pull_off")
+    if "small" in arguments.only:
+        small_contact(arguments.program, arguments.folder / "small", arguments.levels)
     if "slip" in arguments.only:
         slip(arguments.program, arguments.folder)
     if "cycles" in arguments.only:
-        cycles(arguments.program, arguments.folder / "cycles", arguments.cycles)
+        cycles(arguments.program, arguments.folder / f"cycles-{arguments.push:g}", arguments.cycles, arguments.push)
 
 
 if __name__ == "__main__":

@@ -125,7 +125,7 @@ Body<2> make_body(const BodyDescription<2> &description,
   body.law = std::move(law);
   body.density = density;
   body.driven = description.driven;
-  body.f_bar = context.settings.averages_dilatations(body.law->poisson_ratio());
+  body.averaged = context.settings.averaged_dilatation(body.law->poisson_ratio());
   body.levels = std::move(levels);
   // The parameter's default says that there is no load, and then none is evaluated.
   if (!description.body_force.empty() && description.body_force != "0; 0")

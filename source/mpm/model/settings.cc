@@ -85,7 +85,8 @@ void declare_discretisation(dealii::ParameterHandler &prm)
                           "energy too. Units: none.");
         prm.declare_entry("F-bar", "automatic", Selection("automatic|on|off"),
                           "Whether the volume change is averaged over each cell, against locking of nearly "
-                          "incompressible materials; automatic: on above a Poisson's ratio of 0.47.");
+                          "incompressible materials: most of it, see theory; automatic: on above a Poisson's "
+                          "ratio of 0.47.");
       });
 }
 

@@ -34,7 +34,7 @@ void add_dilatation_terms(const Body<dim> &body,
   CellSlopes<dim> slopes;
   double pressure_sum = 0.;
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
-    pressure_sum += s.volume[p] * trace(s.stress[p]) / dim;
+    pressure_sum += body.averaged * s.volume[p] * trace(s.stress[p]) / dim;
   const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e,
                        const double value) { local(dim * i + d, dim * j + e) += value; };
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
@@ -50,12 +50,14 @@ void add_dilatation_terms(const Body<dim> &body,
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int e = 0; e < dim; ++e)
           {
-            const double si = (mean[i][d] - slopes[i][d]) / dim, sj = (mean[j][e] - slopes[j][e]) / dim;
+            const double si = body.averaged * (mean[i][d] - slopes[i][d]) / dim,
+                         sj = body.averaged * (mean[j][e] - slopes[j][e]) / dim;
             const double ti = dealii::Tensor<1, dim>(tau * slopes[i])[d],
                          tj = dealii::Tensor<1, dim>(tau * slopes[j])[e];
             const double cross = slopes[i][e] * slopes[j][d];
             add(i, d, j, e,
-                v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau + mean_tau * cross));
+                v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau +
+                     body.averaged * mean_tau * cross));
             add(i, d, j, e, pressure_sum * weight * (slopes[i][d] * slopes[j][e] - cross));
           }
   }
@@ -115,7 +117,7 @@ void cell_stiffness(const Body<dim> &body,
   Eigen::Matrix<double, n_strain, n_strain> C;
   local.setZero(dim * n, dim * n);
   double total = 0.;
-  if (body.f_bar)
+  if (body.averaged > 0.)
     total = mean_slopes(body, s, cell, mean);
   for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
   {
@@ -128,9 +130,9 @@ void cell_stiffness(const Body<dim> &body,
       for (unsigned int d = 0; d < dim; ++d)
       {
         auto strain = strain_of(slopes[k], d);
-        if (body.f_bar)
+        if (body.averaged > 0.)
           for (unsigned int e = 0; e < dim; ++e)
-            strain[e][e] += (mean[k][d] - slopes[k][d]) / dim;
+            strain[e][e] += body.averaged * (mean[k][d] - slopes[k][d]) / dim;
         for (unsigned int a = 0; a < n_strain; ++a)
           // Shear counts twice in the double contraction.
           B(a, dim * k + d) = (a < dim ? 1. : 2.) * strain.access_raw_entry(a);
@@ -152,7 +154,7 @@ void cell_stiffness(const Body<dim> &body,
     if (pressure_follows && !body.small_strain())
       add_following_pressure(-v * trace(tau) / dim, slopes, local);
   }
-  if (body.f_bar && !body.small_strain())
+  if (body.averaged > 0. && !body.small_strain())
     add_dilatation_terms(body, s, cell, mean, total, local);
 }
 
@@ -369,7 +371,7 @@ void add_stiffness(const Body<dim> &body,
                    const bool pressure_follows)
 {
   if constexpr (dim == 2)
-    if (!body.f_bar)
+    if (body.averaged == 0.)
       return add_plane_stiffness(body, s, factor, pressure_follows, matrix);
   add_general_stiffness(body, s, factor, pressure_follows, matrix);
 }

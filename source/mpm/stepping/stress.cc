@@ -151,8 +151,8 @@ void deform_cell(const Body<dim> &body,
   }
 }
 
-/// Replaces the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza Neto et al.
-/// 1996).
+/// Replaces a share of the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza
+/// Neto et al. 1996).
 template <int dim>
 void average_dilatation(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
 {
@@ -166,9 +166,9 @@ void average_dilatation(const Body<dim> &body, const unsigned int cell, StepStat
   const double mean = sum / weight;
   for (unsigned int p = begin; p < end; ++p)
     if (body.small_strain())
-      s.increment[p] += (mean - trace(s.increment[p])) / dim * identity<dim>();
+      s.increment[p] += body.averaged * (mean - trace(s.increment[p])) / dim * identity<dim>();
     else if (determinant(s.gradient[p]) > 0. && mean > 0.)
-      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), 1. / dim);
+      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), body.averaged / dim);
 }
 
 /// Whether the strain of any of these points over the step, f^T f - I with the deformation f over the step,
@@ -226,7 +226,7 @@ StressOutcome evaluate(const Body<dim> &body,
     for (std::size_t c = begin; c < end; ++c)
     {
       deform_cell(body, c, half_dt, nodal_velocity, s);
-      if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+      if (body.averaged > 0. && body.field.first_point(c) < body.field.first_point(c + 1))
         average_dilatation(body, c, s);
     }
     const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
@@ -324,9 +324,9 @@ void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &f
                    for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
                    {
                      auto stress = s.stress[p];
-                     if (body.f_bar)
+                     if (body.averaged > 0.)
                      {
-                       const double mean_stress = trace(stress) / dim;
+                       const double mean_stress = body.averaged * trace(stress) / dim;
                        pressure += s.volume[p] * mean_stress;
                        for (unsigned int d = 0; d < dim; ++d)
                          stress[d][d] -= mean_stress;
@@ -340,7 +340,7 @@ void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &f
                        for (unsigned int d = 0; d < dim; ++d)
                          f[dim * k + d] += q[d] * slope[k];
                    }
-                   if (body.f_bar && body.field.first_point(c) < body.field.first_point(c + 1))
+                   if (body.averaged > 0. && body.field.first_point(c) < body.field.first_point(c + 1))
                    {
                      mean_slopes(body, s, c, mean);
                      for (unsigned int k = 0; k < n; ++k)

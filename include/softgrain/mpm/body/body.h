@@ -98,7 +98,8 @@ struct Body
   /// Copy of the cell that repeats from which it has been brought to where it is.
   typename PeriodicCell<dim>::Image home{};
 
-  bool f_bar = false; ///< cell-averaged dilatation against volumetric locking
+  /// Share of the dilatation that is averaged over cells (F-bar), against volumetric locking; 0: none.
+  double averaged = 0.;
 
   bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
   /// Momentum of the nodal field, zero where it has no velocity [kg m/s].

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -88,6 +89,15 @@ struct Settings
   bool averages_dilatations(const double poisson_ratio) const
   {
     return f_bar == "on" || (f_bar == "automatic" && poisson_ratio > 0.47);
+  }
+
+  /// Which share of them is averaged, 0 to 1. The rest holds the points of a cell together, with three times
+  /// the shear modulus at most: a law with lambda = 3 mu does not lock.
+  double averaged_dilatation(const double poisson_ratio) const
+  {
+    if (!averages_dilatations(poisson_ratio))
+      return 0.;
+    return 1. - std::min(0.3, 3. * (1. - 2. * poisson_ratio) / (2. * std::max(poisson_ratio, 0.1)));
   }
 
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
