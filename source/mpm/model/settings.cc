@@ -169,7 +169,7 @@ void declare_quasi_static(dealii::ParameterHandler &prm)
                           "Bodies are in balance when no contact marker moves farther than this in a "
                           "held step. Units: cells.");
         prm.declare_entry(
-            "Held steps", "200", Integer(0, 100000),
+            "Held steps", "1000", Integer(0, 100000),
             "Largest number of steps with walls at rest before a state is written; without balance after "
             "so many the run ends with a message. 0: none, and what is written is not in balance.");
         prm.declare_entry("Wall motion", "0.3", Double(1e-6, 10.),
