@@ -17,7 +17,7 @@ BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/res
 SLOW = {"Walls/top/Velocity": "0.2", "Time/Time step": "4.8e-4", "Output/Snapshots every": "4.8e-4", "Stop/End time": "0.1"}
 # Without inertia: the same steps, every tenth in balance and written. See doc/results/thesis-4.md.
 STATIC = {"Time/Scheme": "quasi_static", "Time/Time step": "1.92e-5", "Output/Snapshots every": "1.92e-4", "Output/History every": "10",
-          "Stop/End time": "1", "Stop/Packing fraction": "0.95"}
+          "Stop/End time": "1"}
 FINE = {"Mesh/Cell size": "1.6e-4", "Time/CFL multiple": "3"}  # the step goes with the cell
 
 

@@ -7,27 +7,12 @@ import math
 import pathlib
 import statistics
 
-from running import run
+from running import run, softgrain
 from subgrid import CUTS, RADIUS, YOUNG, mesh
 
 APPROACHES = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3)  # of a plate over the radius
 FINEST = 0.0145
 JOHNSON = 0.02  # up to here his force is that of finite elements
-
-
-def johnson(approach, poisson):
-    """The force at which his approach is @approach [N/m], by bisection; @approach over the radius."""
-    plane = YOUNG / (1 - poisson**2)
-
-    def reached(force):
-        half_width = math.sqrt(4 * force * RADIUS / (math.pi * plane))
-        return force / (math.pi * plane) * (2 * math.log(4 * RADIUS / half_width) - 1)
-
-    low, high = 0.0, 0.1 * plane * RADIUS
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if reached(middle) < approach * RADIUS else (low, middle)
-    return low
 
 
 def forces(program, folder, spacing, cut, poisson):
@@ -48,7 +33,8 @@ def main():
     print("| ν, ξ | " + " | ".join(f"d/R = {at}" for at in APPROACHES) + " |\n" + "|---" * (1 + len(APPROACHES)) + "|")
     for poisson in (0.30, 0.45, 0.49):
         fine = forces(arguments.program, arguments.folder / f"{poisson}-{FINEST}", FINEST, 0.0, poisson)
-        reference = {at: johnson(at, poisson) if at <= JOHNSON else fine[at] for at in APPROACHES}
+        reference = {at: softgrain.theory.johnson(-math.log(1 - at), YOUNG, poisson, RADIUS) if at <= JOHNSON else fine[at]
+                     for at in APPROACHES}
         for spacing in arguments.spacings:
             found = [forces(arguments.program, arguments.folder / f"{poisson}-{spacing}-{cut}", spacing, cut, poisson) for cut in CUTS]
             cells = []

@@ -20,6 +20,15 @@ double value(const unsigned int i)
   return i == 5 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(2. + i);
 }
 
+unsigned int wrong_values(const std::vector<std::vector<double>> &lists)
+{
+  unsigned int wrong = 0;
+  for (unsigned int i = 0; i < lists.size(); ++i)
+    for (const double number : lists[i])
+      wrong += !(number == value(i) || (std::isnan(number) && std::isnan(value(i))));
+  return wrong;
+}
+
 /// Numbers that differ from what their owners have, after they were shared: rank i % n owns i % 4 of them.
 unsigned int wrong_numbers(const Ranks &ranks)
 {
@@ -32,11 +41,7 @@ unsigned int wrong_numbers(const Ranks &ranks)
     pieces.push_back({owner, lists[i].data(), lists[i].size()});
   }
   ranks.share(pieces);
-  unsigned int wrong = 0;
-  for (unsigned int i = 0; i < lists.size(); ++i)
-    for (const double number : lists[i])
-      wrong += !(number == value(i) || (std::isnan(number) && std::isnan(value(i))));
-  return wrong;
+  return wrong_values(lists);
 }
 
 /// Numbers that differ from what their owners have, after they were brought to the first rank.
@@ -54,11 +59,7 @@ unsigned int wrong_at_first(const Ranks &ranks)
     pieces.push_back({owner, lists[i].data(), i % 4});
   }
   ranks.bring(pieces);
-  unsigned int wrong = 0;
-  for (unsigned int i = 0; i < lists.size(); ++i)
-    for (const double number : lists[i])
-      wrong += !(number == value(i) || (std::isnan(number) && std::isnan(value(i))));
-  return wrong;
+  return wrong_values(lists);
 }
 
 /// Numbers that differ from what the neighbours on a ring have sent, each a list of its own length.

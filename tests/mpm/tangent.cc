@@ -2,10 +2,8 @@
 // The stiffness is the derivative of the internal force, and the internal force that of the stored energy:
 // for every shape function, law and F-bar, on a disk whose boundary cells are extended, far from rest and
 // with deformation carried from an earlier grid.
-#include "scene_of.h"
+#include "cut_disk.h"
 
-#include <softgrain/linear/system_matrix.h>
-#include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <iostream>
@@ -15,13 +13,7 @@ using namespace softgrain;
 
 namespace
 {
-const char *const scene = R"(
-subsection Mesh
-  set Lower = 0, 0
-  set Upper = 8, 8
-  set Cell size = 1
-end
-subsection Materials
+const std::string scene = cut_disk(R"(subsection Materials
   set Names = m
   subsection m
     subsection Linear elastic
@@ -38,17 +30,7 @@ subsection Materials
     end
   end
 end
-subsection Bodies
-  set Names = d
-  subsection d
-    set Center = 4.13, 3.91
-    set Radius = 2.3
-  end
-end
-subsection Stop
-  set End time = 1
-end
-)";
+)");
 
 struct Evaluation
 {
@@ -87,12 +69,8 @@ void check(const std::string &shape, const std::string &law, const std::string &
         body.points[p].gradient()[d][e] += 0.1 * uniform(generator);
   const Eigen::VectorXd u = random(0.08), d = random(1.);
   constexpr double step = 1e-5;
-  SystemMatrix matrix;
-  lay_out_stiffness(body.field, matrix);
   const Evaluation at = evaluate(body, u);
-  matrix.set_zero();
-  mpm::add_stiffness(body, at.points, 1., matrix);
-  const Eigen::VectorXd Kd = matrix.lower().selfadjointView<Eigen::Lower>() * d;
+  const Eigen::VectorXd Kd = stiffness_times(body, at.points, d);
   const Evaluation plus = evaluate(body, Eigen::VectorXd(u + step * d));
   const Evaluation minus = evaluate(body, Eigen::VectorXd(u - step * d));
   const Eigen::VectorXd slope = (minus.force - plus.force) / (2. * step);

@@ -236,9 +236,7 @@ MovedBoundary::place(const unsigned int m, const double share, const bool with_w
   at.position = position[m] + share * curve.chord + curve.height(share) * curve.normal;
   const Vector tangent = curve.chord + curve.height_change(share) * curve.normal;
   at.speed = tangent.norm();
-  const bool at_corner =
-      (share == 0. && body->boundary.corner[m]) || (share == 1. && body->boundary.corner[next]);
-  if (at_corner || at.speed == 0.)
+  if (at_corner(m, share) || at.speed == 0.)
     at.normal = normals[share < 0.5 ? m : next];
   else
     at.normal = Vector({tangent[1], -tangent[0]}) / at.speed;

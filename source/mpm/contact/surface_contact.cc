@@ -228,15 +228,15 @@ private:
       rows.push_back(std::move(row));
       return true;
     }
+    take_pair(scene, row);
+    if (row.adhesion == 0. && gap >= 0. && is_held_by_a_corner(found, seeker, corners_only))
+      return true;
     row.body_weights = own.weights(seeker.parameter);
     row.partner_weights = other.weights(found.first, found.share);
     row.place = at.position;
     row.normal = opposite.normal;
     row.gap = start;
     row.length = tributary_length(own, seeker);
-    take_pair(scene, row);
-    if (row.adhesion == 0. && gap >= 0. && is_held_by_a_corner(found, seeker, corners_only))
-      return true;
     // What lies around the corners of a partner is held by the rows of the one that looks everywhere.
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
@@ -259,10 +259,7 @@ private:
   /// of the side that it touches. Where two corners meet the row is of the one that looks everywhere.
   bool is_held_by_a_corner(const Projection &found, const Seeker &seeker, const bool corners_only) const
   {
-    const Boundary<2> &outline = other.boundary();
-    const bool corner = (found.share == 0. && outline.corner[found.first]) ||
-                        (found.share == 1. && outline.corner[outline.next(found.first)]);
-    if (!corner || partner.driven)
+    if (partner.driven || !other.at_corner(found.first, found.share))
       return false;
     return corners_only || own.is_free || !own.boundary().corner[seeker.number];
   }
@@ -277,6 +274,7 @@ private:
   std::vector<unsigned int> segments;
   mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
+
 /// Moves the boundaries of those that bodies of this rank may meet, where there were sketches.
 void move_partners(const ContactScene<2> &scene,
                    const std::vector<std::vector<ContactTask>> &tasks,

@@ -79,14 +79,22 @@ void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &po
     gradient[0][0] += 1.;
     gradient[1][1] += 1.;
     const auto F = gradient * point.gradient();
-    const double J = body.small_strain() ? 1. : determinant(F);
+    const double volume = determinant(F), J = body.small_strain() ? 1. : volume;
     points.position[at] = point.position() + moved;
     points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v).first : body.drive;
-    points.size[at] = point.rest_volume() * determinant(F);
+    points.size[at] = point.rest_volume() * volume;
     points.stress[at] = point.stress() / J;
     points.out_of_plane_stress[at] = out_of_plane[p] / J;
     points.deformation_gradient[at] = F;
   }
+}
+
+/// What the history of a law is called, as far as it has names.
+std::vector<std::string> named_history(const constitutive::Law<2> &law)
+{
+  std::vector<std::string> names = law.history_names();
+  names.resize(std::min<std::size_t>(names.size(), law.n_history()));
+  return names;
 }
 
 /// Fields for the history of laws under the names that they give; zero where the law of a point has no such
@@ -94,19 +102,16 @@ void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &po
 void add_history_fields(const std::vector<Section> &sections, PointStates<2> &points)
 {
   for (const Section &section : sections)
-  {
-    const std::vector<std::string> names = section.body->law->history_names();
-    for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), section.body->law->n_history()); ++i)
+    for (const std::string &name : named_history(*section.body->law))
       if (std::none_of(points.extra.begin(), points.extra.end(),
-                       [&](const NamedField &other) { return other.name == names[i]; }))
-        points.extra.push_back(NamedField{names[i], std::vector<double>(points.position.size())});
-  }
+                       [&](const NamedField &other) { return other.name == name; }))
+        points.extra.push_back(NamedField{name, std::vector<double>(points.position.size())});
 }
 
 void put_history(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
 {
-  const std::vector<std::string> names = body.law->history_names();
-  for (unsigned int i = 0; i < std::min<std::size_t>(names.size(), body.law->n_history()); ++i)
+  const std::vector<std::string> names = named_history(*body.law);
+  for (unsigned int i = 0; i < names.size(); ++i)
   {
     const auto field = std::find_if(points.extra.begin(), points.extra.end(),
                                     [&](const NamedField &other) { return other.name == names[i]; });

@@ -14,9 +14,9 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
 constexpr double lag = 0.1; ///< share of the way of a step by which rows may lag behind and still follow
-/// When searches are mixed: move of nodes [cells], and its growth since the search before. A corner in the
-/// dent that it makes sends its body to and fro from the first search on; round bodies that are sent so far
-/// slip.
+/// When searches are mixed: move of nodes [cells], and its growth since the search before. A corner lies in a
+/// dent that it has pressed, and the dent of the search before pushes it back: such a body swings from the
+/// first search on. Round bodies that move so far between searches slip past each other, and mixing misleads.
 constexpr double mixing_range = 0.02, mixing_growth = 2.;
 constexpr double mixing_range_with_corners = 0.1, mixing_growth_with_corners = 5.;
 

@@ -176,7 +176,7 @@ quasi_static_step(const Problem &problem, State &state, Workspace &work, const d
   for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
   {
     sum = implicit_step(problem, state, work, {dt, false, resistance});
-    if (!(sum.gives_energy || (sum.unsolved && !sum.law_asks)) || resistance > 10.)
+    if (!(sum.gives_energy || sum.unsolved) || resistance > 10.)
       break;
   }
   // Walls under pressure go as far as balance lets them.

@@ -62,6 +62,12 @@ public:
   Place place(unsigned int m, double share, bool with_weights) const;
   /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
   Place place(double parameter, bool with_weights) const;
+  /// Whether that is a corner.
+  bool at_corner(unsigned int m, double share) const
+  {
+    return (share == 0. && body->boundary.corner[m]) ||
+           (share == 1. && body->boundary.corner[body->boundary.next(m)]);
+  }
   /// Its weights alone; empty for a driven body.
   NodeWeights weights(unsigned int m, double share) const;
   NodeWeights weights(double parameter) const;
