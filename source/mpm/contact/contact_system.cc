@@ -78,6 +78,7 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
   free_walls.move(impulse);
   delassus.reset();
   color_pairs(bodies);
+  place_dents(!again);
 }
 
 template <int dim>
@@ -185,11 +186,7 @@ void ContactSystem<dim>::condense(const BodyShare &share,
     {
       const ContactRow<dim> &row = rows[pair.first];
       // What the grid misses at a curved partner or a tip is not known.
-      pair.compliance = row.obstacle
-                            ? 0.
-                            : subgrid(bodies[row.body],
-                                      row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
-                                      normal_force(pair, dt));
+      pair.compliance = row.obstacle ? 0. : subgrid(dent(pair, bodies, subgrid), normal_force(pair, dt));
       if (pair.compliance == 0.)
         continue;
       std::vector<unsigned int> normals;
@@ -209,6 +206,40 @@ double ContactSystem<dim>::normal_force(const Pair &pair, const double dt) const
   for (unsigned int r = pair.first; r < pair.end; ++r)
     sum += impulse[r * n_components()];
   return sum / dt;
+}
+
+template <int dim>
+void ContactSystem<dim>::place_dents(const bool first_search)
+{
+  if (first_search && !held)
+    dent_places.clear();
+  for (Pair &pair : pairs)
+  {
+    const auto [known, is_new] = dent_places.try_emplace(pair_of(rows[pair.first].key), pair.log_full_width);
+    if (is_new)
+    {
+      // Where the force is; before there is one, where rows are.
+      double weights = normal_force(pair, 1.);
+      const bool pressed = weights > 0.;
+      if (!pressed)
+        weights = pair.end - pair.first;
+      for (unsigned int r = pair.first; r < pair.end; ++r)
+        for (unsigned int side = 0; side < 2; ++side)
+          known->second[side] +=
+              (pressed ? impulse[r * n_components()] : 1.) / weights * rows[r].log_full_width[side];
+    }
+    pair.log_full_width = known->second;
+  }
+}
+
+template <int dim>
+SubgridCompliance::Dent ContactSystem<dim>::dent(const Pair &pair,
+                                                 const std::vector<Body<dim>> &bodies,
+                                                 const SubgridCompliance &subgrid) const
+{
+  const ContactRow<dim> &row = rows[pair.first];
+  return subgrid.dent(bodies[row.body], row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
+                      pair.log_full_width);
 }
 
 template <int dim>
@@ -233,9 +264,7 @@ double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
       const ContactRow<dim> &row = rows[pair.first];
       // Also of a contact that has grown wide, whose compliance is none.
       if (!row.obstacle)
-        energy += subgrid.energy(bodies[row.body],
-                                 row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
-                                 normal_force(pair, dt));
+        energy += subgrid.energy(dent(pair, bodies, subgrid), normal_force(pair, dt));
     }
   else
     (void) bodies, (void) subgrid, (void) dt;

@@ -282,6 +282,14 @@ MovedBoundary::Point MovedBoundary::position_at(const double parameter) const
   return position[m] + share * curve.chord + curve.height(share) * curve.normal;
 }
 
+std::pair<MovedBoundary::Point, MovedBoundary::Vector> MovedBoundary::on_grid(const double parameter) const
+{
+  const auto [m, share] = segment(parameter);
+  const Point &begin = body->boundary.grid_position[m],
+              &end = body->boundary.grid_position[body->boundary.next(m)];
+  return {begin + share * (end - begin), edge_normal(begin, end)};
+}
+
 double MovedBoundary::facing(const Vector &direction) const
 {
   const auto side = [&](const unsigned int m)

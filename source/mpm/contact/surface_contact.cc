@@ -46,6 +46,18 @@ double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector
   return length > 0. ? facing / length : 0.;
 }
 
+/// See SubgridCompliance; of a place on an outline.
+double log_full_width(const ContactScene<2> &scene,
+                      const Body<2> &body,
+                      const MovedBoundary &boundary,
+                      const double parameter)
+{
+  if (!scene.subgrid.on || !SubgridCompliance::is_round(body))
+    return 0.;
+  const auto [place, normal] = boundary.on_grid(parameter);
+  return scene.subgrid.log_full_width(body.law->poisson_ratio(), place, normal);
+}
+
 void find_wall_rows(const ContactScene<2> &scene,
                     const ContactReach &reach,
                     const Body<2> &body,
@@ -85,6 +97,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.body_weights = own.weights(seeker.parameter);
                  row.place = at.position;
                  row.normal = wall.normal;
+                 row.log_full_width[0] = log_full_width(scene, body, own, seeker.parameter);
                  row.gap = start;
                  row.length = tributary_length(own, seeker);
                  take_pair(scene, row);
@@ -235,6 +248,8 @@ private:
     row.partner_weights = other.weights(found.first, found.share);
     row.place = at.position;
     row.normal = opposite.normal;
+    row.log_full_width = {{log_full_width(scene, body, own, seeker.parameter),
+                           log_full_width(scene, partner, other, found.first + found.share)}};
     row.gap = start;
     row.length = tributary_length(own, seeker);
     // What lies around the corners of a partner is held by the rows of the one that looks everywhere.

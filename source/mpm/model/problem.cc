@@ -7,7 +7,8 @@ namespace softgrain::mpm
 {
 SubgridCompliance Problem::subgrid() const
 {
-  return {settings.subgrid_compliance() && places_are_free() && !pairs.adhere(), lattice->cell_size()};
+  return {settings.subgrid_compliance() && places_are_free() && !pairs.adhere(), lattice->cell_size(),
+          lattice->lower()};
 }
 
 bool Problem::places_are_free() const

@@ -30,6 +30,7 @@ ContactScene<2> contact_scene(const Problem &problem,
                         share,
                         problem.places_are_free(),
                         problem.places_slide(),
+                        problem.subgrid(),
                         state.adhesion.reach()};
   scene.obstacles = state.obstacles.empty() ? nullptr : &state.obstacles;
   scene.cell = cell ? &*cell : nullptr;

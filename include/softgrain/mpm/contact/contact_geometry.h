@@ -7,6 +7,7 @@
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/subgrid_compliance.h>
 #include <softgrain/scene/contact_pairs.h>
 
 #include <vector>
@@ -33,6 +34,7 @@ struct ContactScene
   bool free_places = false; ///< places of round bodies that look for contact need not turn with them
   /// Whether rows count that such places slide along outlines, see PlaceSlide.
   bool places_slide = false;
+  SubgridCompliance subgrid; ///< what the grid misses of dents
   double adhesion_reach = 0; ///< gap up to which rows may pull [m]
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -37,7 +38,9 @@ struct ContactRow
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
   double adhesion = 0; ///< strength of the pair [N/m^2]
-  double pull = 0;     ///< cohesive force over the step, as its impulses count forces [N/m]
+  /// Of its place on the body and on the partner, see SubgridCompliance::log_full_width().
+  std::array<double, 2> log_full_width = {{0., 0.}};
+  double pull = 0; ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::shared_ptr<const PlaceSlide<dim>>
       slide;             ///< of the places of the pair; null where they stay on the body
@@ -84,6 +87,12 @@ struct ContactRow
     return t;
   }
 };
+
+/// What the keys of the rows of one pair have in common: all but the place that looks, see row_key().
+inline std::uint64_t pair_of(const std::uint64_t key)
+{
+  return key & ~(std::uint64_t{0xffff} << 24);
+}
 
 /// Gap of rows by their key [m].
 using GapsByRow = std::unordered_map<std::uint64_t, double>;

@@ -14,9 +14,11 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace softgrain::mpm
@@ -38,6 +40,8 @@ public:
               double dt,
               const ContactMemory<dim> *before);
 
+  /// Whether what the next rows belong to is a held step, see place_dents().
+  bool held = false;
   /// Walls that are unknowns of the step; to be set before reinit().
   FreeWalls<dim> free_walls;
 
@@ -115,11 +119,21 @@ private:
   struct Pair
   {
     unsigned int first, end;
-    double compliance = 0; ///< sub-grid, as last condensed [m^2/N]
+    double compliance = 0;                             ///< sub-grid, as last condensed [m^2/N]
+    std::array<double, 2> log_full_width = {{0., 0.}}; ///< of body and partner, see SubgridCompliance
   };
 
   void keep_pushes();
   double normal_force(const Pair &pair, double dt) const;
+  /**
+   * Finds where on their outlines the pairs touch. It is asked at the first search of a step that moves and
+   * kept for all that follow, those of its held steps among them: a compliance that changes with the place
+   * gives forces that no energy belongs to, and with them some packings go round for ever.
+   */
+  void place_dents(bool first_search);
+  /// What the grid misses of the contact of a pair.
+  SubgridCompliance::Dent
+  dent(const Pair &pair, const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid) const;
 
   void color_pairs(const std::vector<Body<dim>> &bodies);
   void color(const std::vector<unsigned int> &taking,
@@ -128,6 +142,7 @@ private:
 
   std::vector<ContactRow<dim>> rows;
   std::vector<Pair> pairs;
+  std::unordered_map<std::uint64_t, std::array<double, 2>> dent_places; ///< log_full_width by pair_of(row)
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
   std::vector<BodyRows<dim>> body_rows;                   ///< its H^T on them

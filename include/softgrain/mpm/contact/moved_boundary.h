@@ -110,6 +110,9 @@ public:
   Vector nodal_travel; ///< the same by its nodes alone, without what a cell that repeats adds [m]
   double spread = 0;   ///< largest displacement of a contact marker against that of the centre [m]
 
+  /// The place of a parameter in the configuration of the grid [m], and its unit outward normal there.
+  std::pair<Point, Vector> on_grid(double parameter) const;
+
 private:
   /// The curve from a marker to the next: its chord, and above that the cubic with these slopes at its ends.
   struct Arc

@@ -4,6 +4,8 @@
 
 #include <softgrain/mpm/body/body.h>
 
+#include <array>
+
 namespace softgrain::mpm
 {
 /**
@@ -16,34 +18,47 @@ namespace softgrain::mpm
  *     δ = F 2/(π E*) g(a/h),    E* = E/(1-ν²),    a² = 4 F R/(π E*)
  *
  * with the force F per length of the contact [N/m], and in a² the sums 1/R and 1/E* of both sides. g is one
- * function for all h and every body, g = ln(0.62 h/a) where that is positive: the grid puts a line force on a
- * width of about a cell. The constant is measured (doc/results/quasi-static.md), like that of a law of the
- * wall for turbulence. It belongs to quadratic B-splines and to round bodies that touch as soon as their
- * outlines do (Problem::places_are_free()); other bodies have none. Along the contact nothing is added.
+ * function for all h and every body, g = ln(k h/a) where that is positive: the grid puts a line force on a
+ * width of about a cell. How wide, k, depends on Poisson's ratio, on the angle between the outline and the
+ * lines of the grid, and on where between two of them the contact is; it is measured
+ * (doc/results/rim.md), like the constants of a law of the wall for turbulence. It belongs to quadratic
+ * B-splines and to round bodies that touch as soon as their outlines do (Problem::places_are_free()); other
+ * bodies have none. Along the contact nothing is added.
  */
 struct SubgridCompliance
 {
   bool on = false;
-  double cell_size = 0; ///< [m]
-  /// The function g for the half width a in cells.
-  static double missing_share(double half_width);
+  double cell_size = 0;           ///< [m]
+  dealii::Point<2> lattice_lower; ///< where lines of the grid cross [m]
 
-  /// Approach per force of the contact of @p body with @p partner, or with a rigid plane when that is null,
-  /// that the grid misses under @p force [N/m]; [m^2/N]
-  double operator()(const Body<2> &body, const Body<2> *partner, double force) const;
+  /// Whether what the grid misses of its dents is known.
+  static bool is_round(const Body<2> &body) { return body.boundary.circular && !body.driven; }
 
-  /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it;
-  /// below zero when the contact is wide, for δ falls again under larger forces [J/m].
-  double energy(const Body<2> &body, const Body<2> *partner, double force) const;
+  /**
+   * ln k at a place of the outline of a round body.
+   * @param place  in the configuration of the grid [m]
+   * @param normal of the outline there, unit
+   */
+  double log_full_width(double poisson_ratio,
+                        const dealii::Point<2> &place,
+                        const dealii::Tensor<1, 2> &normal) const;
 
-private:
   /// What the grid misses of a contact: δ = C F ln(F_full/F)/2 up to F_full.
   struct Dent
   {
     double compliance = 0.; ///< C [m^2/N]; 0: nothing is missed
     double full_force = 0.; ///< from which on the grid sees the whole dent [N/m]
   };
-  Dent dent(const Body<2> &body, const Body<2> *partner) const;
+  /// Of the contact of @p body with @p partner, or with a rigid plane when that is null; @p log_full_width of
+  /// both where they touch.
+  Dent dent(const Body<2> &body, const Body<2> *partner, const std::array<double, 2> &log_full_width) const;
+
+  /// Approach per force that the grid misses under @p force [N/m]; [m^2/N]
+  double operator()(const Dent &dent, double force) const;
+
+  /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it;
+  /// below zero when the contact is wide, for δ falls again under larger forces [J/m].
+  double energy(const Dent &dent, double force) const;
 };
 } // namespace softgrain::mpm
 
