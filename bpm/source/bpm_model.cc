@@ -22,6 +22,11 @@ std::string text(const double value, const std::string &unit)
   s << value << unit;
   return s.str();
 }
+
+/// Of the damping that is chosen for a wall under a pressure. Contacts of rigid disks stop it from swinging
+/// anyway, and while a packing is sheared all of it would hold up some percent of the pressure.
+constexpr double share_of_damping = 0.2;
+
 /// What a step changes of an obstacle; formulas are dear to copy.
 struct Felt
 {
@@ -67,7 +72,11 @@ void BpmModel::drive_walls(const double dt)
     if (wall.prescribed())
       wall.speed = wall.demand(now, dt).velocity;
     else
+    {
       wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w));
+      if (!wall.description.drive->inertia().damping)
+        wall.damping *= share_of_damping;
+    }
   }
 }
 

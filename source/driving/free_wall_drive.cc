@@ -46,7 +46,8 @@ void FreeWallDrive::declare_parameters(dealii::ParameterHandler &prm) const
                     "Units: kg/m.");
   prm.declare_entry("Damping", "automatic", dealii::Patterns::Anything(),
                     "Of a wall that is free to move: force that resists the motion, per velocity, or "
-                    "automatic: twice the root of mass times pressure. Units: kg/(m s).");
+                    "automatic: twice the root of mass times pressure, in the model bpm 0.4 times that root. "
+                    "Units: kg/(m s).");
 }
 
 void FreeWallDrive::parse_parameters(const dealii::ParameterHandler &prm, const std::string &wall)

@@ -113,6 +113,43 @@ end
             << below(1e-2, energy_error(start, model->energies())) << '\n';
 }
 
+/// A wall that meets nobody: what its load does not push, the damping that the program chooses holds,
+/// 0.4 times the root of mass times pressure.
+void falling_wall()
+{
+  const auto model = bpm_scene(grain_scene(disks({{"0, 0", "0; 0"}}, "10") + R"(
+subsection Walls
+  set Names = bottom, top, left, right
+  subsection bottom
+    set Point = 0, -10.6
+  end
+  subsection top
+    set Point    = 0, 1e4
+    set Drive    = pressure
+    set Pressure = 0.02
+    set Mass     = 50
+  end
+  subsection left
+    set Point = -20, 0
+  end
+  subsection right
+    set Point = 20, 0
+  end
+end
+)"),
+                               {});
+  const double mass = 50., load = 0.02 * 40., damping = 0.4 * std::sqrt(mass * 0.02);
+  double before = 0., off = 0.;
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    const double dt = model->advance(1.).dt, after = model->walls()[1].velocity;
+    off = std::max(off, std::abs(mass * (after - before) / dt + damping * after - load) / load);
+    before = after;
+  }
+  std::cout << "wall that meets nobody: Newton's law off by " << below(1e-9, off) << ", damping bears "
+            << (damping * before > 1e-3 * load ? "a part" : "NOTHING") << '\n';
+}
+
 void fixed_body()
 {
   const auto model = bpm_scene(grain_scene(disks({{"-10.6, 0", "0.3; 0"}, {"10.6, 0", "0; 0"}}, "10")),
@@ -140,5 +177,6 @@ int main()
   pressed("given", {mass + "100", damping + "5"});
   pressed("both halved", {mass + "50", damping + "2.5"});
   pressed("damping far above mass over step", {mass + "1", damping + "30"});
+  falling_wall();
   fixed_body();
 }
