@@ -58,7 +58,7 @@ public:
 
 private:
   std::vector<double> &numbers;
-  const bool with_places; ///< of slides, else what they do to the bodies as a whole
+  const bool with_places; ///< whether those of slides are told, else what slides do to bodies as a whole
   Slide last;
 };
 
