@@ -75,8 +75,8 @@ public:
   {
     constexpr double little = 1e-6;
     ContactSystem<2> system;
-    system.reinit(rows(u, slide), bodies, 1., nullptr);
-    const std::vector<double> said = system.relative_velocity(bodies, drive, v);
+    system.reinit(rows(u, slide), BodyShare(), false, bodies, 1., nullptr);
+    const std::vector<double> said = system.relative_velocity(BodyShare(), bodies, drive, v);
     std::map<std::uint64_t, double> change;
     for (const double side : {1., -1.})
     {

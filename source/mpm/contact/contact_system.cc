@@ -19,6 +19,8 @@ struct ContactSystem<dim>::Operator
 
 template <int dim>
 void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
+                                const BodyShare &share,
+                                const bool everywhere,
                                 const std::vector<Body<dim>> &bodies,
                                 const double dt,
                                 const ContactMemory<dim> *before)
@@ -57,12 +59,16 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
         for (unsigned int c = 0; c < components; ++c)
           body_components[b].push_back(r * components + c);
   body_rows.resize(bodies.size());
+  rows_here.assign(bodies.size(), 1);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    rows_here[b] = everywhere || share.mine(b);
   pushes.clear();
   parallel_for(bodies.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                   body_rows[b].reinit(bodies[b], rows, body_components[b], components);
+                   if (rows_here[b])
+                     body_rows[b].reinit(bodies[b], rows, body_components[b], components);
                });
   impulse.assign((rows.size() + free_walls.n_stops()) * components, 0.);
   velocity.assign(impulse.size(), 0.);
@@ -98,18 +104,34 @@ ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
 }
 
 template <int dim>
-std::vector<double> ContactSystem<dim>::relative_velocity(const std::vector<Body<dim>> &bodies,
+std::vector<double> ContactSystem<dim>::relative_velocity(const BodyShare &share,
+                                                          const std::vector<Body<dim>> &bodies,
                                                           const std::vector<dealii::Tensor<1, dim>> &drive,
                                                           const std::vector<Eigen::VectorXd> &nodal) const
 {
   std::vector<double> w(rows.size() * n_components(), 0.);
+  std::vector<Eigen::VectorXd> of_bodies(bodies.size());
+  share.for_mine(
+      bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        if (!body_components[b].empty())
+          of_bodies[b] = body_rows[b].velocities(nodal[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (!bodies[b].driven)
+          {
+            of_bodies[b].resize(body_components[b].size());
+            message.add(b, of_bodies[b].data(), of_bodies[b].size());
+          }
+      });
   for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (!bodies[b].driven && !body_components[b].empty())
-    {
-      const Eigen::VectorXd own = body_rows[b].velocities(nodal[b]);
+    if (!bodies[b].driven)
       for (unsigned int k = 0; k < body_components[b].size(); ++k)
-        w[body_components[b][k]] += own[k];
-    }
+        w[body_components[b][k]] += of_bodies[b][k];
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
       for (unsigned int c = 0; c < n_components(); ++c)
@@ -142,7 +164,7 @@ void ContactSystem<dim>::keep_pushes()
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                   if (!body_components[b].empty())
+                   if (knows_rows_of(b))
                    {
                      now[b].setZero(body_rows[b].n_dofs());
                      add_impulses(b, now[b]);

@@ -15,7 +15,7 @@ std::vector<double> row_velocity(const State &state,
 {
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
-  std::vector<double> q = work.contact.relative_velocity(state.bodies, work.drive, v);
+  std::vector<double> q = work.contact.relative_velocity(work.share, state.bodies, work.drive, v);
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   dealii::Tensor<2, 2> at_start, at_end;
   if (cell)

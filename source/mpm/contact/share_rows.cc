@@ -14,7 +14,7 @@ using Slide = std::shared_ptr<const PlaceSlide<2>>;
 class Packer
 {
 public:
-  explicit Packer(std::vector<double> &numbers) : numbers(numbers) {}
+  Packer(std::vector<double> &numbers, const bool with_places) : numbers(numbers), with_places(with_places) {}
 
   void operator()(const double value) { numbers.push_back(value); }
   void operator()(const unsigned int value) { numbers.push_back(value); }
@@ -48,7 +48,8 @@ public:
     numbers.push_back(value == nullptr ? 0. : is_new ? 2. : 1.);
     if (!is_new)
       return;
-    (*this)(value->place);
+    if (with_places)
+      (*this)(value->place);
     (*this)(value->across);
     (*this)(value->of_body_centre);
     (*this)(value->of_centre);
@@ -57,13 +58,17 @@ public:
 
 private:
   std::vector<double> &numbers;
+  const bool with_places; ///< whether those of slides are told, else what slides do to bodies as a whole
   Slide last;
 };
 
 class Unpacker
 {
 public:
-  explicit Unpacker(const std::vector<double> &numbers) : at(numbers.data()), end(at + numbers.size()) {}
+  Unpacker(const std::vector<double> &numbers, const bool with_places)
+      : at(numbers.data()), end(at + numbers.size()), with_places(with_places)
+  {
+  }
 
   bool done() const { return at == end; }
 
@@ -98,7 +103,8 @@ public:
     if (kind == 2.)
     {
       const auto slide = std::make_shared<PlaceSlide<2>>();
-      (*this)(slide->place);
+      if (with_places)
+        (*this)(slide->place);
       (*this)(slide->across);
       (*this)(slide->of_body_centre);
       (*this)(slide->of_centre);
@@ -109,18 +115,28 @@ public:
 
 private:
   const double *at, *end;
+  const bool with_places;
   Slide last;
 };
 
-/// Every part of a row, but for the body that looks.
-template <typename Parts, typename SomeRow>
-void for_parts(Parts &part, SomeRow &row)
+/// Which weights of nodes are told of a row.
+enum class Weights
 {
-  part(row.partner);
+  all,
+  of_partner,
+  none
+};
+
+/// Every part of a row, but for its two bodies.
+template <typename Parts, typename SomeRow>
+void for_parts(Parts &part, const Weights weights, SomeRow &row)
+{
   part(row.wall);
   part(row.obstacle);
-  part(row.body_weights);
-  part(row.partner_weights);
+  if (weights == Weights::all)
+    part(row.body_weights);
+  if (weights != Weights::none)
+    part(row.partner_weights);
   part(row.place);
   part(row.normal);
   part(row.gap);
@@ -174,18 +190,30 @@ std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const Contac
 void share_rows(const BodyShare &share,
                 const std::size_t n_bodies,
                 const std::function<void()> &find,
+                const bool weights_everywhere,
                 std::vector<Row> &rows)
 {
   std::vector<std::vector<double>> packed(n_bodies);
+  // What nodes have to do with a row matters to the ranks of its two bodies, mostly one.
+  const auto weights_of = [&](const unsigned int body, const unsigned int partner)
+  {
+    if (weights_everywhere)
+      return Weights::all;
+    return partner == Row::none || share.owner(partner) == share.owner(body) ? Weights::none
+                                                                             : Weights::of_partner;
+  };
   share.share_lists(
       [&]()
       {
         find();
         for (std::size_t first = 0, end; first < rows.size(); first = end)
         {
-          Packer pack(packed[rows[first].body]);
+          Packer pack(packed[rows[first].body], weights_everywhere);
           for (end = first; end < rows.size() && rows[end].body == rows[first].body; ++end)
-            for_parts(pack, rows[end]);
+          {
+            pack(rows[end].partner);
+            for_parts(pack, weights_of(rows[end].body, rows[end].partner), rows[end]);
+          }
         }
       },
       packed);
@@ -201,11 +229,12 @@ void share_rows(const BodyShare &share,
       all.insert(all.end(), std::make_move_iterator(rows.begin() + first),
                  std::make_move_iterator(rows.begin() + own));
     else
-      for (Unpacker unpack(packed[b]); !unpack.done();)
+      for (Unpacker unpack(packed[b], weights_everywhere); !unpack.done();)
       {
-        all.emplace_back();
-        all.back().body = b;
-        for_parts(unpack, all.back());
+        Row &row = all.emplace_back();
+        row.body = b;
+        unpack(row.partner);
+        for_parts(unpack, weights_of(b, row.partner), row);
       }
   }
   rows = std::move(all);
@@ -223,7 +252,7 @@ GapsByRow share_gaps_where_found(const BodyShare &share,
         find();
         for (const Row &row : rows)
         {
-          Packer pack(packed[row.body]);
+          Packer pack(packed[row.body], false);
           pack(row.key);
           pack(row.gap_where_found);
         }
@@ -231,7 +260,7 @@ GapsByRow share_gaps_where_found(const BodyShare &share,
       packed);
   GapsByRow gaps;
   for (const std::vector<double> &numbers : packed)
-    for (Unpacker unpack(numbers); !unpack.done();)
+    for (Unpacker unpack(numbers, false); !unpack.done();)
     {
       std::uint64_t key = 0;
       double gap = 0.;

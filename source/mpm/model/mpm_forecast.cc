@@ -29,7 +29,7 @@ constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matte
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
 constexpr double falling_way = 0.33;         ///< cells in a step, where bodies fall on each other
-constexpr double divided_work = 0.77, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
+constexpr double divided_work = 0.86, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
 constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
 

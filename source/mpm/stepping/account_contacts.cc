@@ -50,7 +50,8 @@ void account_contacts(const Problem &problem,
   const unsigned int components = work.contact.n_components();
   const std::vector<double> &P = work.contact.impulses();
   const std::vector<double> w =
-      rows.empty() ? std::vector<double>() : work.contact.relative_velocity(state.bodies, work.drive, rate);
+      rows.empty() ? std::vector<double>()
+                   : work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (unsigned int c = 0; c < components; ++c)
     {

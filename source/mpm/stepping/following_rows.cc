@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/step_rows.h>
 
 #include <algorithm>
+#include <array>
 
 namespace softgrain::mpm
 {
@@ -58,13 +59,17 @@ void FollowingRows::find(const Vectors &increment, const bool again)
 
 double FollowingRows::way(const Vectors &increment, const Vectors *from) const
 {
+  const auto ways =
+      work.share.numbers<1>(state.bodies,
+                            [&](const Body<2> &body)
+                            {
+                              const Eigen::VectorXd &u = increment[body.index];
+                              return std::array<double, 1>{largest_way(
+                                  body, from == nullptr ? u : Eigen::VectorXd(u - (*from)[body.index]))};
+                            });
   double way = 0.;
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-    {
-      const Eigen::VectorXd &u = increment[body.index];
-      way = std::max(way, largest_way(body, from == nullptr ? u : Eigen::VectorXd(u - (*from)[body.index])));
-    }
+  for (const auto &of_body : ways)
+    way = std::max(way, of_body[0]);
   return way;
 }
 

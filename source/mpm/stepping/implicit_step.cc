@@ -14,6 +14,7 @@
 #include <softgrain/mpm/stepping/step_equations.h>
 
 #include <algorithm>
+#include <array>
 
 namespace softgrain::mpm
 {
@@ -43,7 +44,7 @@ public:
       , equations(problem, state, work, plan)
       , rows(problem, state, work, plan.dt, motion)
       , contact(problem, state, work, plan, motion, equations, outcome)
-      , search(problem, work, equations)
+      , search(problem, state, work, equations)
       , trial(state.bodies.size())
       , direction(state.bodies.size())
   {
@@ -100,7 +101,7 @@ private:
   FollowingRows rows;
   StepContact contact;
   NewtonSearch search;
-  Vectors trial, direction; ///< v⁺, and where Newton's method sends it [m/s]
+  Vectors trial, direction; ///< v⁺ of this rank's bodies, and where Newton's method sends it [m/s]
 };
 
 // v⁺ = v: bodies go on as they did; without inertia they stay. A guess that turns a point inside out is
@@ -162,7 +163,7 @@ void ImplicitStep::move_to(const Vectors &increment)
 {
   const Vectors before = trial;
   for (unsigned int b = 0; b < trial.size(); ++b)
-    if (equations.moves(b))
+    if (equations.moves(b) && work.share.mine(b))
       trial[b] += (increment[b] - equations.increment[b]) / (problem.settings.scheme.theta * plan.dt);
   if (equations.evaluate(trial))
     return;
@@ -176,7 +177,7 @@ bool ImplicitStep::in_balance()
   if (outcome.newton_iterations == 0)
     return false;
   outcome.newton_residual = equations.residual();
-  return contact.converged() && search.converged(trial, outcome.newton_residual);
+  return contact.converged() && search.converged();
 }
 
 // One iteration; factors of the one before that turn out to be too old are made anew.
@@ -203,17 +204,18 @@ std::string ImplicitStep::iterate()
   }
   if (condensed && touches)
     contact.condense(new_factors); // W = H A⁻¹ Hᵀ
+  StepEquations::Slope slope;
   if (condensed || !touches)
-    equations.solve(false, direction); // A (v⁺ - v⁺ᵢ) = missing impulse
+    slope = equations.solve(false, direction); // A (v⁺ - v⁺ᵢ) = missing impulse
   if (touches)
   {
     const std::string trouble = // P by Signorini and Coulomb
         condensed ? contact.solve_condensed(trial, direction) : contact.solve_lumped(trial);
     if (!trouble.empty())
       return trouble;
-    equations.solve(true, direction); // A (v⁺ - v⁺ᵢ) = missing impulse + Hᵀ P
+    slope = equations.solve(true, direction); // A (v⁺ - v⁺ᵢ) = missing impulse + Hᵀ P
   }
-  return search.go(trial, direction, outcome.newton_iterations == 0);
+  return search.go(trial, direction, slope, outcome.newton_iterations == 0);
 }
 
 // Whether a step in balance may be taken as it is. @return why not; empty too when a law asks for a shorter
@@ -248,7 +250,24 @@ std::string ImplicitStep::too_deep()
 
 void ImplicitStep::accept(State &state_to_change)
 {
-  equations.share_internal();
+  // Of a body: its largest move, and what the scheme takes from it.
+  std::vector<std::array<double, 2>> told(trial.size());
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        told[b] = {largest_way(body, equations.increment[b]), equations.scheme_damping(b, trial[b])};
+        if (problem.settings.scheme.inertia)
+          spread_imbalance(body, equations.unbalanced(b), trial[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, trial);
+        message.add(state.bodies, equations.internal);
+        for (unsigned int b = 0; b < told.size(); ++b)
+          message.add(b, told[b].data(), told[b].size());
+      });
   Vectors rate(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
     rate[b] = equations.increment[b] / plan.dt;
@@ -262,14 +281,10 @@ void ImplicitStep::accept(State &state_to_change)
                   std::vector<double>(trial.size(), 0.),
                   equations.regularisation_work()};
   for (unsigned int b = 0; b < trial.size(); ++b)
-    if (equations.moves(b))
-    {
-      outcome.largest_move =
-          std::max(outcome.largest_move, largest_way(state.bodies[b], equations.increment[b]));
-      found.scheme_damping[b] = equations.scheme_damping(b, trial[b]);
-      if (problem.settings.scheme.inertia)
-        spread_imbalance(state.bodies[b], equations.unbalanced(b), trial[b]);
-    }
+  {
+    outcome.largest_move = std::max(outcome.largest_move, told[b][0]);
+    found.scheme_damping[b] = told[b][1];
+  }
   accept_step(problem, state_to_change, work, found);
 }
 } // namespace

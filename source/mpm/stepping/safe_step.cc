@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,7 +21,18 @@ struct Flight
   double spread = 0.;            ///< of the velocities of its outline about the mean [m/s]
   double width = 0.;             ///< of the body where it is narrowest [m]
   dealii::Point<2> lower, upper; ///< of the box around it [m]
+
+  using Numbers = std::array<double, 8>;
+  Numbers numbers() const
+  {
+    return {velocity[0], velocity[1], spread, width, lower[0], lower[1], upper[0], upper[1]};
+  }
 };
+
+Flight flight_of(const Flight::Numbers &n)
+{
+  return {dealii::Tensor<1, 2>({n[0], n[1]}), n[2], n[3], {n[4], n[5]}, {n[6], n[7]}};
+}
 
 Flight flight_of(const Body<2> &body, const Vector &drive)
 {
@@ -156,9 +168,11 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
   if (follow && state.bodies.size() < 2)
     return dt;
   const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();
+  const auto told = work.share.numbers<8>(state.bodies, [&](const Body<2> &body)
+                                          { return flight_of(body, Vector()).numbers(); });
   std::vector<Flight> flights;
   for (const Body<2> &body : state.bodies)
-    flights.push_back(flight_of(body, work.drive[body.index]));
+    flights.push_back(body.driven ? flight_of(body, work.drive[body.index]) : flight_of(told[body.index]));
   if (state.repeats())
     return safe_in_cell(problem, state, flights, dt);
   double step = safe_from_bodies(problem, state, flights, reach, dt);

@@ -49,8 +49,8 @@ StepEquations::StepEquations(const Problem &problem,
     , turns_easily(state.bodies.size(), 0.)
     , half_turn(state.bodies.size(), 0.)
     , spin(state.bodies.size(), 0.)
-    , internal_norm(state.bodies.size(), 0.)
     , holding(state.bodies.size(), 0.)
+    , measured(state.bodies.size(), std::array<double, 4>{})
 {
   for (const Body<2> &body : state.bodies)
     if (body.driven)
@@ -98,74 +98,54 @@ double StepEquations::turned_by_load(const Body<2> &body, const Eigen::VectorXd 
 
 void StepEquations::rows_changed()
 {
+  rows_known = true;
   if (work.contact.empty() || scheme.theta == 1.)
     return;
   Vectors v;
   for (const Body<2> &body : state.bodies)
     v.push_back(body.velocity);
-  start_relative = work.contact.relative_velocity(state.bodies, work.drive, v);
+  start_relative = work.contact.relative_velocity(work.share, state.bodies, work.drive, v);
 }
 
 bool StepEquations::evaluate(const Vectors &v)
+{
+  return evaluate_after([](unsigned int) {}, v);
+}
+
+bool StepEquations::evaluate_on_way(const Way &way, const double fraction, Vectors &v)
+{
+  return evaluate_after([&](const unsigned int b) { v[b] = go(b, way, fraction); }, v);
+}
+
+bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &before, const Vectors &v)
 {
   dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
   const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
   stress.assign(state.bodies.size(), StressOutcome());
   const double law_dt = plan.law_dt(), end = state.time + law_dt;
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        if (scheme.inertia)
-          increment[b] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v[b]);
-        else
-          increment[b] = dt * v[b];
-      });
   SharedOutcomes outcomes(work.share, stress);
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
+        before(b);
+        find_increment(body, v[b]);
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
                                     {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
           return;
         internal_force(body, work.trial[b], internal[b]);
-        internal_norm[b] = internal[b].norm();
-        Eigen::VectorXd &P = missing_impulse[b];
-        // Forces at both ends are turned with the body to where it is halfway: there they and the contacts
-        // have no torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
-        const double half = half_turn[b] =
-            scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
-        if (half == 0.)
-          P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
-        else
-          P = dt *
-              ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
-        if (external[b].size() > 0)
-          // newmark's stored acceleration already holds the load at the start of the step.
-          P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
-        const Eigen::VectorXd resisted = scheme.inertia ? v[b] - body.velocity : v[b] - free_way(b);
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          if (scheme.inertia)
-            P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
-          else
-            P.segment<2>(2 * i) -= shift[b] * body.mass[i] * resisted.segment<2>(2 * i);
-        if (rotation_weight[b] > 0.)
-        {
-          Eigen::VectorXd &z = lever[b];
-          z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
-          const double forbidden = scheme.inertia ? z.dot(v[b] - body.velocity) - spin[b] : z.dot(v[b]);
-          holding[b] = rotation_weight[b] * forbidden;
-          P -= holding[b] * z;
-        }
+        find_missing_impulse(body, v[b]);
+        if (rows_known)
+          measure(body, v[b]);
       },
       [&](BodyShare::Message &message)
       {
-        message.add(state.bodies, missing_impulse);
+        message.add(state.bodies, increment);
         message.add(holding);
-        message.add(internal_norm);
+        for (unsigned int b = 0; b < measured.size(); ++b)
+          message.add(b, measured[b].data(), measured[b].size());
         outcomes.add_to(message);
       });
   outcomes.take();
@@ -178,6 +158,45 @@ bool StepEquations::evaluate(const Vectors &v)
   return true;
 }
 
+void StepEquations::find_increment(const Body<2> &body, const Eigen::VectorXd &v)
+{
+  if (scheme.inertia)
+    increment[body.index] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v);
+  else
+    increment[body.index] = dt * v;
+}
+
+void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v)
+{
+  const unsigned int b = body.index;
+  Eigen::VectorXd &P = missing_impulse[b];
+  // Forces at both ends are turned with the body to where it is halfway: there they and the contacts have no
+  // torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
+  const double half = half_turn[b] =
+      scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
+  if (half == 0.)
+    P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
+  else
+    P = dt * ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
+  if (external[b].size() > 0)
+    // newmark's stored acceleration already holds the load at the start of the step.
+    P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
+  const Eigen::VectorXd resisted = scheme.inertia ? v - body.velocity : v - free_way(b);
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    if (scheme.inertia)
+      P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
+    else
+      P.segment<2>(2 * i) -= shift[b] * body.mass[i] * resisted.segment<2>(2 * i);
+  if (rotation_weight[b] > 0.)
+  {
+    Eigen::VectorXd &z = lever[b];
+    z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
+    const double forbidden = scheme.inertia ? z.dot(v - body.velocity) - spin[b] : z.dot(v);
+    holding[b] = rotation_weight[b] * forbidden;
+    P -= holding[b] * z;
+  }
+}
+
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
 {
   Eigen::VectorXd P = missing_impulse[b];
@@ -185,46 +204,50 @@ Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
   return P;
 }
 
+void StepEquations::measure(const Body<2> &body, const Eigen::VectorXd &v)
+{
+  const unsigned int b = body.index;
+  const double h = problem.lattice->cell_size();
+  Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
+  work.contact.add_impulses(b, contact);
+  double scale = std::max(contact.norm(), dt * internal[b].norm());
+  if (scheme.inertia)
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      scale = std::max(scale, 1e-6 * body.mass[i] * body.velocity.segment<2>(2 * i).norm());
+  if (external[b].size() > 0)
+    scale = std::max(scale, dt * external[b].norm());
+  // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
+  const double moved = body.displacement.lpNorm<Eigen::Infinity>();
+  scale = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
+  measured[b] = {unbalanced(b).squaredNorm(), (missing_impulse[b] + contact).norm(), scale, v.squaredNorm()};
+}
+
 double StepEquations::unbalanced_norm() const
 {
-  std::vector<double> squares(state.bodies.size(), 0.);
-  state.for_moving_bodies([&](const Body<2> &body)
-                          { squares[body.index] = unbalanced(body.index).squaredNorm(); });
   double sum = 0.;
-  for (const double square : squares)
+  for (const auto &[square, norm, scale, length_square] : measured)
     sum += square;
   return std::sqrt(sum);
 }
 
 double StepEquations::residual() const
 {
-  const double h = problem.lattice->cell_size();
-  std::vector<double> norms(state.bodies.size(), 0.), scales(state.bodies.size(), 0.);
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
-        work.contact.add_impulses(b, contact);
-        norms[b] = (missing_impulse[b] + contact).norm();
-        double scale = std::max(contact.norm(), dt * internal_norm[b]);
-        if (scheme.inertia)
-          for (unsigned int i = 0; i < body.mass.size(); ++i)
-            scale = std::max(scale, 1e-6 * body.mass[i] * body.velocity.segment<2>(2 * i).norm());
-        if (external[b].size() > 0)
-          scale = std::max(scale, dt * external[b].norm());
-        // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
-        const double moved = body.displacement.lpNorm<Eigen::Infinity>();
-        scales[b] = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
-      });
-  return *std::max_element(norms.begin(), norms.end()) / *std::max_element(scales.begin(), scales.end());
+  double largest = 0., largest_scale = 0.;
+  for (const auto &[square, norm, scale, length_square] : measured)
+  {
+    // What is not a number stays so, for no step to end with it.
+    largest = std::isnan(norm) ? norm : std::max(largest, norm);
+    largest_scale = std::max(largest_scale, scale);
+  }
+  return largest / largest_scale;
 }
 
-void StepEquations::share_internal()
+double StepEquations::trial_length() const
 {
-  BodyShare::Message message(work.share);
-  message.add(state.bodies, internal);
-  message.send();
+  double sum = 0.;
+  for (const auto &[square, norm, scale, length_square] : measured)
+    sum += length_square;
+  return std::sqrt(sum);
 }
 
 double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
@@ -277,15 +300,11 @@ bool StepEquations::rotation_is_gauge() const
   return true;
 }
 
-Eigen::VectorXd StepEquations::go(const unsigned int b,
-                                  const Eigen::VectorXd &x,
-                                  const double fraction,
-                                  const Eigen::VectorXd &direction,
-                                  const Eigen::VectorXd &from) const
+Eigen::VectorXd StepEquations::go(const unsigned int b, const Way &way, const double fraction) const
 {
   // A trial is a velocity; theta dt of it is displacement.
-  Eigen::VectorXd step = (fraction * scheme.theta * dt) * direction;
-  turn_along_circles(state.bodies[b], rotation[b], state.bodies[b].displacement + from, step);
-  return x + step / (scheme.theta * dt);
+  Eigen::VectorXd step = (fraction * scheme.theta * dt) * way.direction[b];
+  turn_along_circles(state.bodies[b], rotation[b], state.bodies[b].displacement + way.from[b], step);
+  return way.x[b] + step / (scheme.theta * dt);
 }
 } // namespace softgrain::mpm

@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace softgrain::mpm
@@ -112,18 +113,29 @@ void StepEquations::heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eig
   }
 }
 
-void StepEquations::solve(const bool with_contact, Vectors &x) const
+StepEquations::Slope StepEquations::solve(const bool with_contact, Vectors &x) const
 {
   dealii::TimerOutput::Scope section(*work.timer, "linear solves");
-  work.share.for_mine(
+  const auto of_bodies = work.share.numbers<3>(
       state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        work.solvers[b]->solve(with_contact ? unbalanced(b) : missing_impulse[b], x[b]);
+        const Eigen::VectorXd right = with_contact ? unbalanced(b) : missing_impulse[b];
+        work.solvers[b]->solve(right, x[b]);
         if (!with_contact && work.contact.empty() && std::abs(half_turn[b]) > small_turn)
           heed_turn(body, missing_impulse[b], x[b]);
-      },
-      [&](BodyShare::Message &message) { message.add(state.bodies, x); });
+        return std::array<double, 3>{x[b].dot(right), right.squaredNorm(), x[b].squaredNorm()};
+      });
+  Slope slope;
+  for (const auto &[work_done, square, length_square] : of_bodies)
+  {
+    slope.work += work_done;
+    slope.merit += square;
+    slope.length += length_square;
+  }
+  slope.merit = std::sqrt(slope.merit);
+  slope.length = std::sqrt(slope.length);
+  return slope;
 }
 } // namespace softgrain::mpm

@@ -62,7 +62,7 @@ void find_rows(const Problem &problem,
   {
     moved = share_boundaries(work.share, where);
     where.moved = &moved;
-    share_rows(work.share, state.bodies.size(), find, rows);
+    share_rows(work.share, state.bodies.size(), find, !problem.settings.condenses(), rows);
   }
   else
     find();
@@ -78,7 +78,8 @@ void find_rows(const Problem &problem,
       // The impulse of newmark is half a step of the force at its end.
       row.pull = (problem.settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
                  (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap) : 0.);
-  work.contact.reinit(std::move(rows), state.bodies, dt, again ? nullptr : &state.memory);
+  work.contact.reinit(std::move(rows), work.share, !problem.settings.condenses(), state.bodies, dt,
+                      again ? nullptr : &state.memory);
 }
 
 GapsByRow true_gaps(const Problem &problem,
@@ -120,7 +121,7 @@ std::vector<double> end_gaps(const State &state,
   std::vector<Eigen::VectorXd> rate(increment.size());
   for (unsigned int b = 0; b < increment.size(); ++b)
     rate[b] = increment[b] / dt;
-  const std::vector<double> w = work.contact.relative_velocity(state.bodies, work.drive, rate);
+  const std::vector<double> w = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
   std::vector<double> gap(rows.size());
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   for (unsigned int r = 0; r < rows.size(); ++r)

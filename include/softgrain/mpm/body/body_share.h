@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,22 @@ public:
                      fill(message);
                      return std::move(message.pieces);
                    });
+  }
+
+  /// @p n numbers of every body that is not driven, which @p work gives for those of this rank, else 0: known
+  /// to all ranks.
+  template <std::size_t n, class Bodies, class Work>
+  std::vector<std::array<double, n>> numbers(Bodies &bodies, const Work &work) const
+  {
+    std::vector<std::array<double, n>> of_bodies(bodies.size(), std::array<double, n>{});
+    for_mine(
+        bodies, [&](auto &body) { of_bodies[body.index] = work(body); },
+        [&](Message &message)
+        {
+          for (unsigned int b = 0; b < of_bodies.size(); ++b)
+            message.add(b, of_bodies[b].data(), n);
+        });
+    return of_bodies;
   }
 
   /// Lists of any length, one per body, that @p work makes on every rank for its own bodies.

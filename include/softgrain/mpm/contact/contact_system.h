@@ -34,8 +34,11 @@ class ContactSystem
 {
 public:
   /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
-  /// step @p before or, when that is null, the impulses that such rows have now.
+  /// step @p before or, when that is null, the impulses that such rows have now. What rows do to the nodes of
+  /// a body is known on its rank, or @p everywhere.
   void reinit(std::vector<ContactRow<dim>> rows,
+              const BodyShare &share,
+              bool everywhere,
               const std::vector<Body<dim>> &bodies,
               double dt,
               const ContactMemory<dim> *before);
@@ -60,12 +63,13 @@ public:
   const std::vector<double> &velocities() const { return velocity; }
 
   /// H v for the given nodal velocities, one value per component; driven bodies move as @p drive says, one
-  /// per body [m/s].
-  std::vector<double> relative_velocity(const std::vector<Body<dim>> &bodies,
+  /// per body [m/s]. Every rank gives velocities of its own bodies, and learns the values of all.
+  std::vector<double> relative_velocity(const BodyShare &share,
+                                        const std::vector<Body<dim>> &bodies,
                                         const std::vector<dealii::Tensor<1, dim>> &drive,
                                         const std::vector<Eigen::VectorXd> &nodal) const;
 
-  /// Adds H^T P of body @p b to @p nodal, with the present impulses.
+  /// Adds H^T P of body @p b, whose rows are known here, to @p nodal, with the present impulses.
   void add_impulses(unsigned int b, Eigen::VectorXd &nodal) const;
 
   /**
@@ -124,6 +128,7 @@ private:
   };
 
   void keep_pushes();
+  bool knows_rows_of(unsigned int b) const { return rows_here[b] && !body_components[b].empty(); }
   double normal_force(const Pair &pair, double dt) const;
   /**
    * Finds where on their outlines the pairs touch. It is asked at the first search of a step that moves and
@@ -145,9 +150,10 @@ private:
   std::unordered_map<std::uint64_t, std::array<double, 2>> dent_places; ///< log_full_width by pair_of(row)
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
-  std::vector<BodyRows<dim>> body_rows;                   ///< its H^T on them
+  std::vector<BodyRows<dim>> body_rows;                   ///< its H^T on them, where rows_here
+  std::vector<char> rows_here;
   std::vector<Eigen::VectorXd>
-      pushes; ///< H^T P of every body after a solve(), asked for several times; else none
+      pushes; ///< H^T P of the same bodies after a solve(), asked for several times; else none
   std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
 };

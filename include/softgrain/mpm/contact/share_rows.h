@@ -17,9 +17,11 @@ std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const Contac
 
 /// Makes of the rows that @p find puts into @p rows, on every rank for its own bodies, those of all bodies,
 /// on all ranks: in the order of the bodies that look, as one rank finds them. There are several ranks.
+/// @param weights_everywhere all ranks have the weights of nodes in a row, else those of the two bodies
 void share_rows(const BodyShare &share,
                 std::size_t n_bodies,
                 const std::function<void()> &find,
+                bool weights_everywhere,
                 std::vector<ContactRow<2>> &rows);
 
 /// The same where only the gaps matter.

@@ -106,6 +106,9 @@ struct Settings
     return subgrid && !scheme.inertia && rows_follow() && shape == "bspline";
   }
 
+  /// Whether contact is solved with what the matrices of bodies say of their rows, else with nodal masses.
+  bool condenses() const { return scheme.implicit && coupling == ContactCoupling::condensed; }
+
   /// Whether contact rows are found again as Newton goes.
   bool rows_follow() const
   {

@@ -15,25 +15,24 @@ class NewtonSearch
 public:
   using Vectors = StepEquations::Vectors;
 
-  NewtonSearch(const Problem &problem, const Workspace &work, StepEquations &equations);
+  NewtonSearch(const Problem &problem, const State &state, const Workspace &work, StepEquations &equations);
 
-  /// Goes from @p trial along @p direction as far as the unbalanced impulse falls and no point turns inside
-  /// out [m/s]. @return why there is no such way, empty when it went well
-  std::string go(Vectors &trial, const Vectors &direction, bool first);
+  /// Goes from @p trial along @p direction, which promises @p slope, as far as the unbalanced impulse falls
+  /// and no point turns inside out [m/s]. @return why there is no such way, empty when it went well
+  std::string go(Vectors &trial, const Vectors &direction, const StepEquations::Slope &slope, bool first);
 
-  /// Whether the step is found: in balance, and the last direction short (3.22).
-  /// @param trial    the end velocities [m/s]
-  /// @param residual StepEquations::residual() of them
-  bool converged(const Vectors &trial, double residual) const;
+  /// Whether the step is found with the end velocities last evaluated: in balance, and the last direction
+  /// short (3.22).
+  bool converged() const;
 
   /// Whether the factors of the last direction are good enough for the next one.
   bool factors_serve = false;
 
 private:
-  double length(const Vectors &v) const;
   bool still_goes_down(const Vectors &direction, double work_at_start) const;
 
   const Problem &problem;
+  const State &state;
   const Workspace &work;
   StepEquations &equations;
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;

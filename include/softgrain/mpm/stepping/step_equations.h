@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,8 @@ namespace softgrain::mpm
  * @brief The equations of one implicit step for the velocities at its end, body by body: unbalanced impulse
  * for a trial, and the matrix of Newton's method. See doc/theory.md, "One step".
  *
- * Vectors hold one nodal vector per body; those of driven bodies are not used.
+ * Vectors hold one nodal vector per body; those of driven bodies are not used. With several ranks end
+ * velocities and what is unbalanced are those of this rank's bodies alone; increments are known to all.
  */
 class StepEquations
 {
@@ -32,6 +35,14 @@ public:
   /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
   /// or deforms by too much over the step.
   bool evaluate(const Vectors &v);
+
+  /// A way from end velocities @p x, for which increments were @p from.
+  struct Way
+  {
+    const Vectors &x, &direction, &from;
+  };
+  /// The same for @p v, which becomes the velocities @p fraction of the way along; bodies turn along circles.
+  bool evaluate_on_way(const Way &way, double fraction, Vectors &v);
   /// Why the last evaluate() failed.
   std::string why_not() const { return mpm::why_not(state.bodies[bad_body], trouble); }
   /// How the last evaluate() came out, body by body.
@@ -39,12 +50,12 @@ public:
 
   /// Impulse that is missing for balance at every node of a body, those of the contacts counted [N s/m].
   Eigen::VectorXd unbalanced(unsigned int b) const;
-  /// Norm of unbalanced() of all bodies [N s/m].
+  /// Norm of unbalanced() of all bodies as last evaluated, with the impulses of then [N s/m].
   double unbalanced_norm() const;
   /// The largest such norm of a body over the largest impulse of the step on a body.
   double residual() const;
-  /// All ranks learn the internal forces as last evaluated.
-  void share_internal();
+  /// Norm of the end velocities as last evaluated [m/s].
+  double trial_length() const;
   /// Takes new contact rows into account.
   void rows_changed();
 
@@ -62,14 +73,6 @@ public:
   /// Whether factorise() needed a tangent in which pressure follows the bodies.
   bool pressure_follows() const { return has_followed; }
 
-  /// Trial x for @p fraction of a direction from a trial for which increments were @p from; bodies turn along
-  /// circles.
-  Eigen::VectorXd go(unsigned int b,
-                     const Eigen::VectorXd &x,
-                     double fraction,
-                     const Eigen::VectorXd &direction,
-                     const Eigen::VectorXd &from) const;
-
   /// What the scheme itself takes from body @p b in a step to the velocities @p v, to second order in the
   /// step; 0 for schemes that are not a choice of theta alone [J/m].
   double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
@@ -77,12 +80,19 @@ public:
   /// Work that regularising forces take in the step as last evaluated, of quasi_static and against rotation
   /// of what is round [J/m].
   double regularisation_work() const;
-  /// A x = the missing impulse, or what is unbalanced with contact, for every body [m/s].
-  void solve(bool with_contact, Vectors &x) const;
+  /// What a direction promises, of all bodies.
+  struct Slope
+  {
+    double work = 0;   ///< of the right hand side along it
+    double merit = 0;  ///< norm of the right hand side [N s/m]
+    double length = 0; ///< norm of it [m/s]
+  };
+  /// A x = the missing impulse, or what is unbalanced with contact, for every body of this rank [m/s].
+  Slope solve(bool with_contact, Vectors &x) const;
 
   /// Displacements over the step for the velocities last evaluated [m].
   Vectors increment;
-  /// Internal forces for them [N]. Until share_internal() those of other ranks' bodies are old.
+  /// Internal forces for them, of this rank's bodies [N].
   Vectors internal;
   /// Loads of the bodies, empty where there are none [N].
   Vectors external;
@@ -90,6 +100,13 @@ public:
   std::vector<double> start_relative;
 
 private:
+  /// evaluate(), in which a body's end velocities become known by @p before.
+  bool evaluate_after(const std::function<void(unsigned int)> &before, const Vectors &v);
+  void find_increment(const Body<2> &body, const Eigen::VectorXd &v);
+  /// From the internal forces.
+  void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
+  void measure(const Body<2> &body, const Eigen::VectorXd &v);
+  Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
   /// A of one body, with @p shift_of_body times its mass.
@@ -114,8 +131,11 @@ private:
   std::vector<double> turns_easily; ///< 1 for bodies whose pressure turns them sooner than inertia holds them
   std::vector<double> half_turn;    ///< of every body over half the step, by which its forces are turned
   std::vector<double> spin;         ///< of such a body: its change by loads, with inertia [1/s]
-  std::vector<double> internal_norm; ///< of the internal forces [N]
-  std::vector<double> holding;       ///< torque that holds a body's rotation, times the step [N s m/m]
+  std::vector<double> holding;      ///< torque that holds a body's rotation, times the step [N s m/m]
+  /// Of every body as last evaluated: square and norm of what is unbalanced, its largest impulse, square of
+  /// the end velocities.
+  std::vector<std::array<double, 4>> measured;
+  bool rows_known = false; ///< contact has the rows of this step
   unsigned int bad_body = 0;
   std::vector<StressOutcome> stress;
   StressOutcome trouble;
