@@ -128,6 +128,8 @@ void for_parts(Parts &part, SomeRow &row)
   part(row.length);
   part(row.friction);
   part(row.adhesion);
+  part(row.lift[0]);
+  part(row.lift[1]);
   part(row.pull);
   part(row.partner_velocity);
   part(row.slide);

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -37,7 +38,9 @@ struct ContactRow
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
   double adhesion = 0; ///< strength of the pair [N/m^2]
-  double pull = 0;     ///< cohesive force over the step, as its impulses count forces [N/m]
+  /// Of the gap from where the row is to the ends of its length, where it adheres [m].
+  std::array<double, 2> lift = {{0., 0.}};
+  double pull = 0; ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::shared_ptr<const PlaceSlide<dim>>
       slide;             ///< of the places of the pair; null where they stay on the body
