@@ -51,6 +51,8 @@ def main():
             print(f"| {area / room:.3f} | {pressure.mean():.0f} | {pressure.std() / pressure.mean():.2f} | {pressure.min():.0f}, "
                   f"{pressure.max():.0f} | {len(pairs)} | {len(pairs - before[1])} | {len(before[1] - pairs)} | {way:.0f} |")
         before = pressure, pairs, area, centres
+        if area / room >= 0.98:
+            break
     forces = {name: rows[-1][f"{name}_force_N_per_m"] for name in ("bottom", "top", "left", "right")}
     print("at the end the walls feel " + ", ".join(f"{name} {force:.1f}" for name, force in forces.items())
           + f" N/m; energy balance {summary['energy_balance_error']:.2g}")
