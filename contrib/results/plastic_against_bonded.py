@@ -12,9 +12,9 @@ RADIUS = 2e-3  # of the bonded grain [m]
 TURN = 0.15  # strain from which it is unloaded
 PRIMARIES = {"Primaries/Smallest diameter": 0.10e-3, "Primaries/Largest diameter": 0.18e-3}  # of thirty_grains_bpm
 EARLY, LATE = (0.04, 0.08), (0.11, 0.15)  # of the plateau
+NAMES = {30: "thirty"}  # of folders
 FRACTIONS = (0.80, 0.84, 0.88, 0.92, 0.94)
-WIDTH = 10e-3  # of the box of thirty grains [m]
-BOX = {"Packing/Upper": "10e-3, 11.4e-3", "Walls/top/Point": "0, 11.4e-3"}  # in which every packing finds room
+WIDTH, HEIGHT = 10e-3, 11.4e-3  # of the box of thirty grains, in which every packing finds room [m]
 QUIET = {"Output/Fields every": 0, "Output/Snapshots every": 0}
 
 
@@ -98,15 +98,23 @@ def fitted(program, folder, wanted, poisson):
     return young, strength, hardening
 
 
-def thirty(program, folder, scene, name, changes):
-    """Stress and coordination at packing fractions, the curve, and what there is to draw."""
+def box(number):
+    """Parameters of the box of @number grains, as large for each as that of thirty; its width and its height."""
+    scale = (number / 30) ** 0.5
+    width, height = scale * WIDTH, scale * HEIGHT
+    return {"Packing/Number": number, "Packing/Upper": f"{width:.6g}, {height:.6g}", "Walls/top/Point": f"0, {height:.6g}",
+            "Walls/right/Point": f"{width:.6g}, 0"}, width, height
+
+
+def assembly(program, folder, scene, name, changes, width):
+    """Stress, coordination and aspect ratio at packing fractions, and the curve."""
     try:
         summary, rows = run(program, f"gallery/{scene}.prm", folder / name, changes, threads=1, again=False)
     except RunFailed as trouble:
         print(f"  {name}: {str(trouble).strip().splitlines()[-1]}")
         rows = softgrain.open(folder / name)
         rows = [dict(zip(rows.history_table, row)) for row in zip(*(rows.history_table[key].tolist() for key in rows.history_table))]
-    curve = [(row["packing_fraction"], (row["top_force_N_per_m"] + row["bottom_force_N_per_m"]) / 2 / WIDTH, row["coordination"]) for row in rows]
+    curve = [(row["packing_fraction"], (row["top_force_N_per_m"] + row["bottom_force_N_per_m"]) / 2 / width, row["coordination"]) for row in rows]
     table = softgrain.open(folder / name).measures
     shape = list(zip(table["packing_fraction"].tolist(), table["aspect_ratio"].tolist()))
 
@@ -140,6 +148,7 @@ def main():
                         help="for the output folders of the runs (default: %(default)s)")
     parser.add_argument("--grains", type=int, default=6, help="bonded grains of other seeds (default: %(default)s)")
     parser.add_argument("--packings", type=int, nargs="+", default=[1, 2, 3], help="seeds of the packings (default: 1 2 3)")
+    parser.add_argument("--number", type=int, default=30, help="grains of an assembly (default: 30)")
     parser.add_argument("--poisson", type=float, default=0.3)
     parser.add_argument("--picture", type=pathlib.Path, help="PNG file for the figure")
     words = parser.parse_args()
@@ -157,10 +166,11 @@ def main():
           + "; on cells half as large: " + ", ".join(f"{value:.4g}" for value in figures(
               plastic_grain(words.program, words.folder, young, strength, hardening, words.poisson, 2.9e-4))), flush=True)
     law = "Materials/gel/J2 plastic/"
+    room, width, height = box(words.number)
     plastic = {"Materials/gel/Law": "j2_plastic", law + "Young's modulus": young, law + "Poisson's ratio": words.poisson,
                law + "Yield stress": strength, law + "Hardening modulus": hardening, "Material points/F-bar": "on", **QUIET,
-               "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 4e-5, "Quasi-static/Held steps": 1000, "Mesh/Upper": "11e-3, 12.4e-3", **BOX}
-    bonded = {**PRIMARIES, **QUIET, **BOX, "Walls/top/Velocity": 2, "Stop/End time": 2.6e-3, "Output/Measures": "packing, coordination, shape",
+               "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 4e-5, "Quasi-static/Held steps": 1000, "Mesh/Upper": f"{width + 1e-3:.6g}, {height + 1e-3:.6g}", **room}
+    bonded = {**PRIMARIES, **QUIET, **room, "Walls/top/Velocity": 2, "Stop/End time": 2.6e-3 * height / HEIGHT, "Output/Measures": "packing, coordination, shape",
               "Output/Snapshots every": 2e-5, "Output/History every": 1}
     kinds = {"bonded": ("thirty_grains_bpm", bonded), "J2": ("thirty_grains_quasi_static_mpm", plastic),
              "J2, friction 0.5": ("thirty_grains_quasi_static_mpm", {**plastic, "Contact/Friction": 0.5})}
@@ -168,8 +178,9 @@ def main():
     print("| grains | packing | " + " | ".join(f"σ [MPa], Z, aspect ratio at {f}" for f in FRACTIONS) + " |\n" + "|---" * (2 + len(FRACTIONS)) + "|")
     for kind, (scene, changes) in kinds.items():
         for seed in words.packings:
-            curve, values = thirty(words.program, words.folder, scene, f"thirty-{kind.replace(', friction ', '-')}-{seed}",
-                                   {**changes, "Packing/Seed": seed})
+            curve, values = assembly(words.program, words.folder, scene,
+                                     f"{NAMES.get(words.number, words.number)}-{kind.replace(', friction ', '-')}-{seed}",
+                                     {**changes, "Packing/Seed": seed}, width)
             drawn[f"{kind}, {seed}"] = curve
             print(f"| {kind} | {seed} | " + " | ".join(f"{s / 1e6:.3f}, {z:.2f}, {a:.3f}" for s, z, a in values) + " |", flush=True)
     if words.picture:

@@ -49,7 +49,7 @@ def pull_off(program, folder):
           f"{rows[-1]['adhesion_work_J_per_m']:.3g} J/m")
 
 
-def small_contact(program, folder, levels):
+def small_contact(program, folder, levels, spacing):
     """A stiffer disk between two plates that go apart: a/R = 0.06, cells halved near contact. The largest force that is in balance."""
     print("| Tabor's number | row of markers over range of the pull along the surface | JKR [N/m] | Baney and Hui | found | difference |\n" + "|---" * 6 + "|")
     modulus = 2e6 / 0.91
@@ -58,11 +58,11 @@ def small_contact(program, folder, levels):
             changes = {"Mesh/Lower": "-6e-3, -6e-3", "Mesh/Upper": "6e-3, 6e-3", "Mesh/Cell size": 2.5e-4, "Mesh/Refine near contact": level,
                        "Material points/Shape function": "linear", "Materials/gel/Neo-Hookean/Young's modulus": 2e6,
                        "Materials/gel/Neo-Hookean/Poisson's ratio": 0.3, "Bodies/disk/Body force": "0; 0", "Contact/Law": "cohesive",
-                       "Contact/Adhesion": strength, "Contact/Adhesion range": reach, "Contact/Marker spacing": 1, "Time/Time step": 0.5,
+                       "Contact/Adhesion": strength, "Contact/Adhesion range": reach, "Contact/Marker spacing": spacing, "Time/Time step": 0.5,
                        "Stop/End time": 75, "Output/Snapshots every": 0, "Output/Fields every": 0}
             for wall in ("bottom", "top"):
                 changes |= {f"Walls/{wall}/Friction": 0, f"Walls/{wall}/Position": "2e-6*(t < 5 ? t : 10 - t)"}
-            name = folder / f"small-{strength:g}-{level}"
+            name = folder / f"small-{strength:g}-{level}-{spacing:g}"
             try:
                 run(program, "verification/partial_slip.prm", name, changes, threads=1, again=False)
             except RunFailed:
@@ -70,7 +70,7 @@ def small_contact(program, folder, levels):
             found = -min(softgrain.open(name).history_table["bottom_force_N_per_m"])
             exact, tabor = maugis(modulus, strength, reach), (RADIUS * (strength * reach) ** 2 / (modulus**2 * reach**3)) ** (1 / 3)
             zone = math.pi / 4 * modulus * reach / strength  # of Dugdale's crack
-            print(f"| {tabor:.2f} | {2.5e-4 / 2**level / zone:.3f} | {jkr(modulus, strength * reach)[0]:.1f} | {exact:.1f} | {found:.1f} | "
+            print(f"| {tabor:.2f} | {spacing * 2.5e-4 / 2**level / zone:.3f} | {jkr(modulus, strength * reach)[0]:.1f} | {exact:.1f} | {found:.1f} | "
                   f"{100 * (found / exact - 1):+.1f} % |", flush=True)
 
 
@@ -124,14 +124,15 @@ def main():
                         help="for the output folders of the runs (default: %(default)s)")
     tasks = ("pull_off", "small", "slip", "cycles")
     parser.add_argument("--only", nargs="+", choices=tasks, default=tasks)
-    parser.add_argument("--levels", type=int, nargs="+", default=[3, 4, 5], help="halvings near contact of the task small (default: 3 4 5)")
+    parser.add_argument("--levels", type=int, nargs="+", default=[2, 3, 4], help="halvings near contact of the task small (default: 2 3 4)")
+    parser.add_argument("--spacing", type=float, default=1, help="of rows of the task small [cells] (default: 1)")
     parser.add_argument("--cycles", type=int, default=30)
     parser.add_argument("--push", type=float, default=1066, help="of the cycles, force on the volume [N/m^3] (default: %(default)s)")
     arguments = parser.parse_args()
     if "pull_off" in arguments.only:
         pull_off(arguments.program, arguments.folder / "pull_off")
     if "small" in arguments.only:
-        small_contact(arguments.program, arguments.folder / "small", arguments.levels)
+        small_contact(arguments.program, arguments.folder / "small", arguments.levels, arguments.spacing)
     if "slip" in arguments.only:
         slip(arguments.program, arguments.folder)
     if "cycles" in arguments.only:

@@ -32,6 +32,22 @@ double Adhesion::share(const std::uint64_t key, const double gap) const
   return law->share(apart, law->remembers() ? memory_of(key, apart) : 0.);
 }
 
+double Adhesion::share(const std::uint64_t key, const double gap, const std::array<double, 2> &lift) const
+{
+  if (!resolves_range())
+    return share(key, gap);
+  const double remembered = law->remembers() ? memory_of(key, gap_between_surfaces(gap)) : 0.;
+  double sum = 0.;
+  for (const double change : lift)
+    sum += law->mean_share(gap, gap + change, remembered);
+  return 0.5 * sum;
+}
+
+double Adhesion::nearest(const double gap, const std::array<double, 2> &lift) const
+{
+  return resolves_range() ? gap + std::min({0., lift[0], lift[1]}) : gap;
+}
+
 void Adhesion::note(const std::uint64_t key, const double gap, ContactEvent event)
 {
   event.gap = gap_between_surfaces(event.gap);

@@ -5,6 +5,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 SOFTGRAIN_DEFINE_REGISTRY(softgrain::ContactLaw)
@@ -21,6 +22,25 @@ std::vector<ParameterEntry> parameters_of(const std::string &law)
   return parameter_tree(own).entries;
 }
 } // namespace
+
+double part_within(const double range, const double start, const double end)
+{
+  const double near = std::min(start, end), far = std::max(start, end);
+  if (far <= range)
+    return 1.;
+  return near >= range ? 0. : (range - near) / (far - near);
+}
+
+double ContactLaw::mean_share(const double start, const double end, const double memory) const
+{
+  if (!std::isfinite(end))
+    return 0.; // there is nothing to hold
+  constexpr unsigned int places = 16;
+  double sum = 0.;
+  for (unsigned int k = 0; k < places; ++k)
+    sum += share(std::max(0., start + (k + 0.5) / places * (end - start)), memory);
+  return sum / places;
+}
 
 void declare_contact_laws(dealii::ParameterHandler &prm)
 {

@@ -5,6 +5,7 @@
 #include <softgrain/scene/contact_law.h>
 #include <softgrain/scene/scene.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -44,6 +45,14 @@ public:
   /// @param gap at its start [m]
   double share(std::uint64_t key, double gap) const;
 
+  /// The same of a contact along a line, whose gap changes from its middle to its ends by @p lift [m]: the
+  /// mean over its length. Where nothing is held beyond what the model can tell from touching it is that of
+  /// the middle.
+  double share(std::uint64_t key, double gap, const std::array<double, 2> &lift) const;
+
+  /// Of a contact along a line the gap that counts for its memory: the smallest of its length [m].
+  double nearest(double gap, const std::array<double, 2> &lift) const;
+
   /// What has become in a step of a contact that began it with @p gap [m]; for laws that remember.
   void note(std::uint64_t key, double gap, ContactEvent event);
 
@@ -54,6 +63,7 @@ public:
   void load(const StateReader &in, const std::string &name);
 
 private:
+  bool resolves_range() const { return law->range() > touching; }
   double gap_between_surfaces(const double gap) const { return gap <= touching ? 0. : gap; }
   double memory_of(std::uint64_t key, double gap) const;
 

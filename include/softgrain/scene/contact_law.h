@@ -57,6 +57,11 @@ public:
     return 0.;
   }
 
+  /// Mean of share() where the gap goes linearly from @p start to @p end along a contact [m]; below 0
+  /// surfaces touch. A law that jumps gives it exactly, so that its force changes smoothly as the edge of a
+  /// contact moves; else it is the mean of 16 places.
+  virtual double mean_share(double start, double end, double memory) const;
+
   /// Whether contacts have a memory: one number each, which is 0 where surfaces have not been in reach.
   virtual bool remembers() const { return false; }
 
@@ -70,6 +75,9 @@ public:
     return memory;
   }
 };
+
+/// Part of a contact that is within @p range where the gap goes linearly from @p start to @p end.
+double part_within(double range, double start, double end);
 
 template <>
 Registry<ContactLaw> &Registry<ContactLaw>::instance();

@@ -146,6 +146,8 @@ void for_parts(Parts &part, const Weights weights, SomeRow &row)
   part(row.adhesion);
   part(row.log_full_width[0]);
   part(row.log_full_width[1]);
+  part(row.lift[0]);
+  part(row.lift[1]);
   part(row.pull);
   part(row.partner_velocity);
   part(row.slide);

@@ -2,6 +2,7 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/contact_tasks.h>
 #include <softgrain/mpm/contact/obstacle_contact.h>
+#include <softgrain/mpm/contact/row_ends.h>
 #include <softgrain/mpm/contact/seekers.h>
 #include <softgrain/mpm/contact/sliding_places.h>
 #include <softgrain/mpm/contact/surface_contact.h>
@@ -26,24 +27,6 @@ using Row = ContactRow<2>;
 unsigned int image_key(const Body<2> &partner, const PeriodicCell<2>::Image &image)
 {
   return (partner.index & 0x7ffff) | ((image[0] & 3) << 21) | ((image[1] & 3) << 19);
-}
-
-/// Share of the boundary around a seeker that faces what has @p normal: at a corner one side looks elsewhere
-/// and does not adhere.
-double facing_share(const MovedBoundary &own, const Seeker &seeker, const Vector &normal)
-{
-  if (own.is_free || !own.boundary().corner[seeker.number])
-    return 1.;
-  double facing = 0., length = 0.;
-  const unsigned int m = seeker.number;
-  for (const Vector &edge : {own.marker(own.boundary().next(m)) - own.marker(m),
-                             own.marker(m) - own.marker(own.boundary().previous(m))})
-  {
-    length += edge.norm();
-    if (edge[0] * normal[1] - edge[1] * normal[0] > 0.5 * edge.norm())
-      facing += edge.norm();
-  }
-  return length > 0. ? facing / length : 0.;
 }
 
 /// See SubgridCompliance; of a place on an outline.
@@ -80,7 +63,9 @@ void find_wall_rows(const ContactScene<2> &scene,
                [&](const Seeker &seeker)
                {
                  const Place &at = seeker.at;
-                 const double gap = (at.position - wall.point) * wall.normal - scene.share * way;
+                 const auto gap_at = [&](const Place &place)
+                 { return (place.position - wall.point) * wall.normal - scene.share * way; };
+                 const double gap = gap_at(at);
                  const double start = gap - scene.share * (at.displacement * wall.normal - way);
                  if (std::min(gap, start) > margin)
                    return gap < margin + scene.cell_size;
@@ -102,7 +87,10 @@ void find_wall_rows(const ContactScene<2> &scene,
                  row.length = tributary_length(own, seeker);
                  take_pair(scene, row);
                  if (row.adhesion > 0.)
+                 {
                    row.adhesion *= facing_share(own, seeker, row.normal);
+                   add_lift(own, seeker, gap_at, row);
+                 }
                  if (scene.cell != nullptr)
                    row.branch = own.start - (at.position - scene.share * at.displacement);
                  add_slope(scene, at, slide, row);
@@ -202,13 +190,30 @@ private:
   }
 
   /// The segment that is nearest to a place, among those that look at it.
-  Projection project(const Seeker &seeker) const
+  Projection project(const Place &at) const
   {
-    const Point &x = seeker.at.position;
     Projection best;
     for (const unsigned int s : segments)
-      look_at_segment(x, seeker.at.normal, other, s, best);
+      look_at_segment(at.position, at.normal, other, s, best);
     return best;
+  }
+
+  /// From a place to the partner across; none when the partner is not there [m].
+  double gap_beside(const Place &at) const
+  {
+    const Projection found = project(at);
+    const double none = std::numeric_limits<double>::infinity();
+    if (found.distance == std::numeric_limits<double>::max())
+      return none;
+    const Place opposite = other.place(found.first, found.share, false);
+    const double gap = (at.position - opposite.position) * opposite.normal;
+    return is_far_aside(gap, found.distance) ? none : gap;
+  }
+
+  /// To the side of what it faces: the true nearest place looks the other way, and there is no contact.
+  bool is_far_aside(const double gap, const double distance) const
+  {
+    return std::abs(gap) < 0.7 * distance && distance > 0.1 * scene.cell_size;
   }
 
   /// @return whether the partner is near
@@ -217,7 +222,7 @@ private:
     const Place &at = seeker.at;
     if (!other.near(at.position, margin))
       return false;
-    const Projection found = project(seeker);
+    const Projection found = project(at);
     // Deeper than two cells is the far side of a thin partner, not a contact.
     if (found.distance > margin + 2. * scene.cell_size)
       return false;
@@ -226,8 +231,7 @@ private:
     const double start = gap - scene.share * ((at.displacement - opposite.displacement) * opposite.normal);
     if (std::min(gap, start) > margin)
       return true;
-    // Far to the side of what it faces: the true nearest place looks the other way, and there is no contact.
-    if (std::abs(gap) < 0.7 * found.distance && found.distance > 0.1 * scene.cell_size)
+    if (is_far_aside(gap, found.distance))
       return true;
     Row row;
     row.body = body.index;
@@ -255,6 +259,9 @@ private:
     // What lies around the corners of a partner is held by the rows of the one that looks everywhere.
     if (row.adhesion > 0.)
       row.adhesion *= corners_only ? 0. : facing_share(own, seeker, row.normal);
+    if (row.adhesion > 0.)
+      add_lift(
+          own, seeker, [this](const Place &place) { return gap_beside(place); }, row);
     if (scene.cell != nullptr)
     {
       row.branch = own.start - other.start;

@@ -28,7 +28,8 @@ void note_contacts(State &state,
     const double closing = P[r * components] + dt * rows[r].pull;
     const bool slides = components > 1 && closing > 0. && rows[r].friction > 0. &&
                         std::abs(P[r * components + 1]) >= near_limit * rows[r].friction * closing;
-    state.adhesion.note(rows[r].key, rows[r].gap, {gaps[r], closing > 0., slides, dt});
+    state.adhesion.note(rows[r].key, rows[r].gap,
+                        {state.adhesion.nearest(gaps[r], rows[r].lift), closing > 0., slides, dt});
   }
   state.adhesion.finish_step();
 }

@@ -77,7 +77,7 @@ void find_rows(const Problem &problem,
     for (ContactRow<2> &row : rows)
       // The impulse of newmark is half a step of the force at its end.
       row.pull = (problem.settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
-                 (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap) : 0.);
+                 (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap, row.lift) : 0.);
   work.contact.reinit(std::move(rows), work.share, !problem.settings.condenses(), state.bodies, dt,
                       again ? nullptr : &state.memory);
 }

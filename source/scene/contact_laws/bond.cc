@@ -45,6 +45,10 @@ public:
   {
     return memory >= 1. && gap <= reach ? 1. : 0.;
   }
+  double mean_share(const double start, const double end, const double memory) const override
+  {
+    return memory >= 1. ? part_within(reach, start, end) : 0.;
+  }
 
   bool remembers() const override { return true; }
   double memory_at_start() const override { return 1.; }

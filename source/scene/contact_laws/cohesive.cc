@@ -26,6 +26,10 @@ public:
   bool adheres() const override { return true; }
   double range() const override { return reach; }
   double share(const double gap, double) const override { return gap <= reach ? 1. : 0.; }
+  double mean_share(const double start, const double end, double) const override
+  {
+    return part_within(reach, start, end);
+  }
 
 private:
   double reach = 0; ///< [m]
