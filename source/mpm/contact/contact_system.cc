@@ -240,15 +240,16 @@ void ContactSystem<dim>::place_dents(const bool first_search)
     const auto [known, is_new] = dent_places.try_emplace(pair_of(rows[pair.first].key), pair.log_full_width);
     if (is_new)
     {
-      // Where the force is; before there is one, where rows are.
-      double weights = normal_force(pair, 1.);
-      const bool pressed = weights > 0.;
-      if (!pressed)
-        weights = pair.end - pair.first;
-      for (unsigned int r = pair.first; r < pair.end; ++r)
-        for (unsigned int side = 0; side < 2; ++side)
-          known->second[side] +=
-              (pressed ? impulse[r * n_components()] : 1.) / weights * rows[r].log_full_width[side];
+      // Where the force is; before there is one, where they are nearest.
+      const double force = normal_force(pair, 1.);
+      if (force > 0.)
+        for (unsigned int r = pair.first; r < pair.end; ++r)
+          for (unsigned int side = 0; side < 2; ++side)
+            known->second[side] += impulse[r * n_components()] / force * rows[r].log_full_width[side];
+      else
+        known->second = std::min_element(rows.begin() + pair.first, rows.begin() + pair.end,
+                                         [](const auto &a, const auto &b) { return a.gap < b.gap; })
+                            ->log_full_width;
     }
     pair.log_full_width = known->second;
   }
