@@ -235,6 +235,10 @@ void ContactSystem<dim>::place_dents(const bool first_search)
 {
   if (first_search && !held)
     dent_places.clear();
+  if (std::none_of(rows.begin(), rows.end(),
+                   [](const auto &row)
+                   { return row.log_full_width[0] != 0. || row.log_full_width[1] != 0.; }))
+    return; // nothing is missed
   for (Pair &pair : pairs)
   {
     const auto [known, is_new] = dent_places.try_emplace(pair_of(rows[pair.first].key), pair.log_full_width);
