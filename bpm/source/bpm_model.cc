@@ -72,11 +72,7 @@ void BpmModel::drive_walls(const double dt)
     if (wall.prescribed())
       wall.speed = wall.demand(now, dt).velocity;
     else
-    {
-      wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w));
-      if (!wall.description.drive->inertia().damping)
-        wall.damping *= share_of_damping;
-    }
+      wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w), share_of_damping);
   }
 }
 

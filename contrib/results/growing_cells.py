@@ -6,17 +6,9 @@ import pathlib
 
 import numpy as np
 
-from running import run, softgrain
+from running import box, run, softgrain
 
 WIDTH, HEIGHT = 19.6e-3, 20.7e-3  # of the box of a hundred cells [m]
-
-
-def box(number):
-    """Parameters of a box as large for each cell as that of a hundred."""
-    scale = (number / 100) ** 0.5
-    width, height = scale * WIDTH, scale * HEIGHT
-    return {"Packing/Number": number, "Packing/Upper": f"{width:.6g}, {height:.6g}", "Walls/top/Point": f"0, {height:.6g}",
-            "Walls/right/Point": f"{width:.6g}, 0", "Mesh/Upper": f"{width + 1e-3:.6g}, {height + 1e-3:.6g}"}, width * height
 
 
 def look(state):
@@ -37,8 +29,9 @@ def main():
                         help="for the output folder of the run (default: %(default)s)")
     parser.add_argument("--number", type=int, default=100, help="cells (default: 100)")
     words = parser.parse_args()
-    changes, room = box(words.number)
-    changes |= {"Output/Fields every": 0.015, "Output/Snapshots every": 0.015}
+    changes, width, height = box(words.number, 100, WIDTH, HEIGHT)
+    room = width * height
+    changes |= {"Mesh/Upper": f"{width + 1e-3:.6g}, {height + 1e-3:.6g}", "Output/Fields every": 0.015, "Output/Snapshots every": 0.015}
     summary, rows = run(words.program, "gallery/growing_cells_mpm.prm", words.folder, changes, threads=1, again=False)
     print("| Φ | mean pressure of the cells [Pa] | spread | least, largest [Pa] | neighbours | won | lost | way [µm] |\n" + "|---" * 8 + "|")
     before = None

@@ -6,7 +6,7 @@ import argparse
 import pathlib
 import statistics
 
-from running import RunFailed, run, softgrain
+from running import box, run, RunFailed, softgrain
 
 RADIUS = 2e-3  # of the bonded grain [m]
 TURN = 0.15  # strain from which it is unloaded
@@ -98,14 +98,6 @@ def fitted(program, folder, wanted, poisson):
     return young, strength, hardening
 
 
-def box(number):
-    """Parameters of the box of @number grains, as large for each as that of thirty; its width and its height."""
-    scale = (number / 30) ** 0.5
-    width, height = scale * WIDTH, scale * HEIGHT
-    return {"Packing/Number": number, "Packing/Upper": f"{width:.6g}, {height:.6g}", "Walls/top/Point": f"0, {height:.6g}",
-            "Walls/right/Point": f"{width:.6g}, 0"}, width, height
-
-
 def assembly(program, folder, scene, name, changes, width):
     """Stress, coordination and aspect ratio at packing fractions, and the curve."""
     try:
@@ -166,7 +158,7 @@ def main():
           + "; on cells half as large: " + ", ".join(f"{value:.4g}" for value in figures(
               plastic_grain(words.program, words.folder, young, strength, hardening, words.poisson, 2.9e-4))), flush=True)
     law = "Materials/gel/J2 plastic/"
-    room, width, height = box(words.number)
+    room, width, height = box(words.number, 30, WIDTH, HEIGHT)
     plastic = {"Materials/gel/Law": "j2_plastic", law + "Young's modulus": young, law + "Poisson's ratio": words.poisson,
                law + "Yield stress": strength, law + "Hardening modulus": hardening, "Material points/F-bar": "on", **QUIET,
                "Output/Measures": "packing, coordination, shape", "Output/Snapshots every": 4e-5, "Quasi-static/Held steps": 1000, "Mesh/Upper": f"{width + 1e-3:.6g}, {height + 1e-3:.6g}", **room}

@@ -13,7 +13,7 @@ import statistics
 import numpy as np
 
 from running import run, softgrain
-from subgrid import POISSON, RADIUS, YOUNG
+from subgrid import POISSON, RADIUS, YOUNG, half_width, missing
 
 RATIOS = (0.0, 0.15, 0.3, 0.4, 0.45, 0.49)
 SHIFTS = (0.0, 0.2, 0.4, 0.6, 0.8)  # of the grid [cells]
@@ -44,11 +44,9 @@ def log_width(program, folder, cell, shift, angle, poisson):
     """Mean ln k of a run, while the contact is narrow."""
     found = []
     for approach, force in press(program, folder, cell, shift, angle, poisson, "false", 0.03, 2.5e-3):
-        soft = (1 - poisson**2) / (math.pi * YOUNG)
-        width = math.sqrt(4 * force * RADIUS * soft)
-        johnson = force * soft * (2 * math.log(4 * RADIUS / width) - 1)
-        if 0.1 < width / cell < 0.42:
-            found.append((johnson - approach * RADIUS) / (2 * force * soft) + math.log(width / cell))
+        width = half_width(force, poisson) / cell
+        if 0.1 < width < 0.42:
+            found.append(missing(force, approach * RADIUS, poisson) + math.log(width))
     return statistics.fmean(found)
 
 

@@ -47,3 +47,11 @@ def run_all(program, folder, cases, threads=0):
             print(f"{name}: {trouble}", file=sys.stderr, flush=True)
             continue
         yield name, changes, summary, rows
+
+
+def box(number, usual, width, height):
+    """Parameters of a box of @number grains that has as much room for each as one of @usual in @width times @height; its width and height [m]."""
+    scale = (number / usual) ** 0.5
+    width, height = scale * width, scale * height
+    return {"Packing/Number": number, "Packing/Upper": f"{width:.6g}, {height:.6g}", "Walls/top/Point": f"0, {height:.6g}",
+            "Walls/right/Point": f"{width:.6g}, 0"}, width, height

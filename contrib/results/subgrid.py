@@ -11,19 +11,24 @@ import pathlib
 from running import run
 
 YOUNG, POISSON, RADIUS = 10e6, 0.45, 5e-3  # of the scene [Pa, 1, m]
-PLANE = YOUNG / (1 - POISSON**2)
 SPACINGS = (0.17, 0.10, 0.058)  # of the material points over the radius
 CUTS = (0.0, 0.2, 0.4, 0.6, 0.8)  # shift of the grid [cells]
 BINS = (0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.9)  # of a/h
 
 
-def half_width(force):
-    return math.sqrt(4 * force * RADIUS / (math.pi * PLANE))
+def softness(poisson):
+    """1/(π E*) [1/Pa]."""
+    return (1 - poisson**2) / (math.pi * YOUNG)
 
 
-def missing(force, approach):
-    johnson = force / (math.pi * PLANE) * (2 * math.log(4 * RADIUS / half_width(force)) - 1)
-    return (johnson - approach) * math.pi * PLANE / (2 * force)
+def half_width(force, poisson=POISSON):
+    return math.sqrt(4 * force * RADIUS * softness(poisson))
+
+
+def missing(force, approach, poisson=POISSON):
+    """g of a run at one approach [m]."""
+    johnson = force * softness(poisson) * (2 * math.log(4 * RADIUS / half_width(force, poisson)) - 1)
+    return (johnson - approach) / (2 * force * softness(poisson))
 
 
 def mesh(cell, cut):

@@ -65,13 +65,14 @@ WallState<2> Wall::state() const
   return state;
 }
 
-void Wall::press(const double asked, const double length)
+void Wall::press(const double asked, const double length, const double share_of_damping)
 {
   pressure = pressure_before + (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure_before);
   load = pressure * length;
   // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
   // mass rearrange under that pressure.
-  damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)));
+  damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)) *
+                                                          share_of_damping);
 }
 
 void Wall::shear(const double asked, const double length)

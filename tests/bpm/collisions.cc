@@ -70,20 +70,19 @@ void aggregates(const std::string &what, const std::string &second, const Change
             << ", penetration " << below(0.05, penetration) << '\n';
 }
 
-/// A grain on the bottom, pressed by the top wall: the force on both becomes pressure times width, whatever
-/// resists the motion of the wall.
-void pressed(const std::string &what, const Changes &changes)
+/// A grain on the bottom, below a top wall with these parameters.
+std::string below_wall(const std::string &top)
 {
-  const auto model = bpm_scene(grain_scene(disks({{"0, 0", "0; 0"}}, "10") + R"(
+  return grain_scene(disks({{"0, 0", "0; 0"}}, "10") + R"(
 subsection Walls
   set Names = bottom, top, left, right
   subsection bottom
     set Point = 0, -10.6
   end
   subsection top
-    set Point = 0, 10.6
     set Drive = pressure
     set Pressure = 0.02
+)" + top + R"(
   end
   subsection left
     set Point = -20, 0
@@ -92,8 +91,14 @@ subsection Walls
     set Point = 20, 0
   end
 end
-)"),
-                               changes);
+)");
+}
+
+/// A grain on the bottom, pressed by the top wall: the force on both becomes pressure times width, whatever
+/// resists the motion of the wall.
+void pressed(const std::string &what, const Changes &changes)
+{
+  const auto model = bpm_scene(below_wall("    set Point = 0, 10.6"), changes);
   const Energies start = model->energies();
   double force = 0., on_top = 0., weight = 0.;
   while (model->time() < 400.)
@@ -117,27 +122,7 @@ end
 /// 0.4 times the root of mass times pressure.
 void falling_wall()
 {
-  const auto model = bpm_scene(grain_scene(disks({{"0, 0", "0; 0"}}, "10") + R"(
-subsection Walls
-  set Names = bottom, top, left, right
-  subsection bottom
-    set Point = 0, -10.6
-  end
-  subsection top
-    set Point    = 0, 1e4
-    set Drive    = pressure
-    set Pressure = 0.02
-    set Mass     = 50
-  end
-  subsection left
-    set Point = -20, 0
-  end
-  subsection right
-    set Point = 20, 0
-  end
-end
-)"),
-                               {});
+  const auto model = bpm_scene(below_wall("    set Point = 0, 1e4\n    set Mass = 50"), {});
   const double mass = 50., load = 0.02 * 40., damping = 0.4 * std::sqrt(mass * 0.02);
   double before = 0., off = 0.;
   for (unsigned int i = 0; i < 200; ++i)

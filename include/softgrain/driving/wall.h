@@ -81,8 +81,10 @@ struct Wall
    * What depends on the stress beside it is approached: in a packing that yields, that stress answers a
    * change of pressure with up to three times as much. It is approached from accept_pressure() to
    * accept_pressure(), so a step that is refused leaves nothing behind.
+   *
+   * @param share_of_damping of the damping that is chosen for the wall, what it gets; one that is given stays
    */
-  void press(double asked, double length);
+  void press(double asked, double length, double share_of_damping = 1.);
 
   /// Takes note that the step for which it was pressed was accepted.
   void accept_pressure() { pressure_before = pressure; }
