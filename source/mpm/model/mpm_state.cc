@@ -85,6 +85,11 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
   state.adhesion.save(out, "mpm/contact/adhesion");
+  std::vector<double> resistance;
+  for (const dealii::Tensor<1, 2> &force : state.resistance)
+    resistance.insert(resistance.end(), force.begin_raw(), force.end_raw());
+  if (!resistance.empty())
+    out.write("mpm/resistance", resistance);
 
   save_points(out, of_all);
   for (const Body<2> &body : state.bodies)
@@ -138,6 +143,13 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
                      : std::array<double, 2>{{impulses.at(2 * k), impulses.at(2 * k + 1)}};
 
   state.adhesion.load(in, "mpm/contact/adhesion");
+  state.resistance.clear();
+  if (in.contains("mpm/resistance"))
+  {
+    const std::vector<double> resistance = in.read_doubles("mpm/resistance");
+    for (unsigned int b = 0; 2 * b + 1 < resistance.size(); ++b)
+      state.resistance.push_back(dealii::Tensor<1, 2>({resistance[2 * b], resistance[2 * b + 1]}));
+  }
 
   load_points(in, of_all);
   state.order_points();

@@ -75,6 +75,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
   for (const double taken : step.scheme_damping)
     state.balance.scheme_damping += taken;
   state.balance.regularisation_work += step.regularisation_work;
+  state.resistance = step.resistance;
   account_contacts(problem, state, work, dt, step.rate, motion);
   if (state.adhesion.remembers())
     note_contacts(state, work, step.increment, motion, dt);

@@ -279,7 +279,8 @@ void ImplicitStep::accept(State &state_to_change)
                   rate,
                   equations.external,
                   std::vector<double>(trial.size(), 0.),
-                  equations.regularisation_work()};
+                  equations.regularisation_work(),
+                  equations.resistance()};
   for (unsigned int b = 0; b < trial.size(); ++b)
   {
     outcome.largest_move = std::max(outcome.largest_move, told[b][0]);

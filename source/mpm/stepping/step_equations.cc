@@ -270,13 +270,37 @@ double StepEquations::regularisation_work() const
       work += holding[body.index] * rotation[body.index].dot(increment[body.index]) / dt;
     else if (!body.driven)
     {
-      // From nothing to the increment, against a spring whose rest is at the free way.
-      const Eigen::VectorXd beyond = 0.5 * increment[body.index] - dt * free_way(body.index);
+      // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
+      const Eigen::VectorXd beyond = increment[body.index] - dt * free_way(body.index);
+      dealii::Tensor<1, 2> way;
       for (unsigned int i = 0; i < body.mass.size(); ++i)
-        work += shift[body.index] / (dt * dt) * body.mass[i] *
+      {
+        work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
                 increment[body.index].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
+        for (unsigned int d = 0; d < 2; ++d)
+          way[d] += body.mass[i] / body.mass.sum() * increment[body.index][2 * i + d];
+      }
+      if (!state.resistance.empty())
+        work += 0.5 * state.resistance[body.index] * way;
     }
   return work;
+}
+
+std::vector<dealii::Tensor<1, 2>> StepEquations::resistance() const
+{
+  std::vector<dealii::Tensor<1, 2>> forces;
+  if (scheme.inertia)
+    return forces;
+  forces.resize(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+    {
+      const Eigen::VectorXd beyond = increment[body.index] - dt * free_way(body.index);
+      for (unsigned int i = 0; i < body.mass.size(); ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          forces[body.index][d] += shift[body.index] / (dt * dt) * body.mass[i] * beyond[2 * i + d];
+    }
+  return forces;
 }
 
 Eigen::VectorXd StepEquations::free_way(const unsigned int b) const

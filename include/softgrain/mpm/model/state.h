@@ -58,6 +58,8 @@ struct State
   std::vector<Wall> walls;
   std::vector<Obstacle> obstacles;
   ContactMemory<2> memory; ///< impulses of the last step
+  /// `quasi_static`: what resisted the motion of each body at the end of the last step [N/m].
+  std::vector<dealii::Tensor<1, 2>> resistance;
   Adhesion adhesion;
   Balance balance;
   double time = 0; ///< [s]

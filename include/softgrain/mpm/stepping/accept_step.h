@@ -20,6 +20,7 @@ struct FoundStep
   const std::vector<Eigen::VectorXd> &external;  ///< loads, empty where there are none [N]
   std::vector<double> scheme_damping;            ///< taken by theta > 1/2, by body [J/m]
   double regularisation_work = 0;                ///< taken by regularising forces [J/m]
+  std::vector<dealii::Tensor<1, 2>> resistance;  ///< as State::resistance
 };
 
 /**

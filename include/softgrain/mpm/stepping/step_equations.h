@@ -80,6 +80,8 @@ public:
   /// Work that regularising forces take in the step as last evaluated, of quasi_static and against rotation
   /// of what is round [J/m].
   double regularisation_work() const;
+  /// Of `quasi_static`: what resists the motion of each body at the end of the step [N/m].
+  std::vector<dealii::Tensor<1, 2>> resistance() const;
   /// What a direction promises, of all bodies.
   struct Slope
   {
