@@ -2,7 +2,7 @@
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_forecast.h>
 #include <softgrain/contact/disk_solver.h>
-#include <softgrain/contact/neighbour_list.h>
+#include <softgrain/contact/strip_grid.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -109,7 +109,7 @@ Forecast forecast(const Scene<2> &scene,
   // A rank has a tile of each of the two colours at least.
   if (fitted::contacts * result.n_points > contact::contacts_to_share)
     result.divided = {1., fitted::divided_work, 0.,
-                      0.5 * result.n_points / contact::NeighbourList::disks_per_tile};
+                      0.5 * result.n_points / contact::StripGrid::disks_per_strip};
   result.warnings = warnings(relative_step, run, fewest);
   result.sizes = {{"primaries", "about " + count_in_words(result.n_points)},
                   {"mean diameter", "about " + text(diameter, " m")},
