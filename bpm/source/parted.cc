@@ -13,9 +13,6 @@ namespace
 {
 constexpr unsigned int first_rank = 0;
 
-/// Primaries below which words between ranks would take longer than the work.
-constexpr std::size_t fewest_to_part = 2 * contact::StripGrid::disks_per_strip;
-
 /// Primaries of @p at_walls, each once, in order.
 template <class List>
 std::vector<std::uint32_t> primaries_of(const List &at_walls)

@@ -8,12 +8,16 @@
 #include <softgrain/contact/neighbour_list.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace softgrain::bpm
 {
+/// Primaries below which words between ranks would take longer than the work.
+constexpr std::size_t fewest_to_part = 2000;
+
 /**
  * @brief Which primaries this rank has: those in some strips of the neighbour list, side by side.
  *
