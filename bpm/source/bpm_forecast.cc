@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_forecast.h>
+#include <softgrain/bpm/strip_share.h>
 #include <softgrain/contact/disk_solver.h>
-#include <softgrain/contact/neighbour_list.h>
+#include <softgrain/contact/strip_grid.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -30,7 +32,7 @@ constexpr double rim = 1.1;                    ///< that primaries leave empty, 
 constexpr double aggregate_seconds = 3e-2;     ///< of an aggregate, however small
 constexpr double packing_seconds = 4e-3;       ///< of a grain
 constexpr double primary_memory = 1.8e3;       ///< [bytes]
-constexpr double divided_work = 0.87;          ///< among ranks, see doc/ranks.md
+constexpr double divided_work = 0.87;          ///< among ranks that have all primaries
 } // namespace fitted
 
 /// Those of one body: fewer the larger they are, because none reaches beyond the outline.
@@ -42,6 +44,15 @@ double n_primaries(const BodyGroup &body, const PrimarySettings &primaries)
   // Fitted to hundreds of primaries in a body, and to a few.
   const double share = std::min(0.82, std::pow(std::max({0.2, 1.013 - 2.77 * x, 0.893 - x}), 2));
   return std::max(1., share / (x * x));
+}
+
+/// Whether ranks can have some of the primaries each, see Dynamics::part().
+bool can_part(const Scene<2> &scene)
+{
+  return scene.obstacles.empty() && !ContactPairs(scene).adhere() &&
+         std::none_of(scene.walls.begin(), scene.walls.end(),
+                      [](const WallDescription<2> &wall)
+                      { return wall.type == WallDescription<2>::Type::periodic; });
 }
 
 std::string text(const double value, const std::string &unit)
@@ -107,9 +118,11 @@ Forecast forecast(const Scene<2> &scene,
     result.preparation += fitted::packing_seconds * run.crowd.n_bodies();
   result.memory = fitted::primary_memory * result.n_points;
   // A rank has a tile of each of the two colours at least.
-  if (fitted::contacts * result.n_points > contact::contacts_to_share)
-    result.divided = {1., fitted::divided_work, 0.,
-                      0.5 * result.n_points / contact::NeighbourList::disks_per_tile};
+  const double tiles = result.n_points / contact::StripGrid::disks_per_strip;
+  if (can_part(scene) && result.n_points > fewest_to_part)
+    result.divided = {1., 1., 1., 0.5 * tiles};
+  else if (fitted::contacts * result.n_points > contact::contacts_to_share)
+    result.divided = {1., fitted::divided_work, 0., 0.5 * tiles};
   result.warnings = warnings(relative_step, run, fewest);
   result.sizes = {{"primaries", "about " + count_in_words(result.n_points)},
                   {"mean diameter", "about " + text(diameter, " m")},

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace softgrain::bpm
@@ -78,16 +79,17 @@ void BpmModel::drive_walls(const double dt)
 
 void BpmModel::accelerate()
 {
-  if (acceleration.empty())
+  if (!is_pulled)
     return;
   const Primaries &disks = dynamics->disks();
+  acceleration.resize(disks.size());
   for (std::size_t i = 0; i < disks.size(); ++i)
   {
     acceleration[i] = {scene.gravity[0], scene.gravity[1]};
     const std::vector<Expression> &force = body_force[disks.body[i]];
     if (force.empty())
       continue;
-    const std::array<double, 2> &x = disks.position[i], &X = start_position[i];
+    const std::array<double, 2> &x = disks.position[i], &X = disks.start[i];
     for (unsigned int d = 0; d < 2; ++d)
       acceleration[i][d] += force[d]({x[0], x[1], X[0], X[1], now});
   }
@@ -113,11 +115,13 @@ std::string BpmModel::why_not(const DynamicsReport &report, const double limit) 
 
 StepReport BpmModel::advance(const double dt_limit)
 {
+  std::optional<Ranks::OwnWork> own;
+  if (dynamics->parted() != nullptr)
+    own.emplace(ranks);
   StepReport report;
   const double limit =
       std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
-  const auto positions = dynamics->disks().position, velocities = dynamics->disks().velocity;
-  const auto spins = dynamics->disks().angular_velocity;
+  dynamics->keep_motion();
   const std::vector<Wall> walls_before = moving_walls;
   const Adhesion memory = dynamics->contact_memory();
   const std::vector<Felt> obstacles_before = felt_by(moving_obstacles);
@@ -142,26 +146,23 @@ StepReport BpmModel::advance(const double dt_limit)
     {
       report.contact_residual = done.solver.residual;
       report.max_penetration = done.max_penetration;
-      keep_books(done, dt);
+      keep_books(done);
       fallbacks += done.solver.fell_back;
       return {true, ""};
     }
-    dynamics->disks().position = positions;
-    dynamics->disks().velocity = velocities;
-    dynamics->disks().angular_velocity = spins;
     moving_walls = walls_before;
     dynamics->contact_memory() = memory;
     put_back(obstacles_before, moving_obstacles);
-    dynamics->detect(moving_walls);
+    dynamics->take_back_motion(moving_walls);
     return {false, why_not(done, limit)};
   };
   const StepTaken taken = step_control.advance(settings.step, wanted_step(), dt_limit, now, try_step);
+  dynamics->forget_motion();
   report.attempts = taken.attempts;
   report.dt = last_dt = taken.dt;
   now += taken.dt;
   ++steps;
-  for (std::size_t row = 0; row < dynamics->contacts().size(); ++row)
-    report.n_contacts += dynamics->carries_force(row);
+  report.n_contacts = dynamics->n_pushing();
   check_ranks_agree(report);
   return report;
 }
@@ -170,10 +171,7 @@ void BpmModel::check_ranks_agree(const StepReport &report) const
 {
   if (ranks.alone())
     return;
-  double moved = 0.;
-  for (const std::array<double, 2> &velocity : dynamics->disks().velocity)
-    moved += velocity[0] * velocity[0] + velocity[1] * velocity[1];
-  ranks.check_alike({report.dt, report.contact_residual, report.max_penetration, moved});
+  ranks.check_alike({report.dt, report.contact_residual, report.max_penetration, dynamics->kinetic_energy()});
 }
 
 void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
@@ -182,21 +180,14 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
   balance.wall_work += softgrain::take_drives(moving_walls, drives, now);
 }
 
-void BpmModel::keep_books(const DynamicsReport &report, const double dt)
+void BpmModel::keep_books(const DynamicsReport &report)
 {
   for (Wall &wall : moving_walls)
     wall.accept_pressure();
   balance.wall_impulse += report.wall_impulse;
   balance.body_force_impulse += report.cell_impulse;
-  const Primaries &disks = dynamics->disks();
-  if (!acceleration.empty())
-    for (std::size_t i = 0; i < disks.size(); ++i)
-      for (unsigned int d = 0; d < 2 && !fixed[disks.body[i]]; ++d)
-        balance.body_force_impulse[d] += dt * disks.mass[i] * acceleration[i][d];
-  double moving = 0.;
-  for (std::size_t i = 0; i < disks.size(); ++i)
-    moving += disks.mass[i] * std::hypot(disks.velocity[i][0], disks.velocity[i][1]);
-  balance.note_momentum(moving);
+  balance.body_force_impulse += report.force_impulse;
+  balance.note_momentum(dynamics->moving());
   balance.wall_work += report.wall_work;
   balance.body_force_work += report.force_work;
   balance.contact_loss += report.contact_loss;
@@ -204,19 +195,9 @@ void BpmModel::keep_books(const DynamicsReport &report, const double dt)
   balance.wall_damping_loss += report.damping_loss;
 }
 
-dealii::Tensor<1, 2> BpmModel::momentum() const
-{
-  dealii::Tensor<1, 2> sum;
-  const Primaries &disks = dynamics->disks();
-  for (std::size_t i = 0; i < disks.size(); ++i)
-    for (unsigned int d = 0; d < 2 && !fixed[disks.body[i]]; ++d)
-      sum[d] += disks.mass[i] * disks.velocity[i][d];
-  return sum;
-}
-
 double BpmModel::momentum_error() const
 {
-  return balance.momentum_error(momentum());
+  return balance.momentum_error(dynamics->momentum());
 }
 
 Energies BpmModel::energies() const
@@ -237,8 +218,8 @@ SizeReport BpmModel::size_report() const
   return {{"bodies", std::to_string(n_bodies())},
           {"primaries", std::to_string(n_points())},
           {"mean diameter", text(dynamics->mean_diameter(), " m")},
-          {"neighbour pairs", std::to_string(dynamics->neighbours().n_pairs())},
-          {"contacts", std::to_string(dynamics->contacts().size())},
+          {"neighbour pairs", std::to_string(dynamics->n_pairs())},
+          {"contacts", std::to_string(dynamics->n_contacts())},
           {"characteristic stress F0/<a0>", text(characteristic_force / dynamics->mean_diameter(), " Pa")},
           {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
                                           : text(dt, " s")}};
@@ -247,7 +228,7 @@ SizeReport BpmModel::size_report() const
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 {
   std::vector<std::pair<std::string, double>> columns = {
-      {"contacts", static_cast<double>(dynamics->contacts().size())},
+      {"contacts", static_cast<double>(dynamics->n_contacts())},
       {"plain_solves", static_cast<double>(fallbacks)}};
   if (settings.dynamics.pairs.adhere())
     columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);

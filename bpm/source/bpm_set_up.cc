@@ -5,7 +5,6 @@
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/bpm/bpm_model.h>
-#include <softgrain/geometry/polygon.h>
 #include <softgrain/model/state_file.h>
 
 #include <deal.II/base/numbers.h>
@@ -156,34 +155,30 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
       settings.wall_floor * characteristic_force / disks.mean_diameter() * std::sqrt(area);
   // More than a step, for what it accelerates.
   settings.dynamics.look_ahead = 1.5 * wanted_step();
+  for (const BodyDescription<2> &body : scene.bodies)
+    body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"
+                             ? std::vector<Expression>()
+                             : vector_expression(body.body_force, {"x", "y", "X", "Y", "t"}));
+  is_loaded =
+      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
+  if (is_loaded)
+    disks.start = disks.position;
+  is_pulled = is_loaded || scene.gravity.norm() > 0.;
+  is_graded = !disks.strength.empty();
+  rotates = disks.rotate();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
   dynamics->set_timer(timer.get());
   dynamics->set_ranks(&ranks);
   if (!moving_obstacles.empty())
     dynamics->set_obstacles(&moving_obstacles);
 
-  for (const BodyDescription<2> &body : scene.bodies)
-    body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"
-                             ? std::vector<Expression>()
-                             : vector_expression(body.body_force, {"x", "y", "X", "Y", "t"}));
-  const bool loaded =
-      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
-  if (loaded)
-    start_position = dynamics->disks().position;
-  if (loaded || scene.gravity.norm() > 0.)
-    acceleration.resize(dynamics->disks().size());
-
   if (!known)
     check_places();
+  dynamics->part(moving_walls);
   dynamics->detect(moving_walls);
   drive_walls(0.);
-  for (const auto &outline : outlines())
-  {
-    area_at_start.push_back(0.);
-    for (const auto &loop : outline)
-      area_at_start.back() += signed_area(loop);
-  }
-  balance.initial_momentum = momentum();
+  area_at_start = outlined_areas();
+  balance.initial_momentum = dynamics->momentum();
 }
 
 Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of BpmModel that is looked at: neutral snapshot, walls, coordination, area.
 #include <softgrain/analysis/touching_pairs.h>
-#include <softgrain/base/parallel.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/bpm/looked_at.h>
 #include <softgrain/driving/wall_balance.h>
-#include <softgrain/geometry/aggregate_outline.h>
 #include <softgrain/geometry/polygon.h>
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/timer.h>
 
 #include <algorithm>
 
@@ -25,35 +23,28 @@ dealii::Tensor<1, 2> vector_of(const std::array<double, 2> &x)
 {
   return dealii::Tensor<1, 2>({x[0], x[1]});
 }
-} // namespace
-
-std::vector<std::vector<std::vector<dealii::Point<2>>>> BpmModel::outlines() const
+/// Adds to @p touching, which has the contacts of this rank, those of the others.
+void add_those_of_all(TouchingPairs &touching, const Ranks &ranks)
 {
-  const dealii::TimerOutput::Scope section(*timer, "outlines");
-  const Primaries &disks = dynamics->disks();
-  std::vector<std::vector<std::vector<dealii::Point<2>>>> result(scene.bodies.size());
-  parallel_for(scene.bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                 {
-                   std::vector<dealii::Point<2>> centers;
-                   for (std::size_t i = first_of_body[b]; i < first_of_body[b + 1]; ++i)
-                     centers.push_back(point_of(disks.position[i]));
-                   const std::vector<double> radii(disks.radius.begin() + first_of_body[b],
-                                                   disks.radius.begin() + first_of_body[b + 1]);
-                   result[b] = aggregate_outline(centers, radii, 0.5 * dynamics->mean_diameter());
-                 }
-               });
-  return result;
+  std::vector<double> bodies, walls;
+  for (const auto &[list, pairs] : {std::make_pair(&bodies, &touching.pairs_of_bodies()),
+                                    std::make_pair(&walls, &touching.pairs_with_walls())})
+    for (const auto &[one, other] : *pairs)
+      list->insert(list->end(), {static_cast<double>(one), static_cast<double>(other)});
+  for (const std::vector<double> &list : ranks.lists_of_all(bodies))
+    for (std::size_t k = 0; k < list.size(); k += 2)
+      touching.add_bodies(static_cast<std::size_t>(list[k]), static_cast<std::size_t>(list[k + 1]));
+  for (const std::vector<double> &list : ranks.lists_of_all(walls))
+    for (std::size_t k = 0; k < list.size(); k += 2)
+      touching.add_wall(static_cast<std::size_t>(list[k]), static_cast<std::size_t>(list[k + 1]));
 }
+} // namespace
 
 void BpmModel::refresh_solid_area() const
 {
   area_now = 0.;
-  for (const auto &outline : outlines())
-    for (const auto &loop : outline)
-      area_now += signed_area(loop);
+  for (const double area : outlined_areas())
+    area_now += area;
 }
 
 double BpmModel::solid_area() const
@@ -97,13 +88,15 @@ double BpmModel::coordination() const
     else
       touching.add_wall(body, b - disks.size());
   }
+  if (dynamics->parted() != nullptr)
+    add_those_of_all(touching, ranks);
   return touching.coordination(scene.bodies.size());
 }
 
-ContactState<2> BpmModel::contact_state(const std::size_t row) const
+ContactState<2> BpmModel::contact_state(const LookedAt &seen, const std::size_t row) const
 {
-  const Primaries &disks = dynamics->disks();
-  const contact::DiskContacts &rows = dynamics->contacts();
+  const Primaries &disks = seen.disks();
+  const contact::DiskContacts &rows = seen.rows();
   ContactState<2> state;
   const std::uint32_t a = rows.a[row], b = rows.b[row];
   const dealii::Tensor<1, 2> normal = vector_of(rows.normal[row]);
@@ -113,7 +106,7 @@ ContactState<2> BpmModel::contact_state(const std::size_t row) const
   else
     state.wall = b - disks.size();
   state.normal = normal;
-  state.gap = dynamics->gaps()[row];
+  state.gap = seen.gap(row);
   state.place = point_of(disks.position[a]) - (disks.radius[a] + 0.5 * state.gap) * normal;
   // A pair of primaries stands for so much of the line along which two bodies touch.
   state.length = b < disks.size() ? disks.radius[a] + disks.radius[b] : 2. * disks.radius[a];
@@ -123,46 +116,57 @@ ContactState<2> BpmModel::contact_state(const std::size_t row) const
   return state;
 }
 
-void BpmModel::add_inner_forces(Snapshot<2> &snapshot, const FoldedBodies *const cell) const
+void BpmModel::add_inner_forces(const LookedAt &seen,
+                                Snapshot<2> &snapshot,
+                                const FoldedBodies *const cell) const
 {
   // Pairs of one body carry contact and attraction together; what the eye wants is the sum.
-  const Primaries &disks = dynamics->disks();
-  const contact::NeighbourList &list = dynamics->neighbours();
-  for (std::size_t pair = 0; pair < list.n_pairs(); ++pair)
-  {
-    const std::uint32_t a = list.a(pair), b = list.b(pair);
-    if (disks.body[a] != disks.body[b])
-      continue;
-    const double force = list.memory()[pair][0] / last_dt - dynamics->attraction_of(pair);
-    if (force == 0.)
-      continue;
-    ContactState<2> state;
-    state.body_a = state.body_b = disks.body[a];
-    const dealii::Point<2> xa = point_of(disks.position[a]), xb = point_of(disks.position[b]);
-    const double distance = xa.distance(xb);
-    if (distance == 0.)
-      continue;
-    state.normal = (xa - xb) / distance;
-    state.gap = distance - disks.radius[a] - disks.radius[b];
-    state.place = xa - (disks.radius[a] + 0.5 * state.gap) * state.normal;
-    state.length = distance;
-    state.force = force * state.normal;
-    if (cell != nullptr)
-      cell->fold(state, {}, {});
-    snapshot.contacts.push_back(state);
-  }
+  const Primaries &disks = seen.disks();
+  seen.for_bonds(
+      [&](const LookedAt::Bond &bond)
+      {
+        const std::uint32_t a = bond.a, b = bond.b;
+        const double force = bond.impulse / last_dt - bond.attraction;
+        const dealii::Point<2> xa = point_of(disks.position[a]), xb = point_of(disks.position[b]);
+        const double distance = xa.distance(xb);
+        if (force == 0. || distance == 0.)
+          return;
+        ContactState<2> state;
+        state.body_a = state.body_b = disks.body[a];
+        state.normal = (xa - xb) / distance;
+        state.gap = distance - disks.radius[a] - disks.radius[b];
+        state.place = xa - (disks.radius[a] + 0.5 * state.gap) * state.normal;
+        state.length = distance;
+        state.force = force * state.normal;
+        if (cell != nullptr)
+          cell->fold(state, {}, {});
+        snapshot.contacts.push_back(state);
+      });
 }
 
 Snapshot<2> BpmModel::snapshot() const
 {
-  const Primaries &disks = dynamics->disks();
   Snapshot<2> snapshot;
   snapshot.time = now;
   snapshot.step = steps;
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();
+  const Outlines loops = outlines();
+  const LookedAt seen(*dynamics);
+  if (dynamics->parted() == nullptr)
+  {
+    show(seen, loops, snapshot);
+    return snapshot;
+  }
+  ranks.at_first([&]() { show(seen, loops, snapshot); });
+  tell_of_bodies(snapshot, loops);
+  return snapshot;
+}
 
+void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const
+{
+  const Primaries &disks = seen.disks();
   PointStates<2> &points = snapshot.points;
   NamedField radius{"radius_m", disks.radius};
   points.body = disks.body;
@@ -176,8 +180,28 @@ Snapshot<2> BpmModel::snapshot() const
   points.extra.push_back(std::move(radius));
   if (disks.rotate())
     points.extra.push_back({"angular_velocity_rad_per_s", disks.angular_velocity});
+  show_bodies(disks, loops, snapshot);
+  if (last_dt > 0.)
+    add_stresses(seen, snapshot);
 
-  const auto loops = outlines();
+  const contact::DiskContacts &rows = seen.rows();
+  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
+  for (std::size_t row = 0; row < rows.a.size() && last_dt > 0.; ++row)
+  {
+    const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];
+    if (inner || !seen.carries_force(row))
+      continue;
+    snapshot.contacts.push_back(contact_state(seen, row));
+    if (cell)
+      cell->fold(snapshot.contacts.back(), {},
+                 rows.b[row] < disks.size() ? seen.image_of_row(row) : PeriodicCell<2>::Image());
+  }
+  if (settings.inner_contacts_in_output && last_dt > 0.)
+    add_inner_forces(seen, snapshot, cell ? &*cell : nullptr);
+}
+
+void BpmModel::show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const
+{
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
     BodyState<2> state;
@@ -206,32 +230,13 @@ Snapshot<2> BpmModel::snapshot() const
     }
     snapshot.bodies.push_back(state);
   }
-  if (last_dt > 0.)
-    add_stresses(snapshot);
-
-  const contact::DiskContacts &rows = dynamics->contacts();
-  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
-  for (std::size_t row = 0; row < rows.size() && last_dt > 0.; ++row)
-  {
-    const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];
-    if (inner || !dynamics->carries_force(row))
-      continue;
-    snapshot.contacts.push_back(contact_state(row));
-    if (cell)
-      cell->fold(snapshot.contacts.back(), {},
-                 rows.b[row] < disks.size() ? dynamics->image_of_row(row) : PeriodicCell<2>::Image());
-  }
-  if (settings.inner_contacts_in_output && last_dt > 0.)
-    add_inner_forces(snapshot, cell ? &*cell : nullptr);
-  return snapshot;
 }
 
-void BpmModel::add_stresses(Snapshot<2> &snapshot) const
+void BpmModel::add_stresses(const LookedAt &seen, Snapshot<2> &snapshot) const
 {
   // Internal moments (2.30)-(2.31): sum of force times arm over the forces on a primary or on a body.
-  const Primaries &disks = dynamics->disks();
-  const contact::DiskContacts &rows = dynamics->contacts();
-  const contact::NeighbourList &list = dynamics->neighbours();
+  const Primaries &disks = seen.disks();
+  const contact::DiskContacts &rows = seen.rows();
   const auto add =
       [&](const std::uint32_t i, const dealii::Tensor<1, 2> &force, const dealii::Tensor<1, 2> &arm)
   {
@@ -248,26 +253,24 @@ void BpmModel::add_stresses(Snapshot<2> &snapshot) const
   };
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    if (!dynamics->carries_force(row))
+    if (!seen.carries_force(row))
       continue;
-    const ContactState<2> contact = contact_state(row);
+    const ContactState<2> contact = contact_state(seen, row);
     if (rows.b[row] < disks.size())
       add_pair(rows.a[row], rows.b[row], contact.normal, contact.gap, contact.force);
     else
       add(rows.a[row], contact.force, -disks.radius[rows.a[row]] * contact.normal);
   }
-  for (std::size_t pair = 0; pair < list.n_pairs(); ++pair)
-  {
-    const double strength = dynamics->attraction_of(pair);
-    if (strength == 0.)
-      continue;
-    const std::uint32_t a = list.a(pair), b = list.b(pair);
-    const dealii::Tensor<1, 2> branch = point_of(disks.position[a]) - point_of(disks.position[b]);
-    const double distance = branch.norm();
-    if (distance > 0.)
-      add_pair(a, b, branch / distance, distance - disks.radius[a] - disks.radius[b],
-               -strength / distance * branch);
-  }
+  seen.for_bonds(
+      [&](const LookedAt::Bond &bond)
+      {
+        const std::uint32_t a = bond.a, b = bond.b;
+        const dealii::Tensor<1, 2> branch = point_of(disks.position[a]) - point_of(disks.position[b]);
+        const double distance = branch.norm();
+        if (bond.attraction != 0. && distance > 0.)
+          add_pair(a, b, branch / distance, distance - disks.radius[a] - disks.radius[b],
+                   -bond.attraction / distance * branch);
+      });
   for (BodyState<2> &body : snapshot.bodies)
     if (body.area > 0.)
       body.mean_stress /= body.area;

@@ -29,20 +29,43 @@ std::vector<std::array<double, n>> unflat(const std::vector<double> &numbers)
 }
 } // namespace
 
+void BpmModel::write(StateWriter &out,
+                     const std::string &name,
+                     const std::vector<std::array<double, 2>> &values) const
+{
+  const StripShare *const share = dynamics->parted();
+  out.write(name,
+            share == nullptr ? flat(values) : share->at_first(values.data()->data(), 2, dynamics->disks()));
+}
+
+void BpmModel::write(StateWriter &out, const std::string &name, const std::vector<double> &values) const
+{
+  if (dynamics->parted() == nullptr)
+    out.write(name, values);
+  else
+    out.write(name, dynamics->parted()->at_first(values.data(), 1, dynamics->disks()));
+}
+
 void BpmModel::save(StateWriter &out) const
 {
   const Primaries &disks = dynamics->disks();
   out.write("bpm/scalars", std::vector<double>{now, step_control.scale, last_dt});
   out.write("bpm/step", std::vector<std::uint64_t>{steps, fallbacks});
   balance.save(out, "bpm/balance");
-  out.write("bpm/position", flat(disks.position));
-  out.write("bpm/velocity", flat(disks.velocity));
-  out.write("bpm/radius", disks.radius);
-  if (!disks.strength.empty())
-    out.write("bpm/strength", disks.strength);
+  write(out, "bpm/position", disks.position);
+  write(out, "bpm/velocity", disks.velocity);
+  write(out, "bpm/radius", disks.radius);
+  if (is_graded)
+    write(out, "bpm/strength", disks.strength);
   out.write("bpm/first_of_body", std::vector<std::uint64_t>(first_of_body.begin(), first_of_body.end()));
-  out.write("bpm/angular_velocity", disks.angular_velocity);
-  out.write("bpm/start_position", flat(start_position));
+  if (rotates)
+    write(out, "bpm/angular_velocity", disks.angular_velocity);
+  else
+    out.write("bpm/angular_velocity", std::vector<double>());
+  if (is_loaded)
+    write(out, "bpm/start_position", disks.start);
+  else
+    out.write("bpm/start_position", std::vector<double>());
   out.write("bpm/area_at_start", area_at_start);
   // The area was measured after the list was made: it is the same after a restart only if it is kept. One
   // that nobody has asked for since is not measured for a checkpoint.
@@ -52,8 +75,11 @@ void BpmModel::save(StateWriter &out) const
   save_obstacles(out, "bpm/obstacles", moving_obstacles);
 
   const contact::NeighbourList &list = dynamics->neighbours();
-  out.write("bpm/neighbours/build_position", flat(list.build_positions()));
-  out.write("bpm/neighbours/memory", list.memory().values());
+  write(out, "bpm/neighbours/build_position", list.build_positions());
+  if (dynamics->parted() == nullptr)
+    out.write("bpm/neighbours/memory", list.memory().values());
+  else
+    out.write("bpm/neighbours/memory", dynamics->memory_of_pairs());
   const contact::ImageLattice &built = list.build_lattice();
   if (built.repeats())
     out.write("bpm/neighbours/build_cell",
@@ -71,11 +97,18 @@ void BpmModel::save(StateWriter &out) const
   dynamics->contact_memory().save(out, "bpm/adhesion");
 }
 
+template <class T>
+void BpmModel::take(const std::vector<T> &of_all, std::vector<T> &here) const
+{
+  const Primaries &disks = dynamics->disks();
+  for (std::size_t i = 0; i < disks.size(); ++i)
+    here[i] = of_all.at(disks.number_of(i));
+}
+
 void BpmModel::load(StateReader &in)
 {
-  Primaries &disks = dynamics->disks();
-  if (in.read_doubles("bpm/radius") != disks.radius ||
-      in.read_doubles("bpm/angular_velocity").size() != disks.angular_velocity.size())
+  if (!dynamics->has_radii(in.read_doubles("bpm/radius")) ||
+      in.read_doubles("bpm/angular_velocity").size() != (rotates ? n_points() : 0))
     throw InputError("the checkpoint was made with other primaries or frictions");
   load_walls(in, "bpm/walls", moving_walls);
   const std::vector<double> scalars = in.read_doubles("bpm/scalars");
@@ -86,24 +119,23 @@ void BpmModel::load(StateReader &in)
   steps = in.read_integers("bpm/step").at(0);
   fallbacks = in.read_integers("bpm/step").at(1);
   balance.load(in, "bpm/balance");
-  disks.position = unflat<2>(in.read_doubles("bpm/position"));
-  disks.velocity = unflat<2>(in.read_doubles("bpm/velocity"));
-  disks.angular_velocity = in.read_doubles("bpm/angular_velocity");
-  start_position = unflat<2>(in.read_doubles("bpm/start_position"));
   area_at_start = in.read_doubles("bpm/area_at_start");
   // The same places give the same list in the same order, so that every sum is formed as if never stopped.
-  contact::NeighbourList &list = dynamics->neighbours();
   contact::ImageLattice built;
   if (in.contains("bpm/neighbours/build_cell"))
   {
     const std::vector<double> v = in.read_doubles("bpm/neighbours/build_cell");
     built = {{{v.at(5) > 0., v.at(6) > 0.}}, {{v[0], v[1]}}, {{v[2], v[3]}}, v[4]};
   }
-  list.build(unflat<2>(in.read_doubles("bpm/neighbours/build_position")), built);
-  const std::vector<double> memory = in.read_doubles("bpm/neighbours/memory");
-  if (memory.size() != list.memory().values().size())
-    throw InputError("the checkpoint was made with other primaries or frictions");
-  list.memory().values() = memory;
+  dynamics->build_list(unflat<2>(in.read_doubles("bpm/neighbours/build_position")), built,
+                       in.read_doubles("bpm/neighbours/memory"));
+  Primaries &disks = dynamics->disks();
+  take(unflat<2>(in.read_doubles("bpm/position")), disks.position);
+  take(unflat<2>(in.read_doubles("bpm/velocity")), disks.velocity);
+  if (rotates)
+    take(in.read_doubles("bpm/angular_velocity"), disks.angular_velocity);
+  if (is_loaded)
+    take(unflat<2>(in.read_doubles("bpm/start_position")), disks.start);
   const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
   const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));
   dynamics->wall_memory().clear();

@@ -166,7 +166,7 @@ void Dynamics::detect(const std::vector<Wall> &walls)
   if (timer != nullptr)
     section.emplace(*timer, "neighbour list");
   see_cell(walls);
-  n_lists += list.update(primaries.position, lattice());
+  update_list();
   if (timer != nullptr)
   {
     section.reset();
@@ -186,7 +186,11 @@ void Dynamics::detect(const std::vector<Wall> &walls)
                    for (std::size_t tile = first + begin; tile < first + end; ++tile)
                      attract_and_find(tile, scratch);
                  });
+    if (share)
+      tell_forces(colour);
   }
+  if (share)
+    tell_energies();
   stored_energy = 0.;
   for (const double energy : tile_energy)
     stored_energy += energy;
@@ -248,47 +252,6 @@ void Dynamics::set_row(const std::size_t row,
   }
 }
 
-void Dynamics::collect_walls(const std::vector<Wall> &walls)
-{
-  auto remembered = remembered_at_walls.begin();
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    const Wall &wall = walls[w];
-    if (wall.repeats())
-      continue;
-    const dealii::Point<2> &start = wall.description.point;
-    const std::array<double, 2> normal = {wall.normal()[0], wall.normal()[1]};
-    const double offset = start[0] * normal[0] + start[1] * normal[1] + wall.travel, speed = wall.speed;
-    for (std::uint32_t i = 0; i < primaries.size(); ++i)
-    {
-      const double opening = primaries.position[i][0] * normal[0] + primaries.position[i][1] * normal[1] -
-                             offset - primaries.radius[i];
-      const std::array<double, 2> &v = primaries.velocity[i];
-      if (inverse_mass[i] == 0. ||
-          !closes({v[0] - speed * normal[0], v[1] - speed * normal[1]}, normal, opening))
-        continue;
-      // Both this loop and the memory run through walls and primaries in order.
-      while (remembered != remembered_at_walls.end() &&
-             (remembered->wall < w || (remembered->wall == w && remembered->primary < i)))
-        ++remembered;
-      const bool known =
-          remembered != remembered_at_walls.end() && remembered->wall == w && remembered->primary == i;
-      resize_rows(rows.size() + 1);
-      set_row(rows.size() - 1, i, primaries.size() + w, normal, opening,
-              settings.pairs.friction_at_wall(primaries.body[i], w),
-              primaries.radius[i] * settings.rolling_resistance,
-              known ? remembered->impulse : contact::PairMemory::Impulses{});
-      if (cell)
-      {
-        const dealii::Point<2> &center = center_of_body[primaries.body[i]];
-        for (unsigned int d = 0; d < 2; ++d)
-          rows.branch.back()[d] =
-              center[d] - (primaries.position[i][d] - (primaries.radius[i] + opening) * normal[d]);
-      }
-    }
-  }
-}
-
 void Dynamics::collect(const std::vector<Wall> &walls)
 {
   rows.colour_start = list.colour_start();
@@ -325,13 +288,18 @@ void Dynamics::collect(const std::vector<Wall> &walls)
           }
         }
       });
-  collect_walls(walls);
+  if (share)
+    bring_wall_rows(walls);
+  else
+    add_wall_rows(walls, find_at_walls(walls, 0, primaries.size()));
   if (obstacles != nullptr)
     collect_obstacles(walls.size());
   find_pulls();
   deepest = 0.;
   for (const double opening : gap)
     deepest = std::max(deepest, -opening);
+  if (share)
+    sum_up();
 }
 
 void Dynamics::remember()
@@ -353,8 +321,8 @@ void Dynamics::remember()
   remembered_at_walls.clear();
   const std::size_t first_at_obstacle = rows.size() - obstacle_rows.size();
   for (std::size_t row = pair_of_row.size(); row < first_at_obstacle; ++row)
-    remembered_at_walls.push_back(
-        {static_cast<std::uint32_t>(rows.b[row] - primaries.size()), rows.a[row], impulses(row)});
+    remembered_at_walls.push_back({static_cast<std::uint32_t>(rows.b[row] - primaries.size()),
+                                   primaries.number_of(rows.a[row]), impulses(row)});
   for (std::size_t row = first_at_obstacle; row < rows.size(); ++row)
     remembered_at_walls.push_back(
         {obstacle_rows[row - first_at_obstacle].surface, rows.a[row], impulses(row)});

@@ -60,25 +60,38 @@ bool DynamicsSettings::rotations() const
 
 Dynamics::Dynamics(Primaries disks,
                    std::vector<std::shared_ptr<const Attraction>> attraction,
-                   std::vector<bool> fixed,
+                   std::vector<bool> fixed_bodies,
                    const DynamicsSettings &dynamics_settings)
     : primaries(std::move(disks))
     , laws(std::move(attraction))
     , settings(dynamics_settings)
     , rotations(primaries.rotate())
+    , fixed(std::move(fixed_bodies))
 {
   diameter = primaries.mean_diameter();
   if (settings.pairs.adhere())
     adhesion = Adhesion(settings.contact_law, touching * diameter);
-  inverse_mass.resize(primaries.size());
-  for (std::size_t i = 0; i < primaries.size(); ++i)
-    inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
+  weigh();
   const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
   list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
                                 range_of(contact_reach(), settings.skin, laws, diameter),
                                 !rotations               ? 1
                                 : settings.any_rolling() ? 3
                                                          : 2);
+}
+
+void Dynamics::keep_motion()
+{
+  kept.position = primaries.position;
+  kept.velocity = primaries.velocity;
+  kept.angular_velocity = primaries.angular_velocity;
+}
+
+void Dynamics::weigh()
+{
+  inverse_mass.resize(primaries.size());
+  for (std::size_t i = 0; i < primaries.size(); ++i)
+    inverse_mass[i] = !fixed.empty() && fixed[primaries.body[i]] ? 0. : 1. / primaries.mass[i];
 }
 
 double Dynamics::contact_reach() const
@@ -169,19 +182,6 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &
   }
 }
 
-double Dynamics::kinetic_energy() const
-{
-  double sum = 0.;
-  for (std::size_t i = 0; i < primaries.size(); ++i)
-    if (inverse_mass[i] > 0.)
-    {
-      const std::array<double, 2> &v = primaries.velocity[i];
-      const double spin = rotations ? primaries.radius[i] * primaries.angular_velocity[i] : 0.;
-      sum += primaries.mass[i] * (v[0] * v[0] + v[1] * v[1] + 0.5 * spin * spin);
-    }
-  return 0.5 * sum;
-}
-
 void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, DynamicsReport &report) const
 {
   const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
@@ -198,7 +198,7 @@ void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, Dynam
   wall.slide_speed = after;
 }
 
-void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsReport &report) const
+void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsReport &report)
 {
   const std::size_t n = primaries.size();
   std::vector<double> normal_impulse(walls.size(), 0.), tangential_impulse(walls.size(), 0.);
@@ -210,6 +210,8 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
   }
   if (cell)
     load_cell(dt, walls);
+  if (share)
+    tell_of_walls(normal_impulse, tangential_impulse);
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     Wall &wall = walls[w];
@@ -262,40 +264,78 @@ void Dynamics::account(const double dt,
   // but for the work of the attraction, which is compared with its potential.
   struct Work
   {
-    double kinetic_loss = 0., attraction = 0., force = 0.;
+    ExactSum loss, force, impulse[2];
   };
-  // By pieces that do not depend on the number of threads, so neither does their sum.
-  std::vector<Work> of_piece(primaries.size() / grain + 1);
-  parallel_for(primaries.size(), grain,
+  const std::size_t n = n_own(), n_pieces = n / grain + 1;
+  const bool pulled = !acceleration.empty();
+  std::vector<Work> of_piece(n_pieces);
+  parallel_for(n, grain,
                [&](const std::size_t begin, const std::size_t end)
                {
-                 Work work;
+                 Work &work = of_piece[begin / grain];
                  for (std::size_t i = begin; i < end; ++i)
                  {
                    if (inverse_mass[i] == 0.)
                      continue;
+                   double kinetic_loss = 0., attraction = 0., force_work = 0.;
                    for (unsigned int d = 0; d < 2; ++d)
                    {
                      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
-                     work.kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
-                     work.attraction += dt * force[i][d] * 0.5 * (before + after);
-                     if (!acceleration.empty())
-                       work.force += dt * primaries.mass[i] * acceleration[i][d] * 0.5 * (before + after);
+                     kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
+                     attraction += dt * force[i][d] * 0.5 * (before + after);
+                     if (!pulled)
+                       continue;
+                     const double impulse = dt * primaries.mass[i] * acceleration[i][d];
+                     force_work += impulse * 0.5 * (before + after);
+                     work.impulse[d].add(impulse);
                    }
                    if (rotations)
                    {
                      const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
-                     work.kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] *
-                                          primaries.radius[i] * (before - after) * (before + after);
+                     kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] * primaries.radius[i] *
+                                     (before - after) * (before + after);
                    }
+                   work.loss.add(kinetic_loss + attraction + force_work);
+                   if (pulled)
+                     work.force.add(force_work);
                  }
-                 of_piece[begin / grain] = work;
                });
+  std::vector<ExactSum> all(4);
   for (const Work &work : of_piece)
   {
-    report.force_work += work.force;
-    report.contact_loss += work.kinetic_loss + work.attraction + work.force;
+    all[0].add(work.loss);
+    if (!pulled)
+      continue;
+    all[1].add(work.force);
+    all[2].add(work.impulse[0]);
+    all[3].add(work.impulse[1]);
   }
+  if (share)
+    add_over_ranks(all, share->of_ranks());
+  report.contact_loss += all[0].value();
+  report.force_work += all[1].value();
+  report.force_impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
+}
+
+void Dynamics::move_primaries(const double dt)
+{
+  const std::size_t n = primaries.size();
+  parallel_for(n, grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
+                     throw ComputationError("primary " + std::to_string(primaries.number_of(i)) +
+                                            " of body " + std::to_string(primaries.body[i]) +
+                                            " has no finite velocity");
+                   primaries.velocity[i] = bodies.velocity[i];
+                   for (unsigned int d = 0; d < 2; ++d)
+                     primaries.position[i][d] += dt * primaries.velocity[i][d];
+                 }
+               });
+  if (rotations)
+    std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
 }
 
 DynamicsReport Dynamics::step(const double dt,
@@ -303,7 +343,6 @@ DynamicsReport Dynamics::step(const double dt,
                               const std::vector<std::array<double, 2>> &acceleration)
 {
   DynamicsReport report;
-  const std::size_t n = primaries.size();
   {
     const Section section(timer, "free motion");
     prepare_bodies(dt, walls, acceleration);
@@ -317,7 +356,7 @@ DynamicsReport Dynamics::step(const double dt,
     solver.wall_floor = settings.wall_force_floor * dt;
     solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
     shift_cones(dt, false);
-    report.solver = contact::solve_disks(bodies, rows, solver, ranks);
+    report.solver = contact::solve_disks(bodies, rows, solver, ranks, share ? &exchanges : nullptr);
     shift_cones(dt, true);
   }
 
@@ -330,21 +369,7 @@ DynamicsReport Dynamics::step(const double dt,
     account(dt, acceleration, report);
     report.contact_loss += report.adhesion_work;
     note_contacts(dt);
-    parallel_for(n, grain,
-                 [&](const std::size_t begin, const std::size_t end)
-                 {
-                   for (std::size_t i = begin; i < end; ++i)
-                   {
-                     if (!std::isfinite(bodies.velocity[i][0] + bodies.velocity[i][1]))
-                       throw ComputationError("primary " + std::to_string(i) + " of body " +
-                                              std::to_string(primaries.body[i]) + " has no finite velocity");
-                     primaries.velocity[i] = bodies.velocity[i];
-                     for (unsigned int d = 0; d < 2; ++d)
-                       primaries.position[i][d] += dt * primaries.velocity[i][d];
-                   }
-                 });
-    if (rotations)
-      std::copy_n(bodies.angular_velocity.begin(), n, primaries.angular_velocity.begin());
+    alike([&]() { move_primaries(dt); });
     if (cell)
       take_along(dt, walls, report);
     remember();

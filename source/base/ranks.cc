@@ -204,6 +204,10 @@ void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr 
       std::copy_n(at[piece.owner], piece.size, piece.begin);
     at[piece.owner] += piece.size;
   }
+  // What is exchanged in every step is small beside this.
+  constexpr std::size_t most_kept = 1000000;
+  if (all.size() > most_kept)
+    std::vector<double>().swap(all);
 }
 
 bool Ranks::any(const bool here) const
@@ -273,14 +277,18 @@ void Ranks::swap(const std::vector<Message> &outgoing, const std::vector<Message
 
 Ranks::OwnWork::OwnWork(const Ranks &ranks) : ranks(ranks)
 {
-  if (!ranks.alone())
-    begin = processor_seconds() - ranks.times.spinning;
+  if (ranks.alone())
+    return;
+  own = ranks.times.own;
+  spinning = ranks.times.spinning;
+  begin = processor_seconds();
 }
 
 Ranks::OwnWork::~OwnWork()
 {
+  // What has been booked in between is in it.
   if (!ranks.alone())
-    ranks.times.own += processor_seconds() - ranks.times.spinning - begin;
+    ranks.times.own = own + processor_seconds() - begin - (ranks.times.spinning - spinning);
 }
 
 std::string Ranks::share(const std::string &text, const unsigned int owner) const
@@ -301,6 +309,54 @@ std::vector<std::vector<double>> Ranks::of_all(const std::vector<double> &number
     pieces.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
   share(pieces);
   return of_ranks;
+}
+
+std::vector<std::vector<double>> Ranks::lists_of_all(const std::vector<double> &list) const
+{
+  const std::vector<std::vector<double>> sizes = of_all({static_cast<double>(list.size())});
+  std::vector<std::vector<double>> lists(n);
+  std::vector<Piece> pieces;
+  for (unsigned int r = 0; r < n; ++r)
+  {
+    lists[r].resize(static_cast<std::size_t>(sizes[r][0]));
+    if (r == rank)
+      lists[r] = list;
+    pieces.push_back({r, lists[r].data(), lists[r].size()});
+  }
+  share(pieces);
+  return lists;
+}
+
+std::vector<std::vector<double>> Ranks::to_each(std::vector<std::vector<double>> lists) const
+{
+  std::vector<double> sizes;
+  for (const std::vector<double> &list : lists)
+    sizes.push_back(list.size());
+  const std::vector<std::vector<double>> sizes_of_all = of_all(sizes);
+  std::vector<std::vector<double>> came(n);
+  std::vector<Message> outgoing, incoming;
+  for (unsigned int r = 0; r < n; ++r)
+  {
+    if (r == rank)
+    {
+      came[r] = std::move(lists[r]);
+      continue;
+    }
+    came[r].resize(static_cast<std::size_t>(sizes_of_all[r][rank]));
+    if (!lists[r].empty())
+      outgoing.push_back({r, lists[r].data(), lists[r].size()});
+    if (!came[r].empty())
+      incoming.push_back({r, came[r].data(), came[r].size()});
+  }
+  swap(outgoing, incoming);
+  return came;
+}
+
+std::vector<std::vector<double>> Ranks::lists_at_first(std::vector<double> list) const
+{
+  std::vector<std::vector<double>> lists(n);
+  lists[0] = std::move(list);
+  return to_each(std::move(lists));
 }
 
 void Ranks::check_alike(const std::vector<double> &numbers) const

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace softgrain::contact
 {
@@ -18,10 +19,32 @@ DiskShare::DiskShare(const Ranks &ranks,
                      const std::size_t n_bodies,
                      const std::vector<ContactRange> &ranges,
                      const std::vector<std::uint32_t> &colour_end)
-    : ranks(ranks), ranges(ranges)
+    : ranks(ranks), ranges(ranges), is_apart(false)
 {
   divide(colour_end);
   find_exchanges(contacts, number_of, n_bodies);
+}
+
+DiskShare::DiskShare(const Ranks &ranks,
+                     const DiskExchanges &exchanges,
+                     const std::vector<std::uint32_t> &number_of,
+                     const std::size_t n_bodies,
+                     const std::vector<ContactRange> &ranges)
+    : ranks(ranks)
+    , ranges(ranges)
+    , is_apart(true)
+    , end_of(exchanges.end_of_tiles)
+    , rounds(exchanges.rounds)
+    , touched(n_bodies)
+{
+  end_of.emplace_back(ranks.number(), ranges.size());
+  for (std::vector<DiskRound> &of_colour : rounds)
+    for (DiskRound &round : of_colour)
+      for (auto *const list : {&round.send, &round.receive})
+        for (DiskExchange &one : *list)
+          for (std::uint32_t &body : one.bodies)
+            body = number_of[body];
+  std::iota(touched.begin(), touched.end(), 0);
 }
 
 void DiskShare::divide(const std::vector<std::uint32_t> &colour_end)
@@ -113,18 +136,17 @@ void DiskShare::find_exchanges(const DiskContacts &contacts,
                  list.push_back(rank);
              });
 
-  const auto with = [](std::vector<Exchange> &list, const unsigned int rank) -> Exchange &
+  const auto with = [](std::vector<DiskExchange> &list, const unsigned int rank) -> DiskExchange &
   {
     const auto found =
-        std::find_if(list.begin(), list.end(), [rank](const Exchange &one) { return one.rank == rank; });
+        std::find_if(list.begin(), list.end(), [rank](const DiskExchange &one) { return one.rank == rank; });
     if (found != list.end())
       return *found;
     list.emplace_back();
     list.back().rank = rank;
     return list.back();
   };
-  send.resize(n_colours());
-  receive.resize(n_colours());
+  rounds.assign(n_colours(), std::vector<DiskRound>(1));
   for_bodies(contacts, number_of,
              [&](const std::size_t colour, const unsigned int rank, const std::uint32_t body)
              {
@@ -134,14 +156,14 @@ void DiskShare::find_exchanges(const DiskContacts &contacts,
                {
                  for (const unsigned int other : ranks_of[list_of[body]])
                    if (other != here)
-                     with(send[colour], other).bodies.push_back(body);
+                     with(rounds[colour][0].send, other).bodies.push_back(body);
                }
                else if (is_here[body])
-                 with(receive[colour], rank).bodies.push_back(body);
+                 with(rounds[colour][0].receive, rank).bodies.push_back(body);
              });
-  for (auto *all : {&send, &receive})
-    for (std::vector<Exchange> &of_colour : *all)
-      for (Exchange &one : of_colour)
+  for (std::vector<DiskRound> &of_colour : rounds)
+    for (auto *const list : {&of_colour[0].send, &of_colour[0].receive})
+      for (DiskExchange &one : *list)
       {
         std::sort(one.bodies.begin(), one.bodies.end());
         one.bodies.erase(std::unique(one.bodies.begin(), one.bodies.end()), one.bodies.end());
@@ -155,19 +177,6 @@ void DiskShare::find_exchanges(const DiskContacts &contacts,
     if (is_here[body])
       touched.push_back(body);
   }
-}
-
-void DiskShare::swap(const std::size_t colour, const unsigned int n)
-{
-  std::vector<Ranks::Message> outgoing, incoming;
-  for (Exchange &one : send[colour])
-    outgoing.push_back({one.rank, one.numbers.data(), one.numbers.size()});
-  for (Exchange &one : receive[colour])
-  {
-    one.numbers.resize(n * one.bodies.size());
-    incoming.push_back({one.rank, one.numbers.data(), one.numbers.size()});
-  }
-  ranks.swap(outgoing, incoming);
 }
 
 template <class Part>

@@ -107,6 +107,14 @@ double rounding_of(const DiskBodies &bodies)
   return 8. * std::numeric_limits<double>::epsilon() * fastest;
 }
 
+/// @p here is not negative.
+double largest_of(const Ranks &ranks, double here)
+{
+  for (const std::vector<double> &other : ranks.of_all({here}))
+    here = std::max(here, other[0]);
+  return here;
+}
+
 /// Sweeps after which ranks tell each other of a request to stop.
 constexpr unsigned int sweeps_between_words = 500;
 
@@ -156,14 +164,20 @@ public:
   DiskIteration(DiskBodies &bodies,
                 DiskContacts &contacts,
                 const DiskSolverSettings &settings,
-                const Ranks *const ranks)
+                const Ranks *const ranks,
+                const DiskExchanges *const exchanges)
       : bodies(bodies)
       , contacts(contacts)
       , settings(settings)
       , team(contacts.size() < contacts_to_share ? 1 : n_threads())
       , ranks(ranks)
-      , sweeps(bodies, contacts, team, contacts.size() < contacts_to_share ? nullptr : ranks)
-      , rounding(rounding_of(bodies))
+      , apart(exchanges != nullptr)
+      , sweeps(bodies,
+               contacts,
+               team,
+               !apart && contacts.size() < contacts_to_share ? nullptr : ranks,
+               exchanges)
+      , rounding(apart ? largest_of(*ranks, rounding_of(bodies)) : rounding_of(bodies))
       , momentum(n)
       , walls(settings.wall_floor)
       , accelerating(settings.algorithm == DiskAlgorithm::accelerated)
@@ -173,7 +187,7 @@ public:
   DiskSolverReport run()
   {
     std::optional<Ranks::OwnWork> own;
-    if (sweeps.shared())
+    if (sweeps.shared() && !apart) // else the caller sees to that
       own.emplace(*ranks);
     sweeps.set_free_velocities();
     speed = sweeps.measure().approach;
@@ -283,6 +297,7 @@ private:
   const DiskSolverSettings &settings;
   ThreadTeam team;
   const Ranks *const ranks; ///< null: this process is alone
+  const bool apart;         ///< each rank has its own contacts alone
   DiskSweeps<n, in_cell> sweeps;
   const double rounding;
   Momentum momentum;
@@ -299,26 +314,31 @@ template <bool in_cell>
 DiskSolverReport iterate(DiskBodies &bodies,
                          DiskContacts &contacts,
                          const DiskSolverSettings &settings,
-                         const Ranks *const ranks)
+                         const Ranks *const ranks,
+                         const DiskExchanges *const exchanges)
 {
-  if (!bodies.rotate())
-    return DiskIteration<1, in_cell>(bodies, contacts, settings, ranks).run();
+  if (exchanges != nullptr ? !exchanges->rotate : !bodies.rotate())
+    return DiskIteration<1, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
   if (contacts.rolling.empty())
-    return DiskIteration<2, in_cell>(bodies, contacts, settings, ranks).run();
-  return DiskIteration<3, in_cell>(bodies, contacts, settings, ranks).run();
+    return DiskIteration<2, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
+  return DiskIteration<3, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
 }
 } // namespace
 
 DiskSolverReport solve_disks(DiskBodies &bodies,
                              DiskContacts &contacts,
                              const DiskSolverSettings &settings,
-                             const Ranks *ranks)
+                             const Ranks *ranks,
+                             const DiskExchanges *const exchanges)
 {
   check(settings);
-  check(bodies, contacts);
+  if (exchanges == nullptr)
+    check(bodies, contacts);
+  else // what one rank finds ends it for all
+    ranks->together([&]() { check(bodies, contacts); });
   if (ranks != nullptr && ranks->alone())
     ranks = nullptr;
-  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, ranks)
-                                 : iterate<true>(bodies, contacts, settings, ranks);
+  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, ranks, exchanges)
+                                 : iterate<true>(bodies, contacts, settings, ranks, exchanges);
 }
 } // namespace softgrain::contact

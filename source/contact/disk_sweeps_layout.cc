@@ -10,27 +10,30 @@ namespace softgrain::contact
 namespace
 {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-/// Contacts that one thread sweeps at least before it takes the next piece; taking one costs some 0.1 µs.
-constexpr std::uint32_t rows_per_range = 400;
 } // namespace
 
 template <unsigned int n, bool in_cell>
 DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies,
                                    const DiskContacts &contacts,
                                    ThreadTeam &team,
-                                   const Ranks *const ranks)
+                                   const Ranks *const ranks,
+                                   const DiskExchanges *const exchanges)
     : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
-  number_bodies();
+  number_bodies(exchanges);
   make_ranges();
-  if (ranges.size() > 1 && ranks != nullptr && !bodies.cell.is_free())
+  if (exchanges != nullptr)
+  {
+    n_walls = exchanges->n_walls;
+    share.emplace(*ranks, *exchanges, packed_of, n_bodies(), ranges);
+  }
+  else if (ranges.size() > 1 && ranks != nullptr && !bodies.cell.is_free())
     share.emplace(*ranks, contacts, packed_of, n_bodies(), ranges, colour_end);
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }
 
 template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::number_bodies()
+void DiskSweeps<n, in_cell>::number_bodies(const DiskExchanges *const exchanges)
 {
   packed_of.assign(bodies.size(), none);
   original_of.reserve(bodies.size());
@@ -47,6 +50,14 @@ void DiskSweeps<n, in_cell>::number_bodies()
     meet(contacts.a[i]);
     meet(contacts.b[i]);
   }
+  // Those that others know may have contacts there alone.
+  if (exchanges != nullptr)
+    for (const std::vector<DiskRound> &of_colour : exchanges->rounds)
+      for (const DiskRound &round : of_colour)
+        for (const auto *const list : {&round.send, &round.receive})
+          for (const DiskExchange &one : *list)
+            for (const std::uint32_t body : one.bodies)
+              meet(body);
   states.reset(new State[n_bodies()]);
   last_velocity.reset(new std::array<double, n_velocities>[n_bodies()]);
 }
@@ -54,20 +65,12 @@ void DiskSweeps<n, in_cell>::number_bodies()
 template <unsigned int n, bool in_cell>
 void DiskSweeps<n, in_cell>::make_ranges()
 {
+  // A tile is swept by one thread. None of them is left out, nor are two made one: the order in which
+  // contacts are swept is not to depend on which tiles a rank has.
   const auto &tiles = contacts.tile_start;
-  for (std::size_t colour = 0; colour + 1 < contacts.colour_start.size(); ++colour)
-  {
-    const std::uint32_t end = contacts.colour_start[colour + 1];
-    for (std::uint32_t tile = contacts.colour_start[colour]; tile < end;)
-    {
-      Range range{tiles[tile], tiles[tile + 1]};
-      while (++tile < end && range.last - range.first < rows_per_range)
-        range.last = tiles[tile + 1];
-      if (range.last > range.first)
-        ranges.push_back(range);
-    }
-    colour_end.push_back(ranges.size());
-  }
+  for (std::size_t tile = 0; tile + 1 < tiles.size(); ++tile)
+    ranges.push_back({tiles[tile], tiles[tile + 1]});
+  colour_end.assign(contacts.colour_start.begin() + 1, contacts.colour_start.end());
   ranges.push_back({tiles.back(), std::uint32_t(contacts.size())});
   sums.resize(ranges.size());
   approach.resize(ranges.size());
@@ -162,7 +165,7 @@ void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
                        target.rolling_impulse[i] = rows[row].impulse[2];
                    });
       });
-  if (!share)
+  if (!share || share->apart())
     return;
   share->share_contacts(target.impulse);
   if constexpr (n > 1)
@@ -174,7 +177,7 @@ void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
 template <unsigned int n, bool in_cell>
 void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target)
 {
-  if (share)
+  if (share && !share->apart())
     share->template tell_all<n_velocities>([this](const std::uint32_t body, const unsigned int c) -> double &
                                            { return velocity(body, c); });
   target.cell = cell;

@@ -12,35 +12,28 @@ namespace softgrain::contact
 {
 namespace
 {
-/// Disks sorted by the cells of a grid whose columns are what tiles are made of.
-struct CellGrid
+/// Cells and strips for @p positions. @throw ComputationError when one is not finite
+StripGrid grid_of(const std::vector<std::array<double, 2>> &positions, const double size)
 {
-  CellGrid(const std::vector<std::array<double, 2>> &positions, const double size)
+  NeighbourList::Bounds bounds;
+  bounds.take(positions, positions.size());
+  return StripGrid(bounds.lower, bounds.upper, positions.size(), size);
+}
+
+/// Disks sorted by the cells of some columns of a grid, in which all of them are.
+struct SortedDisks
+{
+  SortedDisks(const std::vector<std::array<double, 2>> &positions,
+              const StripGrid &grid,
+              const std::size_t first_column,
+              const std::size_t end_column)
+      : grid(grid), first_column(first_column)
   {
-    std::array<double, 2> upper = positions[0];
-    lower = positions[0];
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        if (!std::isfinite(positions[i][d]))
-          throw ComputationError("disk " + std::to_string(i) + " has no finite place");
-        lower[d] = std::min(lower[d], positions[i][d]);
-        upper[d] = std::max(upper[d], positions[i][d]);
-      }
-    // A few disks that fly away must not make the grid larger than memory.
-    const double most = 4. * positions.size() + 1024.;
-    cell = size;
-    while ((upper[0] - lower[0]) / cell * ((upper[1] - lower[1]) / cell) > most)
-      cell *= 1.5;
-    n_columns = static_cast<std::size_t>((upper[0] - lower[0]) / cell) + 1;
-    n_rows = static_cast<std::size_t>((upper[1] - lower[1]) / cell) + 1;
-    start.assign(n_columns * n_rows + 1, 0);
+    start.assign((end_column - first_column) * grid.n_rows + 1, 0);
     std::vector<std::uint32_t> cell_of(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      const auto column = std::min<std::size_t>((positions[i][0] - lower[0]) / cell, n_columns - 1);
-      const auto row = std::min<std::size_t>((positions[i][1] - lower[1]) / cell, n_rows - 1);
-      cell_of[i] = column * n_rows + row;
+      cell_of[i] = cell(grid.column(positions[i]), grid.row(positions[i]));
       ++start[cell_of[i] + 1];
     }
     for (std::size_t c = 1; c < start.size(); ++c)
@@ -51,9 +44,13 @@ struct CellGrid
       disks[next[cell_of[i]]++] = i;
   }
 
-  std::array<double, 2> lower;
-  double cell;
-  std::size_t n_columns, n_rows;
+  std::size_t cell(const std::size_t column, const std::size_t row) const
+  {
+    return (column - first_column) * grid.n_rows + row;
+  }
+
+  const StripGrid &grid;
+  const std::size_t first_column;
   std::vector<std::uint32_t> start; ///< of cells, column by column
   std::vector<std::uint32_t> disks;
 };
@@ -63,10 +60,11 @@ ImageLattice::Image seen_from_low(const ImageLattice::Image &image, const bool l
 {
   return low_is_first ? image : ImageLattice::Image{{-image[0], -image[1]}};
 }
+} // namespace
 
 /// Disks brought into the cell, and after them the images that are near to it: of two opposite ones that on
 /// the right, or above.
-struct ImagesNear
+struct NeighbourList::ImagesNear
 {
   ImagesNear() = default;
 
@@ -137,7 +135,18 @@ struct ImagesNear
   std::vector<ImageLattice::Image> folds;  ///< of the disks: the copy of the cell each was in
   std::vector<ImageLattice::Image> images; ///< which images they are
 };
-} // namespace
+
+void NeighbourList::Bounds::take(const std::vector<std::array<double, 2>> &positions, const std::size_t n)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      if (!std::isfinite(positions[i][d]))
+        throw ComputationError("disk " + std::to_string(i) + " has no finite place");
+      lower[d] = std::min(lower[d], positions[i][d]);
+      upper[d] = std::max(upper[d], positions[i][d]);
+    }
+}
 
 NeighbourList::NeighbourList(std::vector<double> radii,
                              std::vector<std::uint32_t> groups,
@@ -182,25 +191,23 @@ bool NeighbourList::has_moved(const std::vector<std::array<double, 2>> &position
   return false;
 }
 
+bool NeighbourList::has_moved(const std::vector<std::array<double, 2>> &positions) const
+{
+  const double limit = 0.25 * range.skin * range.skin;
+  for (std::size_t i = 0; i < built_at.size(); ++i)
+  {
+    const double dx = positions[i][0] - built_at[i][0], dy = positions[i][1] - built_at[i][1];
+    if (!(dx * dx + dy * dy < limit))
+      return true;
+  }
+  return false;
+}
+
 bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice)
 {
-  if (lattice.repeats() && built_at.size() == positions.size())
-  {
-    if (!has_moved(positions, lattice))
-      return false;
-  }
-  else if (built_at.size() == positions.size())
-  {
-    const double limit = 0.25 * range.skin * range.skin;
-    bool moved = false;
-    for (std::size_t i = 0; i < positions.size() && !moved; ++i)
-    {
-      const double dx = positions[i][0] - built_at[i][0], dy = positions[i][1] - built_at[i][1];
-      moved = !(dx * dx + dy * dy < limit);
-    }
-    if (!moved)
-      return false;
-  }
+  if (built_at.size() == positions.size() &&
+      !(lattice.repeats() ? has_moved(positions, lattice) : has_moved(positions)))
+    return false;
   build(positions, lattice);
   return true;
 }
@@ -210,40 +217,71 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
   if (places.size() != radius.size())
     throw InputError("neighbour list: " + std::to_string(places.size()) + " places for " +
                      std::to_string(radius.size()) + " disks");
-  const std::vector<std::uint32_t> old_first = std::move(first), old_second = std::move(second);
-  const std::vector<ImageLattice::Image> old_images = std::move(images);
-  const PairMemory old_memories = std::move(memories);
+  Remembered old{std::move(first), std::move(second), std::move(images), std::move(memories)};
+  built_at = places;
+  built_in = lattice;
+  forget_pairs();
+  if (!places.empty())
+  {
+    const ImagesNear copies =
+        lattice.repeats() ? ImagesNear(places, lattice, largest_distance) : ImagesNear();
+    const std::vector<std::array<double, 2>> &positions = lattice.repeats() ? copies.position : places;
+    const StripGrid grid = grid_of(positions, largest_distance);
+    list_pairs(find(positions, copies, grid, 0, grid.n_strips()), copies);
+  }
+  take_over_memories(old);
+}
+
+void NeighbourList::build_part(const std::vector<std::array<double, 2>> &places,
+                               const std::size_t n_own,
+                               const Part &part,
+                               const Remembered &old)
+{
+  built_at.assign(places.begin(), places.begin() + n_own);
+  built_in = ImageLattice();
+  forget_pairs();
+  const ImagesNear copies;
+  list_pairs(find(places, copies, part.grid, part.first_strip, part.end_strip), copies);
+  take_over_memories(old);
+}
+
+void NeighbourList::set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups)
+{
+  radius = radii;
+  if (range.stretch > 0.)
+    group = groups;
+}
+
+void NeighbourList::forget_pairs()
+{
   first.clear();
   second.clear();
   images.clear();
   tiles.assign(1, 0);
   colours.assign(1, 0);
-  built_at = places;
-  built_in = lattice;
-  if (places.empty())
-  {
-    memories.assign(0);
-    return;
-  }
+}
 
-  const std::size_t n_disks = places.size();
-  ImagesNear copies;
-  if (lattice.repeats())
-    copies = ImagesNear(places, lattice, largest_distance);
-  const std::vector<std::array<double, 2>> &positions = lattice.repeats() ? copies.position : places;
+std::vector<std::vector<NeighbourList::Pair>>
+NeighbourList::find(const std::vector<std::array<double, 2>> &positions,
+                    const ImagesNear &copies,
+                    const StripGrid &grid,
+                    const std::size_t first_strip,
+                    const std::size_t end_strip) const
+{
+  const std::size_t n_disks = radius.size(), width = grid.width, n_rows = grid.n_rows;
+  const std::size_t end_column = std::min(end_strip * width, grid.n_columns);
   const auto disk = [&](const std::size_t i) { return i < n_disks ? i : copies.source[i - n_disks]; };
-  const CellGrid grid(positions, largest_distance);
-  const double per_column = static_cast<double>(positions.size()) / grid.n_columns;
-  const std::size_t width = std::max<std::size_t>(1, std::lround(disks_per_tile / per_column));
-  const std::size_t n_strips = (grid.n_columns + width - 1) / width;
-
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> found(n_strips);
+  std::vector<std::vector<Pair>> found(grid.n_strips());
+  if (first_strip == end_strip)
+    return found;
+  // The last strip reaches one column farther.
+  const SortedDisks sorted(positions, grid, first_strip * width, std::min(end_column + 1, grid.n_columns));
   const auto search = [&](const std::size_t i, const std::size_t cell, std::size_t from, auto &pairs)
   {
     const double x = positions[i][0], y = positions[i][1], r = radius[disk(i)];
-    for (std::size_t k = std::max<std::size_t>(from, grid.start[cell]); k < grid.start[cell + 1]; ++k)
+    for (std::size_t k = std::max<std::size_t>(from, sorted.start[cell]); k < sorted.start[cell + 1]; ++k)
     {
-      const std::uint32_t j = grid.disks[k];
+      const std::uint32_t j = sorted.disks[k];
       if (i >= n_disks && j >= n_disks)
         continue;
       const double dx = x - positions[j][0], dy = y - positions[j][1], sum = r + radius[disk(j)];
@@ -255,30 +293,38 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
         pairs.push_back({static_cast<std::uint32_t>(i), j});
     }
   };
-  parallel_for(n_strips, 1,
+  const auto search_strip = [&](const std::size_t strip)
+  {
+    for (std::size_t column = strip * width; column < std::min((strip + 1) * width, end_column); ++column)
+      for (std::size_t row = 0; row < n_rows; ++row)
+      {
+        const std::size_t cell = sorted.cell(column, row);
+        for (std::size_t k = sorted.start[cell]; k < sorted.start[cell + 1]; ++k)
+        {
+          const std::size_t i = sorted.disks[k];
+          search(i, cell, k + 1, found[strip]);
+          if (row + 1 < n_rows)
+            search(i, cell + 1, 0, found[strip]);
+          if (column + 1 == grid.n_columns)
+            continue;
+          for (std::size_t other = row > 0 ? row - 1 : 0; other <= std::min(row + 1, n_rows - 1); ++other)
+            search(i, sorted.cell(column + 1, other), 0, found[strip]);
+        }
+      }
+  };
+  parallel_for(end_strip - first_strip, 1,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t strip = begin; strip < end; ++strip)
-                   for (std::size_t column = strip * width;
-                        column < std::min((strip + 1) * width, grid.n_columns); ++column)
-                     for (std::size_t row = 0; row < grid.n_rows; ++row)
-                     {
-                       const std::size_t cell = column * grid.n_rows + row;
-                       for (std::size_t k = grid.start[cell]; k < grid.start[cell + 1]; ++k)
-                       {
-                         const std::size_t i = grid.disks[k];
-                         search(i, cell, k + 1, found[strip]);
-                         if (row + 1 < grid.n_rows)
-                           search(i, cell + 1, 0, found[strip]);
-                         if (column + 1 == grid.n_columns)
-                           continue;
-                         for (std::size_t other = row > 0 ? row - 1 : 0;
-                              other <= std::min(row + 1, grid.n_rows - 1); ++other)
-                           search(i, (column + 1) * grid.n_rows + other, 0, found[strip]);
-                       }
-                     }
+                   search_strip(first_strip + strip);
                });
+  return found;
+}
 
+void NeighbourList::list_pairs(const std::vector<std::vector<Pair>> &found, const ImagesNear &copies)
+{
+  const std::size_t n_disks = radius.size(), n_strips = found.size();
+  const bool repeats = built_in.repeats();
   std::size_t n = 0;
   for (const auto &pairs : found)
     n += pairs.size();
@@ -300,14 +346,14 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
         }
         first.push_back(pair[0]);
         second.push_back(pair[1]);
-        if (lattice.repeats())
+        if (repeats)
           images.push_back(copies.image(pair[0], pair[1]));
       }
       tiles.push_back(first.size());
     }
     colours.push_back(tiles.size() - 1);
   }
-  if (lattice.repeats())
+  if (repeats)
   {
     for (const auto &pair : across)
     {
@@ -318,38 +364,34 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
     tiles.push_back(first.size());
     colours.push_back(tiles.size() - 1);
   }
-  take_over_memories(old_first, old_second, old_images, old_memories);
 }
 
-void NeighbourList::take_over_memories(const std::vector<std::uint32_t> &old_first,
-                                       const std::vector<std::uint32_t> &old_second,
-                                       const std::vector<ImageLattice::Image> &old_images,
-                                       const PairMemory &old_memories)
+void NeighbourList::take_over_memories(const Remembered &old)
 {
   memories.assign(first.size());
   // What is remembered, sorted by the disk with the lower number: a handful of entries per disk.
   std::vector<std::uint32_t> start(radius.size() + 1, 0), entries;
-  for (std::size_t pair = 0; pair < old_first.size(); ++pair)
-    if (old_memories.remembers(pair))
-      ++start[std::min(old_first[pair], old_second[pair]) + 1];
+  for (std::size_t pair = 0; pair < old.first.size(); ++pair)
+    if (old.memories.remembers(pair))
+      ++start[std::min(old.first[pair], old.second[pair]) + 1];
   for (std::size_t i = 1; i < start.size(); ++i)
     start[i] += start[i - 1];
   entries.resize(start.back());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::size_t pair = 0; pair < old_first.size(); ++pair)
-    if (old_memories.remembers(pair))
-      entries[next[std::min(old_first[pair], old_second[pair])]++] = pair;
+  for (std::size_t pair = 0; pair < old.first.size(); ++pair)
+    if (old.memories.remembers(pair))
+      entries[next[std::min(old.first[pair], old.second[pair])]++] = pair;
   for (std::size_t pair = 0; pair < first.size(); ++pair)
   {
     const std::uint32_t low = std::min(first[pair], second[pair]), high = std::max(first[pair], second[pair]);
     for (std::uint32_t k = start[low]; k < start[low + 1]; ++k)
-      if (std::max(old_first[entries[k]], old_second[entries[k]]) == high &&
-          (images.empty() || old_images.empty() ||
-           seen_from_low(old_images[entries[k]], old_first[entries[k]] == low) ==
+      if (std::max(old.first[entries[k]], old.second[entries[k]]) == high &&
+          (images.empty() || old.images.empty() ||
+           seen_from_low(old.images[entries[k]], old.first[entries[k]] == low) ==
                seen_from_low(images[pair], first[pair] == low)))
       {
         // Impulses are scalars along n, t and the axis: the same whichever disk comes first.
-        memories.set(pair, old_memories[entries[k]]);
+        memories.set(pair, old.memories[entries[k]]);
         break;
       }
   }

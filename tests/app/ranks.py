@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import pathlib
 import re
 import resource
 import shutil
@@ -38,10 +39,14 @@ SCENES = {
     "periodic": ["gallery/simple_shear_periodic.prm", COARSE, "Packing/Number=16", "Packing/Packing fraction=0.7",
                  "Stages/compress/Stop/End time=6.4e-5",
                  "Stages/shear/Stop/End time=1.28e-4"],
-    # More contacts than four thousand are swept by all ranks, fewer by each.
+    # Where there are more than two thousand primaries, each rank has some of them.
     "bonded": [*BONDED, "Walls/top/Velocity=5", "Stop/End time=2e-5"],
     "bonded_friction": [*BONDED, "Walls/top/Velocity=5", "Contact/Friction=0.3", "Contact/Rolling resistance=0.05",
                         "Stop/End time=1e-5"],
+    # Steps that are taken back, neighbours that change, a wall that gives way.
+    "bonded_pressed": [*BONDED, "Walls/top/Velocity=60", "Walls/right/Drive=pressure", "Walls/right/Pressure=3e6",
+                       "Loads/Gravity=1e5, -1e6", "Time/Time step=3e-6", "Contact/Largest penetration=0.002",
+                       "Output/History every=1", "Stop/End time=3e-6"],
     "bonded_grain": ["gallery/one_grain_bpm.prm", "Walls/top/Velocity=5", "Stop/End time=1e-4"],
     "bonded_cell": ["gallery/simple_shear_periodic_bpm.prm", *EQUAL, "Stages/compact/top/Drive=velocity",
                     "Packing/Packing fraction=0.84", "Stages/compact/top/Velocity=60", "Stages/compact/top/Pressure=0",
@@ -184,6 +189,12 @@ class SameBits(RankRuns):
     def test_bonded_friction(self):
         self.check("bonded_friction", (2, 3))
 
+    def test_bonded_pressed(self):
+        self.check("bonded_pressed", (2, 3))
+        with open(self.base / "2" / "history.csv") as file:
+            lengths = [float(row["dt_s"]) for row in csv.DictReader(file)][1:]
+        self.assertLess(max(lengths), 2e-6)  # 3e-6 was asked for
+
     def test_bonded_grain(self):
         self.check("bonded_grain")
 
@@ -231,8 +242,9 @@ class Ends(RankRuns):
 
     def test_lock(self):
         folder, process = self.start(2, MANY_STEPS)
+        holder = self.first_rank(self.ranks_of(process, 2))
         _, done = self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS, expect=2)
-        self.assertEqual(done.stderr.count("is in use by another run (process "), 1, done)
+        self.assertEqual(done.stderr.count(f"is in use by another run (process {holder}"), 1, done)
         process.send_signal(signal.SIGUSR1)  # which mpirun hands to all ranks
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 3)
@@ -271,11 +283,39 @@ class Ends(RankRuns):
         self.assertEqual(status(folder), "running")  # nobody was left to say more
         self.run_on(2, SCENES["two_disks"], "run", MANY_STEPS[1:], ["--restart"])
 
+    def wait_for_another(self, folder):
+        """Until there is a checkpoint that is not there yet."""
+        known, deadline = states(folder), time.monotonic() + 60
+        while not set(states(folder)) - set(known):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.005)
+
+    def first_rank(self, ranks):
+        """The process id of the one among these that MPI calls 0."""
+        found = [rank for rank in ranks
+                 if b"OMPI_COMM_WORLD_RANK=0" in pathlib.Path(f"/proc/{rank}/environ").read_bytes().split(b"\0")]
+        self.assertEqual(len(found), 1)
+        return found[0]
+
+    def test_killed_bonded(self):
+        settings = ["Contact/Friction=0.3", "Walls/top/Velocity=5", "Stop/End time=2e-6"]
+        folder, process = self.start(3, [*settings, "Time/Time step=1e-9", "Output/Checkpoint every=1e-3"], scene=BONDED)
+        self.wait_for_another(folder)
+        os.kill(self.ranks_of(process, 3)[1], signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.run_on(2, BONDED, "run", [*settings, "Time/Time step=1e-7"], ["--restart"])
+        self.assertEqual(status(folder), "completed")
+
     def test_full_disk(self):
         folder, process = self.start(2, [*MANY_STEPS, "Output/Checkpoint every=1e-3"])
         limit = max(path.stat().st_size for path in states(folder)) // 2
-        for rank in self.ranks_of(process, 2):
-            resource.prlimit(rank, resource.RLIMIT_FSIZE, (limit, limit))
+        ranks = self.ranks_of(process, 2)
+        # Another rank than the first writes nothing, so that it needs no room.
+        rest = next(rank for rank in ranks if rank != self.first_rank(ranks))
+        resource.prlimit(rest, resource.RLIMIT_FSIZE, (0, 0))
+        self.wait_for_another(folder)
+        resource.prlimit(self.first_rank(ranks), resource.RLIMIT_FSIZE, (limit, limit))
         _, error = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1, error)
         self.assertEqual(error.count("softgrain: error: "), 1, error)

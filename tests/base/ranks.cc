@@ -93,6 +93,28 @@ unsigned int wrong_messages(const Ranks &ranks)
   return wrong;
 }
 
+/// Numbers that differ from what others have in lists for each rank, for the first one, and for all.
+unsigned int wrong_lists(const Ranks &ranks)
+{
+  const unsigned int n = ranks.number(), here = ranks.here();
+  // Of rank i for rank j, some of them empty.
+  const auto list = [](const unsigned int i, const unsigned int j)
+  { return std::vector<double>((3 * i + j) % 4, 10. * i + j); };
+  std::vector<std::vector<double>> out, all;
+  for (unsigned int r = 0; r < n; ++r)
+    out.push_back(list(here, r));
+  const auto came = ranks.to_each(out), at_first = ranks.lists_at_first(list(here, 7)),
+             of_all = ranks.lists_of_all(list(here, 8));
+  unsigned int wrong = 0;
+  for (unsigned int r = 0; r < n; ++r)
+  {
+    wrong += came.at(r) != list(r, here);
+    wrong += at_first.at(r) != (ranks.first() ? list(r, 7) : std::vector<double>());
+    wrong += of_all.at(r) != list(r, 8);
+  }
+  return wrong;
+}
+
 /// What this rank catches when those from @p lowest on fail.
 std::string failure(const Ranks &ranks, const unsigned int lowest)
 {
@@ -120,7 +142,7 @@ int main(int argc, char **argv)
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
       parted(ranks.number());
   const unsigned int here = ranks.here();
-  wrong[here] = wrong_numbers(ranks) + wrong_at_first(ranks) + wrong_messages(ranks);
+  wrong[here] = wrong_numbers(ranks) + wrong_at_first(ranks) + wrong_messages(ranks) + wrong_lists(ranks);
   caught[here] = failure(ranks, last) == "no good on " + std::to_string(last) &&
                  failure(ranks, ranks.number()) == "none";
   await_telling_of_interruption();

@@ -25,6 +25,9 @@ public:
   /// A contact that carries force between a body and a wall.
   void add_wall(const std::size_t body, const std::size_t wall) { walls.emplace(body, wall); }
 
+  const std::set<std::pair<std::size_t, std::size_t>> &pairs_of_bodies() const { return bodies; }
+  const std::set<std::pair<std::size_t, std::size_t>> &pairs_with_walls() const { return walls; }
+
   /// Mean number of bodies and walls that a body touches: a pair of bodies counts for both.
   double coordination(const std::size_t n_bodies) const
   {

@@ -103,6 +103,15 @@ public:
   /// @p numbers of every rank, as many on each; first those of the first rank.
   std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;
 
+  /// The same where each rank has a list of its own length.
+  std::vector<std::vector<double>> lists_of_all(const std::vector<double> &list) const;
+
+  /// Sends list r of @p lists, one for every rank, to rank r. @return those that came here, by rank
+  std::vector<std::vector<double>> to_each(std::vector<std::vector<double>> lists) const;
+
+  /// The lists of all ranks on the first one, empty ones on the others.
+  std::vector<std::vector<double>> lists_at_first(std::vector<double> list) const;
+
   /// Numbers in memory that one other rank sends, or gets.
   struct Message
   {
@@ -115,7 +124,8 @@ public:
   /// one sends here, this one expects. No other ranks have to come.
   void swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const;
 
-  /// What passes while it lives is work of this rank's own, but for what it waits.
+  /// What passes while it lives is work of this rank's own, but for what it waits, and what goes through
+  /// together().
   class OwnWork
   {
   public:
@@ -126,7 +136,7 @@ public:
 
   private:
     const Ranks &ranks;
-    double begin = 0.; ///< [processor s]
+    double begin = 0., own = 0., spinning = 0.; ///< [processor s]
   };
 
   /// The text that @p owner has.

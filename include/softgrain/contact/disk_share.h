@@ -3,6 +3,7 @@
 #define softgrain_contact_disk_share_h
 
 #include <softgrain/base/ranks.h>
+#include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/disk_system.h>
 
 #include <cstdint>
@@ -25,7 +26,9 @@ struct ContactRange
  * of contacts of several ranks is at all of them: who has changed it in one colour tells the others before
  * the next. So each contact meets the same velocities as with one rank, to the last bit.
  *
- * Bodies have the numbers that the caller gives them, see @p number_of of the constructor.
+ * All ranks know all contacts and bodies, or each knows its own alone: then it is told what to exchange.
+ *
+ * Bodies have the numbers that the caller gives them, see @p number_of of the constructors.
  */
 class DiskShare
 {
@@ -44,6 +47,18 @@ public:
             std::size_t n_bodies,
             const std::vector<ContactRange> &ranges,
             const std::vector<std::uint32_t> &colour_end);
+
+  /// Of ranks that each know their own contacts: @p exchanges says what belongs to whom, of tiles that are
+  /// the
+  /// @p ranges; the other arguments as above.
+  DiskShare(const Ranks &ranks,
+            const DiskExchanges &exchanges,
+            const std::vector<std::uint32_t> &number_of,
+            std::size_t n_bodies,
+            const std::vector<ContactRange> &ranges);
+
+  /// Whether each rank knows its own contacts and bodies alone.
+  bool apart() const { return is_apart; }
 
   /// Ranges of a colour that are swept here: first and end. The colour after the last is that of the walls.
   std::pair<std::uint32_t, std::uint32_t> own_ranges(const std::size_t colour) const
@@ -65,13 +80,8 @@ public:
   template <unsigned int n, class At>
   void tell(const std::size_t colour, const At &at)
   {
-    for (Exchange &one : send[colour])
-      one.template each<n>([&](double &number, const std::uint32_t body, const unsigned int c)
-                           { number = at(body, c); });
-    swap(colour, n);
-    for (Exchange &one : receive[colour])
-      one.template each<n>([&](const double number, const std::uint32_t body, const unsigned int c)
-                           { at(body, c) = number; });
+    for (DiskRound &round : rounds[colour])
+      round.template exchange<n>(ranks, at);
   }
 
   /// Gives all ranks the velocities of all bodies, as tell() does.
@@ -79,17 +89,17 @@ public:
   void tell_all(const At &at)
   {
     std::vector<Ranks::Piece> pieces;
-    for (Exchange &one : owned)
+    for (DiskExchange &one : owned)
     {
-      one.template each<n>([&](double &number, const std::uint32_t body, const unsigned int c)
-                           { number = one.rank == ranks.here() ? at(body, c) : 0.; });
+      each<n>(one, [&](double &number, const std::uint32_t body, const unsigned int c)
+              { number = one.rank == ranks.here() ? at(body, c) : 0.; });
       pieces.push_back({one.rank, one.numbers.data(), one.numbers.size()});
     }
     ranks.share(pieces);
-    for (Exchange &one : owned)
+    for (DiskExchange &one : owned)
       if (one.rank != ranks.here())
-        one.template each<n>([&](const double number, const std::uint32_t body, const unsigned int c)
-                             { at(body, c) = number; });
+        each<n>(one, [&](const double number, const std::uint32_t body, const unsigned int c)
+                { at(body, c) = number; });
   }
 
   /// Gives all ranks what each has in the contacts that it sweeps, of one vector with a number per contact.
@@ -102,22 +112,14 @@ public:
   void take_largest(std::vector<double> &numbers) const;
 
 private:
-  /// With one other rank.
-  struct Exchange
+  template <unsigned int n, class Work>
+  static void each(DiskExchange &one, const Work &work)
   {
-    unsigned int rank = 0;
-    std::vector<std::uint32_t> bodies;
-    std::vector<double> numbers;
-
-    template <unsigned int n, class Work>
-    void each(const Work &work)
-    {
-      numbers.resize(n * bodies.size());
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (unsigned int c = 0; c < n; ++c)
-          work(numbers[n * i + c], bodies[i], c);
-    }
-  };
+    one.numbers.resize(n * one.bodies.size());
+    for (std::size_t i = 0; i < one.bodies.size(); ++i)
+      for (unsigned int c = 0; c < n; ++c)
+        work(one.numbers[n * i + c], one.bodies[i], c);
+  }
 
   std::pair<std::uint32_t, std::uint32_t> range_of(std::size_t colour, unsigned int rank) const;
   void divide(const std::vector<std::uint32_t> &colour_end);
@@ -129,7 +131,6 @@ private:
   void for_bodies(const DiskContacts &contacts,
                   const std::vector<std::uint32_t> &number_of,
                   const Work &work) const;
-  void swap(std::size_t colour, unsigned int n);
   /// Gives all ranks what each has in its parts of @p numbers; part(begin, end) says where that of some
   /// ranges begins and ends.
   template <class Part>
@@ -137,9 +138,10 @@ private:
 
   const Ranks &ranks;
   const std::vector<ContactRange> &ranges;
-  std::vector<std::vector<std::uint32_t>> end_of;   ///< of the ranges of a rank, by colour
-  std::vector<std::vector<Exchange>> send, receive; ///< by colour
-  std::vector<Exchange> owned;                      ///< every body once, with the lowest rank that has it
+  const bool is_apart;
+  std::vector<std::vector<std::uint32_t>> end_of; ///< of the ranges of a rank, by colour
+  std::vector<std::vector<DiskRound>> rounds;     ///< by colour
+  std::vector<DiskExchange> owned;                ///< every body once, with the lowest rank that has it
   std::vector<std::uint32_t> touched;
 };
 } // namespace softgrain::contact

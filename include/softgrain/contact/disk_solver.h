@@ -2,6 +2,7 @@
 #ifndef softgrain_contact_disk_solver_h
 #define softgrain_contact_disk_solver_h
 
+#include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/disk_system.h>
 
 #include <cstddef>
@@ -55,13 +56,15 @@ struct DiskSolverReport
  *
  * @p contacts brings the impulses to start from and takes those found. All threads work; the answer does not
  * depend on their number. With @p ranks, who all bring the same, these share the sweeps unless there are few
- * contacts; the answer is the same and is known to all.
+ * contacts; the answer is the same and is known to all. With @p exchanges each of them brings its own
+ * contacts and bodies alone, and is told the answer of these.
  * @throw ComputationError when something is not finite.
  */
 DiskSolverReport solve_disks(DiskBodies &bodies,
                              DiskContacts &contacts,
                              const DiskSolverSettings &settings,
-                             const Ranks *ranks = nullptr);
+                             const Ranks *ranks = nullptr,
+                             const DiskExchanges *exchanges = nullptr);
 } // namespace softgrain::contact
 
 #endif

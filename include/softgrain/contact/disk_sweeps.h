@@ -23,8 +23,9 @@ namespace softgrain::contact
  * a tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
  * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
  *
- * Several ranks share the contacts, see DiskShare; each packs and sweeps its own. Only store_impulses() and
- * store_velocities() make all known to all. All ranks call the same in the same order.
+ * Several ranks share the contacts, see DiskShare; each packs and sweeps its own. Where all know all
+ * contacts, store_impulses() and store_velocities() make all known to all. All ranks call the same in the
+ * same order.
  * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
  * @tparam in_cell contacts know their branch, and a cell that deforms parts or closes them. Where that is
  * free to deform, it has a part in all contacts, which are then swept one after the other
@@ -41,11 +42,13 @@ public:
   };
 
   /// Packs; set_free_velocities() comes next. All arguments have to stay. Several @p ranks share the
-  /// contacts, unless the cell is free to deform; null: this process sweeps all.
+  /// contacts, unless the cell is free to deform; null: this process sweeps all. With @p exchanges each of
+  /// them has its own contacts and bodies alone.
   DiskSweeps(const DiskBodies &bodies,
              const DiskContacts &contacts,
              ThreadTeam &team,
-             const Ranks *ranks = nullptr);
+             const Ranks *ranks = nullptr,
+             const DiskExchanges *exchanges = nullptr);
 
   /// Whether this rank sweeps only a part of the contacts.
   bool shared() const { return share.has_value(); }
@@ -93,7 +96,7 @@ private:
   using Range = ContactRange;
 
   std::size_t n_bodies() const { return original_of.size(); }
-  void number_bodies();
+  void number_bodies(const DiskExchanges *exchanges);
   void make_ranges();
   void pack(Range range, bool wall);
   void extrapolate(double momentum);

@@ -4,9 +4,11 @@
 
 #include <softgrain/contact/image_lattice.h>
 #include <softgrain/contact/pair_memory.h>
+#include <softgrain/contact/strip_grid.h>
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace softgrain::contact
@@ -22,19 +24,44 @@ namespace softgrain::contact
  *
  * Where disks repeat, their places are anywhere in the lattice and pairs are with images; those across a side
  * of the cell are one tile, which has a colour of its own.
+ *
+ * One of several ranks may have the pairs of some strips alone: build_part(). Its list has the tiles of all
+ * strips, those of others without pairs.
  */
 class NeighbourList
 {
 public:
-  /// Disks per tile that keep a tile in the cache and leave enough tiles for all threads.
-  static constexpr double disks_per_tile = 1000.;
-
   /// How near a pair is that belongs to the list.
   struct Range
   {
     double gap = 0;     ///< distance between the edges of any two disks [m]
     double stretch = 0; ///< in a group also those with centres nearer than this times the sum of the radii
     double skin = 0;    ///< added to both, room to move before the list is made anew [m]
+  };
+
+  /// Least and largest coordinates of disks [m].
+  struct Bounds
+  {
+    static constexpr double far = std::numeric_limits<double>::max();
+    std::array<double, 2> lower{{far, far}}, upper{{-far, -far}};
+
+    /// The first @p n of @p positions too. @throw ComputationError when one is not finite
+    void take(const std::vector<std::array<double, 2>> &positions, std::size_t n);
+  };
+
+  /// Some strips of a grid.
+  struct Part
+  {
+    StripGrid grid;
+    std::size_t first_strip = 0, end_strip = 0;
+  };
+
+  /// Pairs that a list had before it was made anew, and what they remember.
+  struct Remembered
+  {
+    std::vector<std::uint32_t> first, second;
+    std::vector<ImageLattice::Image> images; ///< empty when nothing repeats
+    PairMemory memories;
   };
 
   NeighbourList() = default;
@@ -59,6 +86,30 @@ public:
 
   /// Makes the list anew. @throw ComputationError when a position is not finite.
   void build(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice = {});
+
+  /**
+   * @brief Makes the list of some strips anew.
+   *
+   * Of all disks of all strips, in their order, there are those of the own strips, and behind them those in
+   * the first column of the next one. Pairs have the order of a list of all.
+   * @param positions of these disks [m]
+   * @param n_own disks in the own strips
+   * @param part the own strips of the grid of all disks
+   * @param old what is remembered, of these disks
+   */
+  void build_part(const std::vector<std::array<double, 2>> &positions,
+                  std::size_t n_own,
+                  const Part &part,
+                  const Remembered &old);
+
+  /// Other disks than before, for build_part(): their radii [m] and groups.
+  void set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups);
+
+  /// Whether one of the disks for which the list was made has moved too far, where nothing repeats.
+  bool has_moved(const std::vector<std::array<double, 2>> &positions) const;
+
+  /// Size of a cell of the grid [m].
+  double cell_size() const { return largest_distance; }
 
   /// Places for which the list was made [m]: together with memory() all that a restart needs.
   const std::vector<std::array<double, 2>> &build_positions() const { return built_at; }
@@ -87,10 +138,17 @@ public:
 
 private:
   bool has_moved(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice) const;
-  void take_over_memories(const std::vector<std::uint32_t> &old_first,
-                          const std::vector<std::uint32_t> &old_second,
-                          const std::vector<ImageLattice::Image> &old_images,
-                          const PairMemory &old_memories);
+  using Pair = std::array<std::uint32_t, 2>;
+  struct ImagesNear;
+  void forget_pairs();
+  /// Pairs of every strip; images count on after the disks.
+  std::vector<std::vector<Pair>> find(const std::vector<std::array<double, 2>> &positions,
+                                      const ImagesNear &copies,
+                                      const StripGrid &grid,
+                                      std::size_t first_strip,
+                                      std::size_t end_strip) const;
+  void list_pairs(const std::vector<std::vector<Pair>> &found, const ImagesNear &copies);
+  void take_over_memories(const Remembered &old);
 
   std::vector<double> radius;
   std::vector<std::uint32_t> group;

@@ -20,6 +20,7 @@ public:
   /// @param n_impulses of a pair: 1 without friction, 2 with it, 3 with rolling resistance
   explicit PairMemory(const unsigned int n_impulses = 3) : width(n_impulses) {}
 
+  unsigned int n_impulses() const { return width; }
   std::size_t size() const { return numbers.size() / width; }
 
   /// So many pairs that remember nothing.

@@ -23,6 +23,8 @@ class TimerOutput;
 
 namespace softgrain::bpm
 {
+class LookedAt;
+
 /**
  * @brief The bonded-particle model: every body an aggregate of rigid disks that attract each other.
  *
@@ -59,7 +61,7 @@ public:
   double solid_area() const override;
   double coordination() const override;
   double momentum_error() const override;
-  std::size_t n_points() const override { return dynamics->disks().size(); }
+  std::size_t n_points() const override { return dynamics->n_all(); }
   std::size_t n_bodies() const override { return scene.bodies.size(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
@@ -81,17 +83,34 @@ private:
   /// Why a step that was not good enough is refused; @p limit of the penetration [m].
   std::string why_not(const DynamicsReport &report, double limit) const;
   void accelerate();
-  void keep_books(const DynamicsReport &report, double dt);
-  dealii::Tensor<1, 2> momentum() const;
-  std::vector<std::vector<std::vector<dealii::Point<2>>>> outlines() const;
+  void keep_books(const DynamicsReport &report);
+  /// Closed lines of every body.
+  using Outlines = std::vector<std::vector<std::vector<dealii::Point<2>>>>;
+  Outlines outlines() const;
+  std::vector<double> outlined_areas() const; ///< [m^2]
+  void draw_outlines(Outlines &result) const;
+  /// Where each rank has some primaries: draws those of some bodies. @return which
+  std::vector<std::size_t> draw_own_outlines(Outlines &result) const;
   void refresh_solid_area() const;
-  ContactState<2> contact_state(std::size_t row) const;
-  void add_inner_forces(Snapshot<2> &snapshot, const FoldedBodies *cell) const;
-  void add_stresses(Snapshot<2> &snapshot) const;
+  /// Writes numbers of all primaries; @p values has those of the primaries here.
+  void
+  write(StateWriter &out, const std::string &name, const std::vector<std::array<double, 2>> &values) const;
+  void write(StateWriter &out, const std::string &name, const std::vector<double> &values) const;
+  /// Takes from those of all primaries what belongs to those here.
+  template <class T>
+  void take(const std::vector<T> &of_all, std::vector<T> &here) const;
+  void show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const;
+  void show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const;
+  ContactState<2> contact_state(const LookedAt &seen, std::size_t row) const;
+  void add_inner_forces(const LookedAt &seen, Snapshot<2> &snapshot, const FoldedBodies *cell) const;
+  void add_stresses(const LookedAt &seen, Snapshot<2> &snapshot) const;
+  /// Gives bodies and contacts of @p snapshot from the first rank to all.
+  void tell_of_bodies(Snapshot<2> &snapshot, const Outlines &loops) const;
 
   Scene<2> scene;
   Settings settings;
-  Ranks ranks; ///< all have all primaries; they share the making of aggregates and the contact solve
+  Ranks ranks; ///< they share the making of aggregates, and primaries where that can be done: else the
+               ///< contact solve
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
   std::vector<Wall> moving_walls;
@@ -102,8 +121,10 @@ private:
   double natural_time = 0;     ///< attraction_time() of the mean primary of the strongest law, 0 without one
   double characteristic_force = 0; ///< F0 of p_I, of the strongest law
   std::vector<std::vector<Expression>> body_force;
-  std::vector<std::array<double, 2>> start_position; ///< only when a load asks for X or Y
-  std::vector<std::array<double, 2>> acceleration;   ///< of every primary, empty when nothing pulls
+  bool is_pulled = false;                          ///< by gravity or body forces
+  bool is_loaded = false;                          ///< by forces that depend on where a primary started
+  bool is_graded = false, rotates = false;         ///< primaries
+  std::vector<std::array<double, 2>> acceleration; ///< of every primary here, empty when nothing pulls
 
   double now = 0, last_dt = 0;
   StepControl step_control{1.25};

@@ -2,8 +2,10 @@
 #ifndef softgrain_bpm_dynamics_h
 #define softgrain_bpm_dynamics_h
 
+#include <softgrain/base/exact_sum.h>
 #include <softgrain/bpm/attraction.h>
 #include <softgrain/bpm/primaries.h>
+#include <softgrain/bpm/strip_share.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
@@ -13,6 +15,7 @@
 #include <softgrain/driving/wall.h>
 #include <softgrain/scene/contact_pairs.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,11 +58,12 @@ struct DynamicsReport
   dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
   double contact_loss = 0;           ///< kinetic energy that contacts took beside adhesion [J/m]
   double adhesion_work = 0;          ///< done by adhesion [J/m]
-  double wall_work = 0;       ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
-  double damping_loss = 0;    ///< in the damping of walls [J/m]
-  double force_work = 0;      ///< done by body forces [J/m]
-  double max_penetration = 0; ///< after the step [m]
-  dealii::Tensor<1, 2> cell_impulse; ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
+  double wall_work = 0;    ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
+  double damping_loss = 0; ///< in the damping of walls [J/m]
+  double force_work = 0;   ///< done by body forces [J/m]
+  dealii::Tensor<1, 2> force_impulse; ///< of body forces [N s/m]
+  double max_penetration = 0;         ///< after the step [m]
+  dealii::Tensor<1, 2> cell_impulse;  ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 
 /**
@@ -68,6 +72,10 @@ struct DynamicsReport
  * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
  * the velocities after contact; forces and contacts for the new places. In a cell that repeats, places are
  * anywhere in its lattice, and velocities those beside the motion of the cell (see CellMotion).
+ *
+ * Several ranks that have been told to part() have some primaries each, see StripShare; all call the same in
+ * the same order. On the first one, copies of primaries at walls stand behind the others. What a step
+ * reports, and sums and counts, are those of all.
  */
 class Dynamics
 {
@@ -104,6 +112,32 @@ public:
   /// Ranks that all have the same primaries, and share the contact solve; null: none. They have to stay.
   void set_ranks(const Ranks *list) { ranks = list; }
 
+  /// Leaves to each of the ranks a part of the primaries, if they are several and it can be done: not in a
+  /// cell that repeats, with adhesion or obstacles. Before the first detect().
+  void part(const std::vector<Wall> &walls);
+  /// Who has which primaries; null: all are here.
+  const StripShare *parted() const { return share.get(); }
+  /// Primaries that are not copies of those of other ranks; they come first.
+  std::size_t n_own() const { return share ? share->n_own() : primaries.size(); }
+  std::size_t n_all() const { return share ? share->n_all() : primaries.size(); }
+
+  /// Notes places and velocities, goes back to them, and forgets them.
+  void keep_motion();
+  void take_back_motion(const std::vector<Wall> &walls);
+  void forget_motion() { kept = Motion(); }
+
+  /// Impulses that pairs remember, in the order of the list of all; where ranks have parted, on the first
+  /// one.
+  std::vector<double> memory_of_pairs() const;
+  /// Whether the primaries have these radii, of all of them.
+  bool has_radii(const std::vector<double> &radii) const;
+
+  /// Takes places, of all primaries, for which the list of neighbours is to be made, with what its pairs
+  /// remember; for restarts. Places and velocities come afterwards.
+  void build_list(const std::vector<std::array<double, 2>> &places,
+                  const contact::ImageLattice &lattice,
+                  const std::vector<double> &memory);
+
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
 
@@ -121,7 +155,15 @@ public:
   const std::vector<std::array<double, 2>> &forces() const { return force; }
   /// Energy of the attractions, zero when all pairs are out of range [J/m].
   double attraction_energy() const { return stored_energy; }
-  double kinetic_energy() const;
+  double kinetic_energy() const { return share ? totals.kinetic : sum_motion().kinetic; }
+  /// Of primaries that are not fixed [kg/s].
+  dealii::Tensor<1, 2> momentum() const { return share ? totals.momentum : sum_motion().momentum; }
+  /// Sum of mass times speed of all primaries [kg/s].
+  double moving() const { return share ? totals.moving : sum_motion().moving; }
+  /// Numbers of pairs, of contacts, and of those that carry_force().
+  std::size_t n_pairs() const { return share ? totals.n_pairs : list.n_pairs(); }
+  std::size_t n_contacts() const { return share ? totals.n_contacts : rows.size(); }
+  std::size_t n_pushing() const;
   /// Deepest overlap of the present places [m].
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
@@ -162,12 +204,58 @@ public:
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
 
 private:
+  /// Sums over the primaries and contacts of all ranks.
+  struct Totals
+  {
+    double kinetic = 0., moving = 0.;
+    dealii::Tensor<1, 2> momentum;
+    std::size_t n_pairs = 0, n_contacts = 0, n_pushing = 0;
+  };
+  /// A primary near a wall.
+  struct AtWall
+  {
+    std::uint32_t wall, primary;
+    double gap; ///< [m]
+  };
+  /// Calls @p work; if it fails on one of the ranks that have parted, all fail.
+  template <class Work>
+  void alike(const Work &work) const
+  {
+    if (share)
+      share->of_ranks().together(work);
+    else
+      work();
+  }
+  void weigh();
+  void update_list();
+  std::vector<ExactSum> sums_of_motion() const;
+  Totals sum_motion() const;
+  void sum_up();
+  std::vector<AtWall> find_at_walls(const std::vector<Wall> &walls, std::size_t begin, std::size_t end) const;
+  void add_wall_rows(const std::vector<Wall> &walls, const std::vector<AtWall> &found);
+  void bring_wall_rows(const std::vector<Wall> &walls);
+  std::vector<double> wall_list(const std::vector<AtWall> &at_walls,
+                                const std::vector<std::uint32_t> &of_them) const;
+  /// What the first rank gathers of primaries at walls.
+  struct WallGuests
+  {
+    std::vector<AtWall> at_walls;
+    /// Of every other rank: its own primaries at walls, and its copies of some; by their places here.
+    std::map<unsigned int, std::vector<std::uint32_t>> own, copies;
+  };
+  void take_guests(unsigned int rank, const std::vector<double> &list, WallGuests &guests);
+  unsigned int numbers_of_guest() const;
+  void add_guest(std::uint32_t name, const double *number);
+  void drop_guests();
+  void tell_forces(unsigned int colour);
+  void tell_energies();
+  void tell_of_walls(std::vector<double> &normal, std::vector<double> &tangential);
+
   /// Gap up to which a pair is looked at [mean diameters].
   double contact_reach() const;
   struct Scratch;
   void attract_and_find(std::size_t tile, Scratch &scratch);
   void collect(const std::vector<Wall> &walls);
-  void collect_walls(const std::vector<Wall> &walls);
   void collect_obstacles(std::size_t n_walls);
   void meet(std::uint32_t obstacle,
             std::size_t piece,
@@ -209,7 +297,8 @@ private:
     return (static_cast<std::uint64_t>(rows.a[row]) << 32) | rows.b[row];
   }
   void remember();
-  void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report) const;
+  void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report);
+  void move_primaries(double dt);
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
   void
   account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
@@ -256,6 +345,11 @@ private:
   std::vector<double> tile_energy;
   dealii::TimerOutput *timer = nullptr;
   const Ranks *ranks = nullptr;
+  std::vector<bool> fixed; ///< bodies; empty: none
+  Motion kept;
+  std::unique_ptr<StripShare> share; ///< null: all primaries are here
+  Totals totals;                     ///< where not all are here
+  contact::DiskExchanges exchanges;
 };
 } // namespace softgrain::bpm
 

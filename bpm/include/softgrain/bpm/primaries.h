@@ -21,6 +21,11 @@ struct Primaries
 
   std::vector<double> strength; ///< of the attraction, over that of the law: a pair has the mean; empty: 1
 
+  std::vector<std::array<double, 2>> start; ///< places at the start; empty unless a load asks for them [m]
+
+  std::vector<std::uint32_t> number; ///< among those of all ranks; empty: all are here
+
+  std::uint32_t number_of(const std::size_t i) const { return number.empty() ? i : number[i]; }
   std::size_t size() const { return position.size(); }
   bool rotate() const { return !angular_velocity.empty(); }
 
@@ -32,6 +37,14 @@ struct Primaries
       sum += 2. * r / size();
     return sum;
   }
+};
+
+/// What a step changes of primaries, to go back to.
+struct Motion
+{
+  std::vector<std::array<double, 2>> position; ///< [m]
+  std::vector<std::array<double, 2>> velocity; ///< [m/s]
+  std::vector<double> angular_velocity;        ///< [rad/s]
 };
 } // namespace softgrain::bpm
 

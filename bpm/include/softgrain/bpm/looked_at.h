@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_looked_at_h
+#define softgrain_bpm_looked_at_h
+
+#include <softgrain/bpm/dynamics.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace softgrain::bpm
+{
+/**
+ * @brief Primaries, contacts and bonds as snapshots see them: those of all ranks, in the order of one
+ * process.
+ *
+ * Where each rank has some of them, they are brought to the first one; others see nothing.
+ */
+class LookedAt
+{
+public:
+  /// A pair of primaries of one body.
+  struct Bond
+  {
+    std::uint32_t a, b;
+    double attraction; ///< 0 when out of range [N/m]
+    double impulse;    ///< normal, of the last step [N s/m]
+  };
+
+  /// All ranks make it. @p dynamics has to stay as it is.
+  explicit LookedAt(const Dynamics &dynamics);
+
+  const Primaries &disks() const { return brought ? brought->disks : dynamics.disks(); }
+  /// b >= disks().size(): a wall, and obstacles after the walls.
+  const contact::DiskContacts &rows() const { return brought ? brought->rows : dynamics.contacts(); }
+  double gap(const std::size_t row) const { return brought ? brought->gap[row] : dynamics.gaps()[row]; }
+  bool carries_force(const std::size_t row) const { return brought || dynamics.carries_force(row); }
+  /// Image of its second body that row @p row is a contact with; not one with a wall.
+  PeriodicCell<2>::Image image_of_row(const std::size_t row) const
+  {
+    return brought ? PeriodicCell<2>::Image() : dynamics.image_of_row(row);
+  }
+
+  /// Calls work(bond) for every pair of one body that has an attraction or an impulse.
+  template <class Work>
+  void for_bonds(const Work &work) const
+  {
+    if (!brought)
+      return for_bonds_here(0, dynamics.neighbours().n_pairs(), work);
+    for (const Bond &bond : brought->bonds)
+      work(bond);
+  }
+
+private:
+  template <class Work>
+  void for_bonds_here(const std::size_t begin, const std::size_t end, const Work &work) const
+  {
+    const contact::NeighbourList &list = dynamics.neighbours();
+    const std::vector<std::uint32_t> &body = dynamics.disks().body;
+    for (std::size_t pair = begin; pair < end; ++pair)
+    {
+      const std::uint32_t a = list.a(pair), b = list.b(pair);
+      if (body[a] != body[b])
+        continue;
+      const Bond bond = {a, b, dynamics.attraction_of(pair), list.memory()[pair][0]};
+      if (bond.attraction != 0. || bond.impulse != 0.)
+        work(bond);
+    }
+  }
+
+  struct Brought
+  {
+    Primaries disks;
+    contact::DiskContacts rows; ///< that carry force; what describes them, not what solves them
+    std::vector<double> gap;
+    std::vector<Bond> bonds;
+  };
+  void bring_disks();
+  void bring_rows();
+  void bring_bonds();
+
+  const Dynamics &dynamics;
+  std::optional<Brought> brought; ///< where each rank has some
+};
+} // namespace softgrain::bpm
+
+#endif

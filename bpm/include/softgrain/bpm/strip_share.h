@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_bpm_strip_share_h
+#define softgrain_bpm_strip_share_h
+
+#include <softgrain/base/ranks.h>
+#include <softgrain/bpm/primaries.h>
+#include <softgrain/contact/disk_exchanges.h>
+#include <softgrain/contact/neighbour_list.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace softgrain::bpm
+{
+/// Primaries below which words between ranks would take longer than the work.
+constexpr std::size_t fewest_to_part = 2000;
+
+/**
+ * @brief Which primaries this rank has: those in some strips of the neighbour list, side by side.
+ *
+ * A rank holds its own primaries in the order of their numbers, and behind them copies of those in the first
+ * column of the next rank's strips, which its last tile reaches: the seam. All are shared out anew with every
+ * neighbour list, about as many to each rank; what a primary carries goes with it.
+ */
+class StripShare
+{
+public:
+  /// @p ranks have to stay.
+  explicit StripShare(const Ranks &ranks) : ranks(ranks) {}
+
+  const Ranks &of_ranks() const { return ranks; }
+  std::size_t n_all() const { return n_primaries; }
+  std::size_t n_own() const { return n_own_primaries; }
+  std::size_t n_held() const { return n_own_primaries + n_seam; } ///< with the seam
+
+  /// Leaves a piece of @p disks, which are all of them, here; share_out() comes next.
+  void cut(Primaries &disks);
+
+  /**
+   * @brief Shares primaries out by their places, and makes the neighbour list of the own strips.
+   * @param disks that are here; copies behind the own ones do not count
+   * @param kept goes along; may be empty on all ranks
+   * @param list whose pairs keep their memories
+   */
+  void share_out(Primaries &disks, Motion &kept, contact::NeighbourList &list);
+
+  /// Whether primaries turn, have a strength, and places at the start; where there are none, that cannot be
+  /// seen.
+  bool rotates() const { return rotate; }
+  bool graded() const { return has_strength; }
+  bool started() const { return has_start; }
+
+  /// Place of a primary among those held here, whose @p numbers these are; or none.
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  std::uint32_t place_of(std::uint32_t number, const std::vector<std::uint32_t> &numbers) const;
+
+  /// What is told at seams after the tiles of @p colour: who has just come by tells the other.
+  const contact::DiskRound &seams(const unsigned int colour) const { return rounds[colour]; }
+  /// Whether the rank before this one has a copy of own primary @p i.
+  bool is_at_seam(std::uint32_t i) const;
+  /// The rank whose strips come before those of @p rank; none where nothing comes before.
+  unsigned int before(unsigned int rank) const;
+
+  /// Of both colours, the end of the tiles of every rank.
+  const std::vector<std::vector<std::uint32_t>> &end_of_tiles() const { return tile_end; }
+  /// Tiles of @p colour of @p rank: first and end.
+  std::pair<std::uint32_t, std::uint32_t> tiles(unsigned int colour, unsigned int rank) const;
+
+  /// Numbers of all primaries on the first rank, @p n of each, by number; nothing on others.
+  std::vector<double> at_first(const double *values, unsigned int n, const Primaries &disks) const;
+  /// Of numbers of tiles, in the order of the tiles here, of which @p n_first belong to the first colour:
+  /// those of all tiles on the first rank.
+  std::vector<double> tiles_at_first(const std::vector<double> &values, std::size_t n_first) const;
+
+  /// Takes what the pairs of @p list remember from @p memory, where those of all tiles stand.
+  void take_tiles(const std::vector<double> &memory, contact::NeighbourList &list) const;
+
+private:
+  void choose_strips(const Primaries &disks, double cell);
+  void divide(const std::vector<double> &weight);
+  unsigned int owner(std::size_t strip) const;
+  unsigned int after(unsigned int rank) const;
+  bool has_strips(const unsigned int rank) const { return end_strip[rank] > first_strip(rank); }
+  std::size_t first_strip(const unsigned int rank) const { return rank > 0 ? end_strip[rank - 1] : 0; }
+  std::vector<std::vector<double>> send_memories(const Primaries &disks,
+                                                 const contact::NeighbourList &list) const;
+  contact::NeighbourList::Remembered memories_of(const std::vector<std::vector<double>> &came,
+                                                 const std::vector<std::uint32_t> &numbers,
+                                                 unsigned int n_impulses) const;
+  void carry(Primaries &disks, Motion &kept);
+  void make_rounds(const Primaries &disks);
+
+  const Ranks &ranks;
+  std::size_t n_primaries = 0, n_own_primaries = 0, n_seam = 0;
+  std::vector<std::size_t> n_own_of;                            ///< of every rank
+  bool rotate = false, has_strength = false, has_start = false; ///< what all primaries have
+  contact::StripGrid grid;
+  std::vector<std::size_t> end_strip; ///< of every rank
+  std::vector<std::vector<std::uint32_t>> tile_end;
+  std::array<contact::DiskRound, 2> rounds;
+  std::vector<std::uint32_t> to_previous; ///< own primaries of which the rank before has copies
+};
+} // namespace softgrain::bpm
+
+#endif

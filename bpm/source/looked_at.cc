@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/bpm/looked_at.h>
+
+#include <algorithm>
+
+namespace softgrain::bpm
+{
+namespace
+{
+std::vector<std::array<double, 2>> pairs_of(const std::vector<double> &numbers)
+{
+  std::vector<std::array<double, 2>> pairs(numbers.size() / 2);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    pairs[i] = {numbers[2 * i], numbers[2 * i + 1]};
+  return pairs;
+}
+} // namespace
+
+LookedAt::LookedAt(const Dynamics &dynamics) : dynamics(dynamics)
+{
+  if (dynamics.parted() == nullptr)
+    return;
+  brought.emplace();
+  bring_disks();
+  bring_rows();
+  bring_bonds();
+}
+
+void LookedAt::bring_disks()
+{
+  const Primaries &here = dynamics.disks();
+  const StripShare &share = *dynamics.parted();
+  const auto bring = [&](const std::vector<double> &values)
+  { return share.at_first(values.data(), 1, here); };
+  const auto bring_pairs = [&](const std::vector<std::array<double, 2>> &values)
+  { return pairs_of(share.at_first(values.data()->data(), 2, here)); };
+  Primaries &all = brought->disks;
+  all.position = bring_pairs(here.position);
+  all.velocity = bring_pairs(here.velocity);
+  all.radius = bring(here.radius);
+  all.mass = bring(here.mass);
+  const std::vector<double> body = bring(std::vector<double>(here.body.begin(), here.body.end()));
+  all.body.assign(body.begin(), body.end());
+  if (share.rotates())
+    all.angular_velocity = bring(here.angular_velocity);
+}
+
+void LookedAt::bring_rows()
+{
+  constexpr unsigned int n = 7;
+  const contact::DiskContacts &here = dynamics.contacts();
+  const Primaries &disks = dynamics.disks();
+  const StripShare &share = *dynamics.parted();
+  const std::uint32_t first_wall = share.n_all();
+  std::vector<double> numbers, at_walls;
+  std::size_t n_first = 0;
+  const std::uint32_t first_end = here.tile_start[here.colour_start[1]], tiles_end = here.tile_start.back();
+  for (std::size_t row = 0; row < here.size(); ++row)
+  {
+    if (dynamics.carries_force(row))
+    {
+      const std::uint32_t b = here.b[row];
+      std::vector<double> &list = row < tiles_end ? numbers : at_walls;
+      list.insert(list.end(),
+                  {static_cast<double>(disks.number[here.a[row]]),
+                   static_cast<double>(b < disks.size() ? disks.number[b] : first_wall + (b - disks.size())),
+                   here.normal[row][0], here.normal[row][1], dynamics.gaps()[row], here.impulse[row],
+                   share.rotates() ? here.tangential_impulse[row] : 0.});
+    }
+    if (row < first_end)
+      n_first = numbers.size();
+  }
+  std::vector<double> all = share.tiles_at_first(numbers, n_first);
+  all.insert(all.end(), at_walls.begin(), at_walls.end()); // only the first rank has any
+  contact::DiskContacts &rows = brought->rows;
+  for (std::size_t k = 0; k < all.size(); k += n)
+  {
+    rows.a.push_back(static_cast<std::uint32_t>(all[k]));
+    rows.b.push_back(static_cast<std::uint32_t>(all[k + 1]));
+    rows.normal.push_back({all[k + 2], all[k + 3]});
+    brought->gap.push_back(all[k + 4]);
+    rows.impulse.push_back(all[k + 5]);
+    if (share.rotates())
+      rows.tangential_impulse.push_back(all[k + 6]);
+  }
+}
+
+void LookedAt::bring_bonds()
+{
+  constexpr unsigned int n = 4;
+  const contact::NeighbourList &list = dynamics.neighbours();
+  const std::vector<std::uint32_t> &number = dynamics.disks().number;
+  const std::size_t first_end = list.tile_start()[list.colour_start()[1]];
+  std::vector<double> numbers;
+  const auto note = [&](const Bond &bond)
+  {
+    numbers.insert(numbers.end(), {static_cast<double>(number[bond.a]), static_cast<double>(number[bond.b]),
+                                   bond.attraction, bond.impulse});
+  };
+  for_bonds_here(0, first_end, note);
+  const std::size_t n_first = numbers.size();
+  for_bonds_here(first_end, list.n_pairs(), note);
+  const std::vector<double> all = dynamics.parted()->tiles_at_first(numbers, n_first);
+  for (std::size_t k = 0; k < all.size(); k += n)
+    brought->bonds.push_back(
+        {static_cast<std::uint32_t>(all[k]), static_cast<std::uint32_t>(all[k + 1]), all[k + 2], all[k + 3]});
+}
+} // namespace softgrain::bpm

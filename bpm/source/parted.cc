@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of Dynamics that works with other ranks, each of which has some of the primaries.
+#include <softgrain/base/exceptions.h>
+#include <softgrain/bpm/dynamics.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace softgrain::bpm
+{
+namespace
+{
+constexpr unsigned int first_rank = 0;
+
+/// Primaries of @p at_walls, each once, in order.
+template <class List>
+std::vector<std::uint32_t> primaries_of(const List &at_walls)
+{
+  std::vector<std::uint32_t> which;
+  for (const auto &at : at_walls)
+    which.push_back(at.primary);
+  std::sort(which.begin(), which.end());
+  which.erase(std::unique(which.begin(), which.end()), which.end());
+  return which;
+}
+} // namespace
+
+void Dynamics::part(const std::vector<Wall> &walls)
+{
+  const bool repeats = std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return w.repeats(); });
+  if (ranks == nullptr || ranks->alone() || repeats || adhesion.acts() || obstacles != nullptr ||
+      primaries.size() < fewest_to_part)
+    return;
+  share = std::make_unique<StripShare>(*ranks);
+  share->cut(primaries);
+  weigh();
+}
+
+void Dynamics::update_list()
+{
+  if (!share)
+  {
+    n_lists += list.update(primaries.position, lattice());
+    return;
+  }
+  drop_guests();
+  if (n_lists > 0 && !share->of_ranks().any(list.has_moved(primaries.position)))
+    return;
+  share->share_out(primaries, kept, list);
+  weigh();
+  ++n_lists;
+}
+
+void Dynamics::drop_guests()
+{
+  const std::size_t n = share->n_held();
+  primaries.position.resize(n);
+  primaries.velocity.resize(n);
+  primaries.radius.resize(n);
+  primaries.mass.resize(n);
+  primaries.body.resize(n);
+  primaries.number.resize(n);
+  inverse_mass.resize(n);
+  if (rotations)
+    primaries.angular_velocity.resize(n);
+  if (share->graded())
+    primaries.strength.resize(n);
+  if (share->started())
+    primaries.start.resize(n);
+}
+
+void Dynamics::take_back_motion(const std::vector<Wall> &walls)
+{
+  primaries.position = kept.position;
+  primaries.velocity = kept.velocity;
+  primaries.angular_velocity = kept.angular_velocity;
+  if (share)
+    drop_guests();
+  detect(walls);
+}
+
+void Dynamics::tell_forces(const unsigned int colour)
+{
+  contact::DiskRound round = share->seams(colour);
+  round.exchange<2>(share->of_ranks(),
+                    [this](const std::uint32_t i, const unsigned int d) -> double & { return force[i][d]; });
+}
+
+void Dynamics::tell_energies()
+{
+  std::vector<Ranks::Piece> pieces;
+  for (unsigned int colour = 0; colour < 2; ++colour)
+    for (unsigned int r = 0; r < share->of_ranks().number(); ++r)
+    {
+      const auto [begin, end] = share->tiles(colour, r);
+      pieces.push_back({r, tile_energy.data() + begin, end - begin});
+    }
+  share->of_ranks().share(pieces);
+}
+
+std::vector<double> Dynamics::wall_list(const std::vector<AtWall> &at_walls,
+                                        const std::vector<std::uint32_t> &of_them) const
+{
+  // What the first rank has to know of a primary at a wall, and then where it is near to one.
+  std::vector<double> numbers = {static_cast<double>(of_them.size())};
+  for (const std::uint32_t i : of_them)
+  {
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(primaries.number[i]), share->is_at_seam(i) ? 1. : 0.,
+                    static_cast<double>(primaries.body[i]), primaries.position[i][0],
+                    primaries.position[i][1], primaries.velocity[i][0], primaries.velocity[i][1],
+                    primaries.radius[i], primaries.mass[i], force[i][0], force[i][1]});
+    if (rotations)
+      numbers.push_back(primaries.angular_velocity[i]);
+    if (share->started())
+      numbers.insert(numbers.end(), {primaries.start[i][0], primaries.start[i][1]});
+  }
+  for (const AtWall &at : at_walls)
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(at.wall), static_cast<double>(primaries.number[at.primary]), at.gap});
+  return numbers;
+}
+
+void Dynamics::bring_wall_rows(const std::vector<Wall> &walls)
+{
+  const Ranks &all = share->of_ranks();
+  const std::vector<AtWall> here = find_at_walls(walls, 0, share->n_own());
+  const std::vector<std::uint32_t> own = primaries_of(here),
+                                   copies =
+                                       primaries_of(find_at_walls(walls, share->n_own(), share->n_held()));
+  const std::vector<std::vector<double>> lists = all.lists_at_first(wall_list(here, own));
+  exchanges.rotate = rotations;
+  exchanges.end_of_tiles = share->end_of_tiles();
+  // Primaries at walls come to the first rank when all else has been swept, and go back to all that hold
+  // them.
+  contact::DiskRound to_first, from_first;
+  if (!all.first())
+  {
+    if (!own.empty())
+      to_first.send.push_back({first_rank, own, {}});
+    std::vector<std::uint32_t> held = own;
+    held.insert(held.end(), copies.begin(), copies.end());
+    if (!held.empty())
+      from_first.receive.push_back({first_rank, held, {}});
+  }
+  else
+  {
+    WallGuests guests;
+    for (unsigned int r = 0; r < lists.size(); ++r)
+      take_guests(r, lists[r], guests);
+    std::sort(guests.at_walls.begin(), guests.at_walls.end(),
+              [this](const AtWall &one, const AtWall &other)
+              {
+                return std::make_pair(one.wall, primaries.number[one.primary]) <
+                       std::make_pair(other.wall, primaries.number[other.primary]);
+              });
+    for (unsigned int r = 1; r < lists.size(); ++r)
+    {
+      std::vector<std::uint32_t> &held = guests.own[r];
+      if (!held.empty())
+        to_first.receive.push_back({r, held, {}});
+      held.insert(held.end(), guests.copies[r].begin(), guests.copies[r].end());
+      if (!held.empty())
+        from_first.send.push_back({r, held, {}});
+    }
+    add_wall_rows(walls, guests.at_walls);
+  }
+  exchanges.rounds = {{share->seams(0)}, {share->seams(1), to_first}, {from_first}};
+}
+
+void Dynamics::take_guests(const unsigned int rank, const std::vector<double> &list, WallGuests &guests)
+{
+  const double *number = list.data(), *const end = number + list.size();
+  std::map<std::uint32_t, std::uint32_t> place;
+  for (auto n = static_cast<std::size_t>(*number++); n > 0; --n)
+  {
+    const auto name = static_cast<std::uint32_t>(*number++);
+    const bool at_seam = *number++ > 0.;
+    std::uint32_t i = share->place_of(name, primaries.number);
+    if (i == StripShare::none)
+    {
+      i = primaries.size();
+      add_guest(name, number);
+    }
+    place[name] = i;
+    number += numbers_of_guest();
+    guests.own[rank].push_back(i);
+    const unsigned int before = share->before(rank);
+    if (at_seam)
+      guests.copies[before].push_back(i);
+  }
+  for (; number < end; number += 3)
+    guests.at_walls.push_back(
+        {static_cast<std::uint32_t>(number[0]), place.at(static_cast<std::uint32_t>(number[1])), number[2]});
+}
+
+unsigned int Dynamics::numbers_of_guest() const
+{
+  return 9 + (rotations ? 1 : 0) + (share->started() ? 2 : 0);
+}
+
+void Dynamics::add_guest(const std::uint32_t name, const double *number)
+{
+  primaries.number.push_back(name);
+  primaries.body.push_back(static_cast<std::uint32_t>(number[0]));
+  primaries.position.push_back({number[1], number[2]});
+  primaries.velocity.push_back({number[3], number[4]});
+  primaries.radius.push_back(number[5]);
+  primaries.mass.push_back(number[6]);
+  inverse_mass.push_back(1. / number[6]); // what is fixed meets no walls
+  force.push_back({number[7], number[8]});
+  number += 9;
+  if (rotations)
+    primaries.angular_velocity.push_back(*number++);
+  if (share->started())
+    primaries.start.push_back({number[0], number[1]});
+  if (share->graded()) // of no consequence at a wall
+    primaries.strength.push_back(1.);
+}
+
+void Dynamics::tell_of_walls(std::vector<double> &normal, std::vector<double> &tangential)
+{
+  // Walls that are free have moved where their contacts were swept.
+  std::vector<std::array<double, 2>> velocity(normal.size());
+  std::copy_n(bodies.velocity.begin() + primaries.size(), velocity.size(), velocity.begin());
+  share->of_ranks().share({{first_rank, normal.data(), normal.size()},
+                           {first_rank, tangential.data(), tangential.size()},
+                           {first_rank, velocity.data()->data(), 2 * velocity.size()}});
+  std::copy(velocity.begin(), velocity.end(), bodies.velocity.begin() + primaries.size());
+}
+
+std::vector<double> Dynamics::memory_of_pairs() const
+{
+  const contact::PairMemory &memory = list.memory();
+  return share->tiles_at_first(memory.values(),
+                               memory.n_impulses() * list.tile_start()[list.colour_start()[1]]);
+}
+
+bool Dynamics::has_radii(const std::vector<double> &radii) const
+{
+  if (radii.size() != n_all())
+    return false;
+  bool same = true;
+  for (std::size_t i = 0; i < n_own(); ++i)
+    same = same && radii[primaries.number_of(i)] == primaries.radius[i];
+  return share ? !share->of_ranks().any(!same) : same;
+}
+
+void Dynamics::build_list(const std::vector<std::array<double, 2>> &places,
+                          const contact::ImageLattice &lattice,
+                          const std::vector<double> &memory)
+{
+  if (!share)
+  {
+    list.build(places, lattice);
+    if (memory.size() != list.memory().values().size())
+      throw InputError("the checkpoint was made with other primaries or frictions");
+    list.memory().values() = memory;
+    return;
+  }
+  drop_guests();
+  for (std::size_t i = 0; i < share->n_own(); ++i)
+    primaries.position[i] = places[primaries.number[i]];
+  list.memory().forget(0, list.n_pairs());
+  share->share_out(primaries, kept, list);
+  weigh();
+  share->take_tiles(memory, list);
+}
+} // namespace softgrain::bpm
