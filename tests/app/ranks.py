@@ -29,6 +29,9 @@ SCENES = {
     "two_disks": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4"],
     "thirty": THIRTY,
     "friction": [*THIRTY, "Contact/Friction=0.3"],
+    # Grains touch from the start, so that bonds hold, slide and break.
+    "adhesion": [*THIRTY, "Contact/Friction=0.3", "Contact/Law=bond", "Contact/Adhesion=1e4", "Contact/Adhesion range=2e-5",
+                 "Contact/Healing time=1e-5"],
     "plastic": [*THIRTY, "Materials/gel/Law=j2_plastic", "Material points/Grid update=every step"],
     "explicit": [*THIRTY, "Stop/End time=2e-5", "Time/Scheme=explicit", "Time/CFL multiple=0.3", "Contact/Solver=lumped"],
     "quasi_static": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, "Walls/top/Velocity=5", "Output/Fields every=0",
@@ -41,6 +44,8 @@ SCENES = {
     # More contacts than four thousand are swept by all ranks, fewer by each.
     "bonded": [*BONDED, "Walls/top/Velocity=5", "Stop/End time=2e-5"],
     "bonded_friction": [*BONDED, "Walls/top/Velocity=5", "Contact/Friction=0.3", "Contact/Rolling resistance=0.05",
+                        "Stop/End time=1e-5"],
+    "bonded_adhesion": [*BONDED, "Walls/top/Velocity=5", "Contact/Law=cohesive", "Contact/Adhesion=50", "Contact/Adhesion range=1e-5",
                         "Stop/End time=1e-5"],
     "bonded_grain": ["gallery/one_grain_bpm.prm", "Walls/top/Velocity=5", "Stop/End time=1e-4"],
     "bonded_cell": ["gallery/simple_shear_periodic_bpm.prm", *EQUAL, "Stages/compact/top/Drive=velocity",
@@ -154,6 +159,14 @@ class SameBits(RankRuns):
     def test_friction(self):
         self.check("friction")
 
+    def check_adhesion(self, name):
+        self.check(name, (1, 2))
+        without, _ = self.run_on(2, SCENES[name], "without", ["Contact/Adhesion=0"])
+        self.assertNotEqual((without / "history.csv").read_bytes(), (self.base / "2" / "history.csv").read_bytes())
+
+    def test_adhesion(self):
+        self.check_adhesion("adhesion")
+
     def test_plastic(self):
         self.check("plastic", (2, 3))
 
@@ -183,6 +196,9 @@ class SameBits(RankRuns):
 
     def test_bonded_friction(self):
         self.check("bonded_friction", (2, 3))
+
+    def test_bonded_adhesion(self):
+        self.check_adhesion("bonded_adhesion")
 
     def test_bonded_grain(self):
         self.check("bonded_grain")
