@@ -29,10 +29,10 @@ COLUMNS = ("law", "F-bar", "to", "steps", "cut", "held steps", "Newton iteration
            "unbalanced force, at most", "energy balance", "stress on the walls at the end [MPa]")
 
 
-def scene_of(law, folder):
-    """The scene with the section of @law in place of the one of neo_hookean, below @folder."""
+def scene_of(law, folder, scene=SCENE):
+    """The @scene with the section of @law in place of the one of neo_hookean, below @folder."""
     title, constants = LAWS[law]
-    text = (PARAMETERS / SCENE).read_text(encoding="utf-8")
+    text = (PARAMETERS / scene).read_text(encoding="utf-8")
     lines = "".join(f"      set {name} = {value}\n" for name, value in constants.items())
     text = text.replace("Law     = neo_hookean", f"Law     = {law}").replace("subsection Neo-Hookean", f"subsection {title}")
     text = re.sub(r"(      set Poisson's ratio = [^\n]*\n)", lambda found: found.group(1) + lines, text)

@@ -49,20 +49,22 @@ def pull_off(program, folder):
           f"{rows[-1]['adhesion_work_J_per_m']:.3g} J/m")
 
 
-def small_contact(program, folder, levels, spacing):
-    """A stiffer disk between two plates that go apart: a/R = 0.06, cells halved near contact. The largest force that is in balance."""
+def small_contact(program, folder, levels, spacing, poisson, halvings):
+    """A stiffer disk between two plates that go apart: a/R = 0.06, cells halved near contact. The largest force that is in balance. With
+    @halvings contact, gaps and strain of the surface are so often halved, at equal Tabor's number."""
     print("| Tabor's number | row of markers over range of the pull along the surface | JKR [N/m] | Baney and Hui | found | difference |\n" + "|---" * 6 + "|")
-    modulus = 2e6 / 0.91
-    for strength, reach in ((1.15e5, 3.24e-5), (2.3e5, 1.62e-5)):
+    modulus, small = 2e6 / 0.91, 2**halvings
+    for strength, reach in ((1.15e5 / small, 3.24e-5 / small**2), (2.3e5 / small, 1.62e-5 / small**2)):
         for level in levels:
             changes = {"Mesh/Lower": "-6e-3, -6e-3", "Mesh/Upper": "6e-3, 6e-3", "Mesh/Cell size": 2.5e-4, "Mesh/Refine near contact": level,
-                       "Material points/Shape function": "linear", "Materials/gel/Neo-Hookean/Young's modulus": 2e6,
-                       "Materials/gel/Neo-Hookean/Poisson's ratio": 0.3, "Bodies/disk/Body force": "0; 0", "Contact/Law": "cohesive",
-                       "Contact/Adhesion": strength, "Contact/Adhesion range": reach, "Contact/Marker spacing": spacing, "Time/Time step": 0.5,
-                       "Stop/End time": 75, "Output/Snapshots every": 0, "Output/Fields every": 0}
+                       "Material points/Shape function": "linear", "Materials/gel/Neo-Hookean/Young's modulus": modulus * (1 - poisson**2),
+                       "Material points/F-bar": "on" if poisson > 0.45 else "off",
+                       "Materials/gel/Neo-Hookean/Poisson's ratio": poisson, "Bodies/disk/Body force": "0; 0", "Contact/Law": "cohesive",
+                       "Contact/Adhesion": strength, "Contact/Adhesion range": reach, "Contact/Marker spacing": spacing,
+                       "Time/Time step": 0.5 / small**2, "Stop/End time": 75 / small**2, "Output/Snapshots every": 0, "Output/Fields every": 0}
             for wall in ("bottom", "top"):
-                changes |= {f"Walls/{wall}/Friction": 0, f"Walls/{wall}/Position": "2e-6*(t < 5 ? t : 10 - t)"}
-            name = folder / f"small-{strength:g}-{level}-{spacing:g}"
+                changes |= {f"Walls/{wall}/Friction": 0, f"Walls/{wall}/Position": f"2e-6*(t < {5 / small**2:g} ? t : {10 / small**2:g} - t)"}
+            name = folder / f"small-{strength:g}-{level}-{spacing:g}-{poisson:g}"
             try:
                 run(program, "verification/partial_slip.prm", name, changes, threads=1, again=False)
             except RunFailed:
@@ -70,7 +72,7 @@ def small_contact(program, folder, levels, spacing):
             found = -min(softgrain.open(name).history_table["bottom_force_N_per_m"])
             exact, tabor = maugis(modulus, strength, reach), (RADIUS * (strength * reach) ** 2 / (modulus**2 * reach**3)) ** (1 / 3)
             zone = math.pi / 4 * modulus * reach / strength  # of Dugdale's crack
-            print(f"| {tabor:.2f} | {spacing * 2.5e-4 / 2**level / zone:.3f} | {jkr(modulus, strength * reach)[0]:.1f} | {exact:.1f} | {found:.1f} | "
+            print(f"| {tabor:.2f} | {spacing * 2.5e-4 / 2**level / zone:.3f} | {jkr(modulus, strength * reach)[0]:.1f} | {exact:.2f} | {found:.2f} | "
                   f"{100 * (found / exact - 1):+.1f} % |", flush=True)
 
 
@@ -126,13 +128,15 @@ def main():
     parser.add_argument("--only", nargs="+", choices=tasks, default=tasks)
     parser.add_argument("--levels", type=int, nargs="+", default=[2, 3, 4], help="halvings near contact of the task small (default: 2 3 4)")
     parser.add_argument("--spacing", type=float, default=1, help="of rows of the task small [cells] (default: 1)")
+    parser.add_argument("--poisson", type=float, default=0.3, help="ratio of the task small, at equal E*; with F-bar above 0.45 (default: 0.3)")
+    parser.add_argument("--halvings", type=int, default=0, help="of contact and strain of the task small (default: 0)")
     parser.add_argument("--cycles", type=int, default=30)
     parser.add_argument("--push", type=float, default=1066, help="of the cycles, force on the volume [N/m^3] (default: %(default)s)")
     arguments = parser.parse_args()
     if "pull_off" in arguments.only:
         pull_off(arguments.program, arguments.folder / "pull_off")
     if "small" in arguments.only:
-        small_contact(arguments.program, arguments.folder / "small", arguments.levels, arguments.spacing)
+        small_contact(arguments.program, arguments.folder / "small", arguments.levels, arguments.spacing, arguments.poisson, arguments.halvings)
     if "slip" in arguments.only:
         slip(arguments.program, arguments.folder)
     if "cycles" in arguments.only:

@@ -30,6 +30,9 @@ SCENES = {
     "two_disks": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4"],
     "thirty": THIRTY,
     "friction": [*THIRTY, "Contact/Friction=0.3"],
+    # Grains touch from the start, so that bonds hold, slide and break.
+    "adhesion": [*THIRTY, "Contact/Friction=0.3", "Contact/Law=bond", "Contact/Adhesion=1e4", "Contact/Adhesion range=2e-5",
+                 "Contact/Healing time=1e-5"],
     "plastic": [*THIRTY, "Materials/gel/Law=j2_plastic", "Material points/Grid update=every step"],
     "explicit": [*THIRTY, "Stop/End time=2e-5", "Time/Scheme=explicit", "Time/CFL multiple=0.3", "Contact/Solver=lumped"],
     "quasi_static": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, "Walls/top/Velocity=5", "Output/Fields every=0",
@@ -47,6 +50,8 @@ SCENES = {
     "bonded_pressed": [*BONDED, "Walls/top/Velocity=60", "Walls/right/Drive=pressure", "Walls/right/Pressure=3e6",
                        "Loads/Gravity=1e5, -1e6", "Time/Time step=3e-6", "Contact/Largest penetration=0.002",
                        "Output/History every=1", "Stop/End time=3e-6"],
+    "bonded_adhesion": [*BONDED, "Walls/top/Velocity=5", "Contact/Law=cohesive", "Contact/Adhesion=50", "Contact/Adhesion range=1e-5",
+                        "Stop/End time=1e-5"],
     "bonded_grain": ["gallery/one_grain_bpm.prm", "Walls/top/Velocity=5", "Stop/End time=1e-4"],
     "bonded_cell": ["gallery/simple_shear_periodic_bpm.prm", *EQUAL, "Stages/compact/top/Drive=velocity",
                     "Packing/Packing fraction=0.84", "Stages/compact/top/Velocity=60", "Stages/compact/top/Pressure=0",
@@ -159,6 +164,14 @@ class SameBits(RankRuns):
     def test_friction(self):
         self.check("friction")
 
+    def check_adhesion(self, name):
+        self.check(name, (1, 2))
+        without, _ = self.run_on(2, SCENES[name], "without", ["Contact/Adhesion=0"])
+        self.assertNotEqual((without / "history.csv").read_bytes(), (self.base / "2" / "history.csv").read_bytes())
+
+    def test_adhesion(self):
+        self.check_adhesion("adhesion")
+
     def test_plastic(self):
         self.check("plastic", (2, 3))
 
@@ -194,6 +207,9 @@ class SameBits(RankRuns):
         with open(self.base / "2" / "history.csv") as file:
             lengths = [float(row["dt_s"]) for row in csv.DictReader(file)][1:]
         self.assertLess(max(lengths), 2e-6)  # 3e-6 was asked for
+
+    def test_bonded_adhesion(self):
+        self.check_adhesion("bonded_adhesion")
 
     def test_bonded_grain(self):
         self.check("bonded_grain")

@@ -53,7 +53,8 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       ranks.SameBits.test_plastic ranks.SameBits.test_pushed ranks.SameBits.test_explicit ranks.SameBits.test_quasi_static
       ranks.SameBits.test_biaxial ranks.SameBits.test_periodic ranks.SameBits.test_thesis_method
       ranks.SameBits.test_bonded ranks.SameBits.test_bonded_friction ranks.SameBits.test_bonded_pressed
-      ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell)
+      ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell
+      ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion)
     string(REGEX MATCH "^[a-z]+" script ${name})
     string(REGEX REPLACE "^[a-z]+\\." "" class ${name})
     add_test(NAME app/${name}

@@ -2,7 +2,8 @@
 // Cells of three sizes, in two and three dimensions: nodes that hang take polynomials of the degree of the
 // shape functions from what they hang on, and no other field tears where cells of different sizes meet. A
 // disk of eight cells between two plates, three levels of smaller cells at the contacts: Johnson's force
-// (Contact Mechanics, section 5.6) within 1 % where the contact is a sixteenth of a cell wide.
+// (Contact Mechanics, section 5.6) within 1 % where the contact is a sixteenth of a cell wide. Cells on both
+// sides of an outline that ends on a line of the grid are small.
 #include "scene_of.h"
 
 #include <softgrain/mpm/field/lattice_box.h>
@@ -120,6 +121,39 @@ void press(const unsigned int n_levels)
   std::cout << "line contact, " << n_levels << " levels: force over Johnson's less 1 "
             << (n_levels == 0 ? std::to_string(error) : below(0.01, error)) << '\n';
 }
+/// Forces along one of the two contacts of a disk, from left to right [N/m].
+std::vector<double> forces_at(const Snapshot<2> &state, const bool top)
+{
+  std::vector<std::pair<double, double>> found;
+  for (const ContactState<2> &contact : state.contacts)
+    if ((contact.place[1] > 0.) == top)
+      found.emplace_back(contact.place[0], std::abs(contact.force[1]));
+  std::sort(found.begin(), found.end());
+  std::vector<double> forces;
+  for (const auto &[x, force] : found)
+    forces.push_back(force);
+  return forces;
+}
+
+/// A disk that ends on lines of the grid: rounding must not tell its bottom from its top.
+void end_on_a_line()
+{
+  const auto model = shipped_scene("verification/line_contact.prm",
+                                   {"Mesh/Cell size=5e-4", "Mesh/Lower=-6e-3, -6e-3", "Mesh/Upper=6e-3, 6e-3",
+                                    "Mesh/Refine near contact=3", "Time/Time step=2e-3",
+                                    "Material points/Shape function=linear"});
+  run_until(*model, 0.006);
+  const Snapshot<2> state = model->snapshot();
+  const std::vector<double> bottom = forces_at(state, false), top = forces_at(state, true);
+  double differs = 0., sum = 0.;
+  for (unsigned int k = 0; k < std::min(bottom.size(), top.size()); ++k)
+  {
+    differs += std::abs(bottom[k] - top[k]);
+    sum += top[k];
+  }
+  std::cout << "outline that ends on a line of the grid: rows " << bottom.size() << " and " << top.size()
+            << ", forces of bottom and top differ by " << below(1e-3, differs / sum) << '\n';
+}
 } // namespace
 
 int main()
@@ -131,4 +165,5 @@ int main()
   }
   press(0);
   press(3);
+  end_on_a_line();
 }

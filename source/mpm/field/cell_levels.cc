@@ -28,8 +28,10 @@ CellLevels<dim>::CellLevels(const Lattice<dim> &lattice,
   std::size_t total = 1;
   for (unsigned int d = 0; d < dim; ++d)
   {
-    origin[d] = multiple_below(lowest_cell[d], largest);
-    last[d] = multiple_below(highest_cell[d], largest) + largest - 1;
+    // One largest cell more on each side: an outline that ends on a line of the grid may be in cells beyond
+    // it by rounding, or after it has been moved.
+    origin[d] = multiple_below(lowest_cell[d], largest) - largest;
+    last[d] = multiple_below(highest_cell[d], largest) + 2 * largest - 1;
     total *= last[d] - origin[d] + 1;
   }
   levels.assign(total, highest);

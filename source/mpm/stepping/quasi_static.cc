@@ -66,13 +66,34 @@ std::string largest_move_in_cells(const Problem &problem, const StepOutcome &hel
   return text.str();
 }
 
+/// How far adhesion is from that of the gaps where the bodies are, over all adhesion (dimensionless): a step
+/// pulls with that of the gaps at its start. Of a row either that differs or its gap, times a stiffness, is
+/// nearly 0.
+double unsettled_adhesion(const Problem &problem, const State &state, const Workspace &work, const double dt)
+{
+  if (!problem.pairs.adhere())
+    return 0.;
+  const auto &rows = work.contact.contact_rows();
+  double differs = 0., all = 0.;
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if (rows[r].adhesion > 0.)
+    {
+      const double force = work.contact.impulses()[r * work.contact.n_components()] / dt,
+                   stiffness = state.bodies[rows[r].body].law->young_modulus();
+      all += rows[r].pull;
+      differs += std::min(std::abs(force + rows[r].pull), stiffness * std::max(0., rows[r].gap));
+    }
+  return all > 0. ? differs / all : 0.;
+}
+
 StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   const Settings &settings = problem.settings;
   StepOutcome sum;
   sum.accepted = true;
   double of_bodies = unbalanced_force_here(problem, state, work, dt);
-  sum.unbalanced = std::max(of_bodies, unbalanced_walls(problem, state));
+  sum.unbalanced =
+      std::max({of_bodies, unbalanced_walls(problem, state), unsettled_adhesion(problem, state, work, dt)});
   Relaxation relaxation(problem, state, dt);
   StepOutcome step;
   double slid = 0.;
@@ -90,7 +111,8 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     const double before = of_bodies;
     of_bodies = unbalanced_force_here(problem, state, work, dt);
-    sum.unbalanced = std::max(of_bodies, unbalanced_walls(problem, state));
+    sum.unbalanced =
+        std::max({of_bodies, unbalanced_walls(problem, state), unsettled_adhesion(problem, state, work, dt)});
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * problem.lattice->cell_size())
     {

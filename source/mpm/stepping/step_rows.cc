@@ -31,7 +31,7 @@ ContactScene<2> contact_scene(const Problem &problem,
                         problem.places_are_free(),
                         problem.places_slide(),
                         problem.subgrid(),
-                        state.adhesion.reach()};
+                        problem.pairs.adhere() ? state.adhesion.reach() : 0.};
   scene.obstacles = state.obstacles.empty() ? nullptr : &state.obstacles;
   scene.cell = cell ? &*cell : nullptr;
   scene.looking = &work.share;

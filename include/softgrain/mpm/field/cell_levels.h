@@ -28,7 +28,8 @@ public:
 
   /**
    * @param lattice      whose cells are the smallest
-   * @param lower, upper box around the body; cells outside of it are of the highest level [m]
+   * @param lower, upper box around the body; cells more than one of the largest outside of it are of the
+   *                     highest level [m]
    * @param highest      level of the largest cells
    * @param cut          asked from the largest cells down
    */
