@@ -196,6 +196,8 @@ std::string Simulation::loop()
   StepReport report;
   while (!finished() && !interruption_requested())
   {
+    if (const std::string moved = model.share_out_anew(); !moved.empty())
+      log.file() << moved << std::endl;
     try
     {
       report = take_step();

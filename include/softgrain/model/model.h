@@ -65,6 +65,12 @@ public:
    */
   virtual void settle(StepReport &report) { (void) report; }
 
+  /**
+   * @brief Between steps, on all ranks: gives them other parts of the work when it has become uneven.
+   * @return what the log is to say of it; empty when all stays as it is
+   */
+  virtual std::string share_out_anew() { return {}; }
+
   /// Drives the walls as @p drives say from now on, one per wall; null: as before.
   virtual void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) = 0;
 

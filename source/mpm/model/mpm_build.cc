@@ -90,17 +90,9 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (settings.scheme.implicit)
   {
     work.matrices.resize(state.bodies.size());
-    const bool condensed = settings.coupling == ContactCoupling::condensed &&
-                           state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
+    work.solvers.resize(state.bodies.size());
     for (const Body<2> &body : state.bodies)
-    {
-      work.solvers.emplace_back();
-      if (body.driven || !work.share.mine(body.index))
-        continue;
-      lay_out_stiffness(body.field, work.matrices[body.index]);
-      work.solvers.back() = std::make_unique<RankOneSolver>(
-          create_linear_solver(settings.linear_solver, work.matrices[body.index], 2, condensed));
-    }
+      prepare_solver(body);
   }
   if (settings.scheme.inertia && settings.rows_follow() && wanted_step() > 20.5 * cfl_step())
     choose_for_long_steps(problem.settings);
@@ -132,6 +124,19 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   state.balance.initial_momentum = momentum();
   initial_energy = energies().kinetic;
   update_momentum_scale();
+}
+
+void MpmModel::prepare_solver(const Body<2> &body)
+{
+  const Settings &settings = problem.settings;
+  if (!settings.scheme.implicit || body.driven || !work.share.mine(body.index))
+    return;
+  const bool condensed = settings.coupling == ContactCoupling::condensed &&
+                         state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
+  SystemMatrix &matrix = work.matrices[body.index];
+  lay_out_stiffness(body.field, matrix);
+  work.solvers[body.index] =
+      std::make_unique<RankOneSolver>(create_linear_solver(settings.linear_solver, matrix, 2, condensed));
 }
 
 void MpmModel::cover_points()

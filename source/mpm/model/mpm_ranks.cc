@@ -96,12 +96,24 @@ void MpmModel::share_out_bodies(const std::vector<BodyDescription<2>> &descripti
     weights.push_back(body.driven ? 0. : cost_of(group_of(body), problem.settings).iteration_seconds());
   }
   std::vector<unsigned int> owners = bisect(centers, weights, work.share.ranks.number());
-  // Where bodies meet at their nodes, every rank looks at the points of all.
-  std::vector<char> held(owners.size());
-  for (unsigned int b = 0; b < owners.size(); ++b)
-    held[b] = owners[b] == work.share.ranks.here() || descriptions[b].driven ||
-              !problem.settings.contact_on_boundaries;
+  balance.start(std::move(weights));
+  std::vector<char> held = held_here(owners);
   work.share.give(std::move(owners), std::move(held));
+}
+
+std::vector<char> MpmModel::held_here(const std::vector<unsigned int> &owners) const
+{
+  // Where bodies meet at their nodes, every rank looks at the points of all.
+  std::vector<char> held;
+  for (const Body<2> &body : state.bodies)
+    held.push_back(owners[body.index] == work.share.ranks.here() || body.driven ||
+                   !problem.settings.contact_on_boundaries);
+  return held;
+}
+
+void MpmModel::keep_outline(Body<2> &body)
+{
+  take_outline_of_grid(outline_of_grid(body), body);
 }
 
 std::vector<unsigned int> MpmModel::all_bodies() const

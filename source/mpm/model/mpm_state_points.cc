@@ -86,7 +86,10 @@ void MpmModel::save_points(StateWriter &out, const bool of_all) const
 void MpmModel::load_points(const StateReader &in, const bool of_all)
 {
   PointStore<2> &store = *state.points;
-  const std::size_t expected = of_all ? n_points() : store.size();
+  std::size_t expected = 0;
+  for (const Body<2> &body : state.bodies)
+    if (of_all || work.share.holds(body.index))
+      expected += body.n_points;
   // Of a list with the points of all, those that belong here, by their number in it.
   std::vector<std::size_t> here;
   std::vector<PointStore<2>::Handle> handles;

@@ -5,6 +5,7 @@
 #include <softgrain/driving/step_control.h>
 #include <softgrain/model/memory_state.h>
 #include <softgrain/model/model.h>
+#include <softgrain/mpm/model/load_balance.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 
@@ -33,6 +34,7 @@ public:
   std::string name() const override { return "mpm"; }
   StepReport advance(double dt_limit) override;
   void settle(StepReport &report) override;
+  std::string share_out_anew() override;
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
   double time() const override { return state.time; }
   std::size_t step() const override { return steps; }
@@ -60,6 +62,10 @@ public:
 
   const std::vector<Body<2>> &bodies() const { return state.bodies; }
 
+  /// Between steps: gives every body to a rank, with its points and all else that its owner alone has. No
+  /// result depends on it. All ranks call it with the same @p owners.
+  void move_bodies(std::vector<unsigned int> owners);
+
 private:
   double rotational_energy() const;
   bool laws_limit_step() const;
@@ -76,6 +82,14 @@ private:
   void fill_bodies(const std::vector<BodyDescription<2>> &descriptions);
   /// Gives every body to a rank, as long as there is more than one.
   void share_out_bodies(const std::vector<BodyDescription<2>> &descriptions);
+  /// Of every body, whether its points lie here when these ranks own the bodies.
+  std::vector<char> held_here(const std::vector<unsigned int> &owners) const;
+  /// After bodies have moved: @p points are those of this rank, as save_points() writes them.
+  void take_moved(const StateReader &points, const std::vector<char> &comes, const std::vector<char> &goes);
+  /// Of a body whose points have gone to another rank, keeps what all ranks know.
+  void keep_outline(Body<2> &body);
+  /// Matrix and solver of a body of this rank, where steps need them.
+  void prepare_solver(const Body<2> &body);
   std::vector<unsigned int> all_bodies() const;
   /// Moves the points of these bodies along with their grids and lays new ones.
   void lay_grids_anew(const std::vector<unsigned int> &bodies);
@@ -106,6 +120,7 @@ private:
   Problem problem;
   State state;
   Workspace work;
+  LoadBalance balance;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
   StepControl step_control{1.5};
