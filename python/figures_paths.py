@@ -9,6 +9,7 @@ import numpy as np
 import softgrain
 from softgrain import InputError
 
+FEWEST = 3  # pressures of a fit of (5.2)-(5.5): a line goes through any two
 STEADY = (0.3, 0.4)  # the steady state: the last of these shares of the shear strain, the shear strain it takes at least
 # Name: (text, value in the thesis); of a group of runs that differ in pressure.
 CONSTANTS = {
@@ -31,6 +32,7 @@ class Path:
     output: softgrain.Run
     model: str
     friction: float
+    grains: int | None    # None where the run does not say
     pressure: float       # p_c: that the wall on the right is to keep, or has at the end of the isotropic stage [Pa]
     stiffness: float      # p_I = F0/<a0>, or E [Pa]
     isotropic: dict = field(default_factory=dict)  # the state at the end of the isotropic stage
@@ -44,7 +46,8 @@ class Path:
 
     @property
     def group(self):
-        return self.model.upper() + (f", μ = {self.friction:g}" if self.friction > 0 else "")
+        grains = f", {self.grains} grains" if self.grains else ""
+        return self.model.upper() + grains + (f", μ = {self.friction:g}" if self.friction > 0 else "")
 
     def steady(self, name):
         """(mean, standard deviation) of a column over the steady state; None when the shear ends before it."""
@@ -131,7 +134,7 @@ def read_path(directory):
     first = int(np.searchsorted(measures["time_s"], stages[last][2] * (1 - 1e-9)))
     first = min(first, len(measures["time_s"]) - 1)
     friction = output.parameters.get("Contact/Friction", 0.)
-    path = Path(output, output.model, friction if isinstance(friction, (int, float)) else 0.,
+    path = Path(output, output.model, friction if isinstance(friction, (int, float)) else 0., (output.summary or {}).get("bodies"),
                 pressure_of(output, stages[last][0]) or float(measures["stress_2_Pa"][first]), stiffness)
     path.isotropic = {name: float(values[first]) for name, values in measures.items()}
     if sheared:
@@ -143,10 +146,10 @@ def read_path(directory):
 
 
 def groups_of(paths):
-    """Runs of one model and friction, BPM first as in the thesis, pressures rising: [[Path]]."""
+    """Runs of one model, friction and number of grains, BPM first as in the thesis, pressures rising: [[Path]]."""
     groups = {}
     for path in paths:
-        groups.setdefault((path.model == "mpm", path.friction), []).append(path)
+        groups.setdefault((path.model == "mpm", path.friction, path.grains or 0), []).append(path)
     return [sorted(groups[key], key=lambda path: path.pressure) for key in sorted(groups)]
 
 
@@ -159,9 +162,30 @@ def line(x, y):
     return float(start), float(slope), float(np.sqrt(np.mean((y - start - slope * x)**2)))
 
 
+def pressures_of(group):
+    """Those that differ by more than 5 % [Pa]."""
+    found = []
+    for path in sorted(group, key=lambda path: path.pressure):
+        if not found or path.pressure > 1.05 * found[-1]:
+            found.append(path.pressure)
+    return found
+
+
+def not_fitted(group):
+    """Why laws of pressure are not fitted to these runs; None where they are."""
+    number = len(pressures_of(group))
+    return f"{number} pressure{'s' * (number > 1)}, and a fit needs {FEWEST}" if number < FEWEST else None
+
+
 def isotropic_line(group, name):
-    """Of a measure of the isotropic state over log10(p_c/p_I)."""
-    return line([np.log10(path.kappa) for path in group], [path.isotropic[name] for path in group])
+    """Of a measure of the isotropic state over log10(p_c/p_I); None for too few pressures."""
+    return None if not_fitted(group) else line([np.log10(path.kappa) for path in group], [path.isotropic[name] for path in group])
+
+
+def void_line(group):
+    """Of Z over the void ratio, isotropic (5.5); None for too few pressures."""
+    return None if not_fitted(group) else line([path.isotropic["void_ratio"] for path in group],
+                                               [path.isotropic["coordination_of_bodies"] for path in group])
 
 
 def constants_of(group):
@@ -171,8 +195,7 @@ def constants_of(group):
                                ("coordination", "coordination_of_bodies", 1)):
         if found := isotropic_line(group, column):
             result[f"{name}_at_stiffness"], result[f"{name}_slope"] = found[0], sign * found[1]
-    if found := line([path.isotropic["void_ratio"] for path in group],
-                     [path.isotropic["coordination_of_bodies"] for path in group]):
+    if found := void_line(group):
         result["slope_of_5_5"] = -found[1]
     return result
 

@@ -14,7 +14,7 @@ try:
     import numpy as np
     from matplotlib.tri import Triangulation
     from figures_grains import draw_grains, read_frame
-    from figures_paths import CONSTANTS, NotDrawn, constants_of, groups_of, isotropic_line, line, read_path, states_at
+    from figures_paths import CONSTANTS, NotDrawn, constants_of, groups_of, isotropic_line, not_fitted, read_path, states_at, void_line
     from softgrain import InputError
     from softgrain.command import Parser, run_tool
     from softgrain.drawing import STYLE
@@ -34,8 +34,9 @@ def parse_arguments():
     parser = Parser(
         prog="softgrain figures thesis-5", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="Each run is a path of stages: the walls top and right under pressure, then top driven down (and up again)\n"
-               "while right keeps its pressure. Runs of one model and friction are one group. They need Output/Snapshots\n"
-               "every and Output/Measures = all (or 'softgrain measure DIR' afterwards).\n\n"
+               "while right keeps its pressure. Runs of one model, friction and number of grains are one group, and laws\n"
+               "are fitted to groups of three pressures and more. They need Output/Snapshots every and Output/Measures = all\n"
+               "(or 'softgrain measure DIR' afterwards).\n\n"
                "examples:\n"
                "  softgrain figures thesis-5 output/biaxial_*\n"
                "  softgrain figures thesis-5 bpm-0.2 bpm-0.4 bpm-0.8 --output doc/pictures --format svg\n")
@@ -121,7 +122,7 @@ def coordination_and_voids(groups):
     for axes, group in pairs:
         e, z = ([path.isotropic[name] for path in group] for name in ("void_ratio", "coordination_of_bodies"))
         axes.plot(e, z, "o", color=COLOURS[0], markersize=4, zorder=3)
-        if found := line(e, z):
+        if found := void_line(group):
             ends = np.array([min(e), max(e)])
             axes.plot(ends, found[0] + found[1] * ends, color=COLOURS[0], linewidth=0.9,
                       label=f"slope {found[1]:.2g} (thesis, BPM: -7.3)")
@@ -326,7 +327,7 @@ def table_of(groups):
 def numbers_of(groups):
     """The same for programs."""
     return {"thesis": {name: value for name, (_, value) in CONSTANTS.items()},
-            "groups": [{"model": group[0].model, "friction": group[0].friction, "constants": constants_of(group),
+            "groups": [{"model": group[0].model, "friction": group[0].friction, "grains": group[0].grains, "constants": constants_of(group),
                         "runs": [{"directory": path.output.directory, "pressure_Pa": path.pressure, "kappa": path.kappa,
                                   "isotropic": path.isotropic,
                                   "steady_stress_ratio": path.steady("wall_stress_ratio") if path.shear else None}
@@ -361,6 +362,9 @@ def main():
         write(os.path.join(arguments.output, f"fig-{number}.{arguments.format}"),
               lambda path: figure.savefig(path, dpi=arguments.dpi, facecolor="white"))
         plt.close("all")
+    for group in groups:
+        if reason := not_fitted(group):
+            print(f"{group[0].group}: (5.2)-(5.5) are not fitted, {reason}")
     table = table_of(groups)
     write(os.path.join(arguments.output, "constants.md"), lambda path: write_text(path, table))
     numbers = json.dumps(numbers_of(groups), indent=1) + "\n"

@@ -16,7 +16,7 @@ from running import PYTHON, softgrain
 
 sys.path.insert(0, str(PYTHON))
 from softgrain.contacts import NONE  # noqa: E402
-from figures_paths import STEADY, constants_of, read_path, stages_of  # noqa: E402
+from figures_paths import STEADY, constants_of, groups_of, not_fitted, read_path, stages_of  # noqa: E402
 
 WINDOW = 0.02  # of shear strain, over which the curves of bonded primaries are averaged
 ROWS = 5  # of the history, over which their stresses are averaged in cycles
@@ -162,9 +162,9 @@ def mean_table(paths):
     """Steady states of runs that differ in their seed alone."""
     groups = {}
     for path in paths:
-        groups.setdefault((path.model, path.friction, float(f"{path.pressure:.2g}")), []).append(path)
+        groups.setdefault((path.model, path.grains or 0, path.friction, float(f"{path.pressure:.2g}")), []).append(path)
     lines = [MEAN_HEAD]
-    for (model, friction, _), group in sorted(groups.items()):
+    for _, group in sorted(groups.items()):
         def over(function, digits=3, group=group):
             values = [function(path) for path in group]
             scatter = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
@@ -172,7 +172,7 @@ def mean_table(paths):
 
         def steady(name):
             return lambda path: float(np.nanmean(Steady(path).column(name)))
-        lines.append(row(f"{model}, μ = {friction:g}", f"{group[0].kappa:.3g}", len(group),
+        lines.append(row(group[0].group, f"{group[0].kappa:.3g}", len(group),
                          over(lambda p: p.isotropic["packing_fraction"]), over(lambda p: p.isotropic["coordination_of_bodies"], 2),
                          over(steady("wall_stress_ratio")), over(steady("packing_fraction")),
                          over(steady("coordination_of_bodies"), 2), over(steady(predicted(group[0])))))
@@ -272,13 +272,12 @@ def main():
         print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), "", SHAPE_HEAD,
                          *map(shape_row, steady), ""]))
         print("\n".join([*mean_table(straight), ""]))
-        for model, friction in sorted({(path.model, path.friction) for path in straight}):
-            group = [path for path in straight if (path.model, path.friction) == (model, friction)]
-            if group[-1].kappa < 1.5 * group[0].kappa:  # one pressure gives no line
+        for group in groups_of(straight):
+            if not_fitted(group):
                 continue
             found = constants_of(group)
             numbers = ", ".join(f"{name} {value:.3g}" for name, value in found.items() if value is not None)
-            print(f"{model}, μ = {friction:g}: {numbers}")
+            print(f"{group[0].group}: {numbers}")
     if turned:
         print("\n".join(["", UNLOADING_HEAD, *map(unloading_row, turned)]))
     for path in cycled:

@@ -49,7 +49,7 @@ def write_snapshots(directory, times, strain, band):
             group["walls/position_m"] = np.array([0, 6, 0, 6.])
 
 
-def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False):
+def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False, grains=None):
     """Isotropic to t = 1, sheared to 0.8 at t = 2 with q/p to 0.3, back to 0.4 at t = 3; strains begin at 0.5.
     With @close the walls are driven until t = 0.5 before they are pressed, and their stress at t = 1 is not quite what is asked."""
     directory = os.path.join(WORK, name)
@@ -67,6 +67,9 @@ def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False):
                    f"    subsection Neo-Hookean\n      set Young's modulus = {STIFFNESS}\n    end\n  end\nend\n"
                    "subsection Primaries\n  set Smallest diameter = 1e-4\n  set Largest diameter = 1e-4\nend\n"
                    f"subsection Stages\n  set Names = {stages}\n{drives}end\n")
+    if grains:
+        with open(os.path.join(directory, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"status": "completed", "bodies": grains}, file)
     time = np.linspace(0, 3 if unload else 2, 301 if unload else 201)
     stage = np.ceil(np.maximum(time, 0.001) - 1e-9) + (close & (time > 0.5))
     write_table(os.path.join(directory, "history.csv"), {"time_s": time, "step": np.arange(len(time)), "stage": stage})
@@ -113,6 +116,23 @@ class Figures(unittest.TestCase):
         # (5.16) holds exactly without friction; with it the prediction is 0.01 too large.
         lines = [line for line in printed.splitlines() if line.startswith(("| BPM", "| MPM"))]
         self.assertEqual([line.split("|")[-2].strip() for line in lines], ["0.000", "0.000", "0.000", "0.010"])
+
+    def test_too_few_pressures_are_not_fitted(self):
+        # 0.4 and 0.41 are one pressure; runs of another number of grains are no places of the same line.
+        runs = [write_path(f"few-{kappa}", kappa, grains=30) for kappa in (0.2, 0.4, 0.41)]
+        runs += [write_path(f"many-{kappa}", kappa, grains=100) for kappa in (0.2, 0.4, 1.6)]
+        folder = os.path.join(WORK, "few")
+        code, printed, errors = run("figures_thesis5.py", *runs, "--output", folder, "--only", "5.2", "5.5", "--dpi", "40")
+        self.assertEqual((code, errors), (0, ""))
+        self.assertEqual([line for line in printed.splitlines() if "fitted" in line],
+                         ["BPM, 30 grains: (5.2)-(5.5) are not fitted, 2 pressures, and a fit needs 3"])
+        self.assertEqual([line.split("|")[1].strip() for line in printed.splitlines() if line.startswith("| BPM")],
+                         3 * ["BPM, 30 grains"] + 3 * ["BPM, 100 grains"])
+        with open(os.path.join(folder, "constants.json"), encoding="utf-8") as file:
+            few, many = json.load(file)["groups"]
+        self.assertEqual((few["grains"], many["grains"]), (30, 100))
+        self.assertEqual(set(few["constants"].values()), {None})
+        self.assertAlmostEqual(many["constants"]["packing_slope"], 0.13, delta=1e-6)
 
     def test_shear_between_centres(self):
         import figures_thesis5
