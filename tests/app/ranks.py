@@ -218,6 +218,33 @@ class SameBits(RankRuns):
         self.check("bonded_cell", (2,))
 
 
+class Moves(RankRuns):
+    """Bodies move to other ranks where work is uneven, which leaves no trace in results."""
+
+    def scene(self, of_column):
+        """Eight by eight grains, pressed from above; those of some columns have a law that takes longer."""
+        table = self.base / "grains.csv"
+        step = 1.25e-3
+        grains = [f"{(i + 0.5) * step},{(j + 0.5) * step},{0.495 * step},{of_column(i)}" for i in range(8) for j in range(8)]
+        table.write_text("\n".join(["x_m,y_m,radius_m,material", *grains]) + "\n")
+        return ["gallery/thirty_grains_mpm.prm", "Mesh/Cell size=4e-4", "Packing/Number=0", f"Packing/File={table}",
+                "Packing/Upper=1, 1", "Materials/Names=gel, clay", "Materials/clay/Law=j2_plastic", "Materials/clay/Density=990",
+                "Walls/top/Point=0, 10e-3", "Walls/top/Velocity=5", "Output/History every=5", "Stop/End time=2.5e-4"]
+
+    def test_uneven(self):
+        scene = self.scene(lambda column: "clay" if column < 3 else "gel")
+        one, _ = self.run_on(None, scene, "none")
+        several, _ = self.run_on(2, scene, "2")
+        self.assert_same(one, several)
+        said = re.search(r"after step (\d+) (\d+) bodies have moved to other ranks, .* had ([\d.]+) of the mean work, and is to have "
+                         r"([\d.]+)", (several / "run.log").read_text())
+        self.assertIsNotNone(said, (several / "run.log").read_text())
+        self.assertGreater(int(said.group(2)), 0)
+        self.assertLess(int(said.group(2)), 40)
+        self.assertGreater(float(said.group(3)), 1.1 * float(said.group(4)))
+        self.assertNotIn("have moved", (one / "run.log").read_text())
+
+
 class Restarts(RankRuns):
     """A checkpoint knows nothing of ranks: 4, then 3, then one process give what one process gives three times."""
 

@@ -78,9 +78,9 @@ bool LoadBalance::pays(const double expected)
   if (better <= tolerated)
     return false;
   lost += *std::max_element(now.begin(), now.end()) * (1. - 1. / better);
-  // Before the first change it is thought to take as long as half of the steps of a look.
+  // Before the first change it is thought to take as long as a step.
   const double mean = std::accumulate(now.begin(), now.end(), 0.) / now.size();
-  return lost > (price > 0. ? price : 0.5 * mean);
+  return lost > (price > 0. ? price : mean / steps_a_look);
 }
 
 void LoadBalance::moved(std::vector<double> measured, const Ranks &ranks, const double seconds)
