@@ -16,7 +16,7 @@ from running import PYTHON, softgrain
 
 sys.path.insert(0, str(PYTHON))
 from softgrain.contacts import NONE  # noqa: E402
-from figures_paths import STEADY, constants_of, groups_of, not_fitted, read_path, stages_of  # noqa: E402
+from figures_paths import STEADY, constants_of, groups_of, line, not_fitted, read_path, stages_of  # noqa: E402
 
 WINDOW = 0.02  # of shear strain, over which the curves of bonded primaries are averaged
 ROWS = 5  # of the history, over which their stresses are averaged in cycles
@@ -230,6 +230,43 @@ def cycle_table(path):
     return lines
 
 
+RAMP = (("packing_fraction", 3), ("void_ratio", 3), ("coordination_of_bodies", 2))
+RANGES = ((0.25, 1.2), (2 / 11, 32 / 11), (0.25, 5.))  # of p/p_I; the second is that of the thesis
+RAMP_HEAD = head("run", "p/p_I", "states", "Φ (5.2)", "e (5.3)", "Z (5.4)", "Z over e (5.5)")
+
+
+def ramp_of(path):
+    """p/p_I from the walls and the columns of RAMP while the pressure of --slow-ramp rises."""
+    measures = path.output.measures_table
+    _, begin, end = next(stage for stage in stages_of(path.output) if stage[0] == "press")
+    kept = (measures["time_s"] >= begin) & (measures["time_s"] <= end * (1 + 1e-9))
+    return measures["wall_pressure_Pa"][kept] / path.stiffness, {name: measures[name][kept] for name, _ in RAMP}
+
+
+def ramp_rows(path):
+    """Lines through the isotropic states of a slow ramp, over log10(p/p_I), in ranges of it; r.m.s. distance in brackets."""
+    ratio, columns = ramp_of(path)
+
+    def fit(x, y, digits, text):
+        start, slope, off = line(x, y)
+        return f"{start:.{digits}f} {slope:+.{digits}f} {text} ({off:.3f})"
+    for low, high in RANGES:
+        kept = (ratio >= low) & (ratio <= high)
+        states = {name: values[kept] for name, values in columns.items()}
+        yield row(name_of(path), f"{low:.2g} to {min(high, ratio.max()):.2g}", kept.sum(),
+                  *(fit(np.log10(ratio[kept]), states[name], digits, "log") for name, digits in RAMP),
+                  fit(states["void_ratio"], states["coordination_of_bodies"], 1, "e"))
+
+
+def write_ramp(path, folder):
+    """Every second state as a small file."""
+    ratio, columns = ramp_of(path)
+    with open(folder / f"thesis-5-{name_of(path)}.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["pressure_over_stiffness", *columns])
+        writer.writerows([f"{value:.5g}" for value in values] for values in list(zip(ratio, *columns.values()))[::2])
+
+
 SIMPLE_HEAD = head("run", "q/p of moments", "σ_xy/σ_yy", "Φ", "Z", "(a_c + a_f + a_t)/2")
 
 
@@ -265,7 +302,8 @@ def main():
     paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple) if path.shear]
     cycled = [path for path in paths if re.search("-cycles", path.output.directory)]
     turned = [path for path in paths if path.unloading and path not in cycled]
-    straight = [path for path in paths if path not in turned and path not in cycled]
+    ramps = [path for path in paths if name_of(path).endswith("-ramp")]
+    straight = [path for path in paths if path not in turned + cycled + ramps]
     straight.sort(key=lambda path: (path.model, path.friction, path.pressure))
     if straight:
         steady = [Steady(path) for path in straight]
@@ -280,6 +318,8 @@ def main():
             print(f"{group[0].group}: {numbers}")
     if turned:
         print("\n".join(["", UNLOADING_HEAD, *map(unloading_row, turned)]))
+    if ramps:
+        print("\n".join(["", RAMP_HEAD, *(text for path in ramps for text in ramp_rows(path))]))
     for path in cycled:
         print("\n".join(["", *cycle_table(path)]))
     if simple:
@@ -287,6 +327,8 @@ def main():
     if arguments.curves:
         for path in straight:
             write_curve(path, arguments.curves)
+        for path in ramps:
+            write_ramp(path, arguments.curves)
 
 
 if __name__ == "__main__":
