@@ -234,10 +234,15 @@ class Moves(RankRuns):
     def test_uneven(self):
         scene = self.scene(lambda column: "clay" if column < 3 else "gel")
         one, _ = self.run_on(None, scene, "none")
-        several, _ = self.run_on(2, scene, "2")
-        self.assert_same(one, several)
-        said = re.search(r"after step (\d+) (\d+) bodies have moved to other ranks, .* had ([\d.]+) of the mean work, and is to have "
-                         r"([\d.]+)", (several / "run.log").read_text())
+        said = None
+        # What ranks measure depends on what else a machine does; bits must not.
+        for turn in range(3):
+            several, _ = self.run_on(2, scene, f"2-{turn}")
+            self.assert_same(one, several)
+            said = said or re.search(r"after step (\d+) (\d+) bodies have moved to other ranks, .* had ([\d.]+) of the mean work, "
+                                     r"and is to have ([\d.]+)", (several / "run.log").read_text())
+            if said:
+                break
         self.assertIsNotNone(said, (several / "run.log").read_text())
         self.assertGreater(int(said.group(2)), 0)
         self.assertLess(int(said.group(2)), 40)
