@@ -53,18 +53,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="build/release/bin/softgrain")
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/law_costs"))
-    parser.add_argument("--library", help="with the law energy_only: test_constitutive_module_energy_only of the build")
+    parser.add_argument("--library", dest="plug_in", help="with the law energy_only: test_constitutive_module_energy_only of the build")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--only", nargs="+", choices=("laws", "adhesion"), default=("laws", "adhesion"))
     words = parser.parse_args()
     words.folder.mkdir(parents=True, exist_ok=True)
-    plug_in = {"Additional shared libraries": words.library} if words.library else {}
-    laws = [law for law in LAWS if law != "energy_only" or words.library]
+    loaded = {"Additional shared libraries": words.plug_in} if words.plug_in else {}
+    laws = [law for law in LAWS if law != "energy_only" or words.plug_in]
     schemes = {"explicit step": EXPLICIT, "implicit iteration": {}}
     for title, scheme in schemes.items():
         if "laws" in words.only:
             scenes = {law: scene_of(law, words.folder, SCENE).resolve() for law in laws}
-            found = table(words.rounds, laws, lambda law: of_a_step(words.program, scenes[law], words.folder / "run", {**scheme, **plug_in}))
+            found = table(words.rounds, laws, lambda law: of_a_step(words.program, scenes[law], words.folder / "run", {**scheme, **loaded}))
             print(f"{title}: law, ms, ±, over neo_hookean")
             for law, (seconds, scatter) in found.items():
                 print(f"| `{law}` | {1e3 * seconds:.2f} | {1e3 * scatter:.2f} | {seconds / found['neo_hookean'][0]:.2f} |", flush=True)

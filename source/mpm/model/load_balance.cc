@@ -23,11 +23,9 @@ bool LoadBalance::uneven(const Ranks &ranks)
 {
   if (ranks.alone())
     return false;
-  if (!watching)
+  if (late.empty())
   {
-    watching = true;
-    own_before = ranks.taken().own;
-    late.assign(ranks.number(), 0.);
+    begin(ranks);
     return false;
   }
   if (++steps < steps_a_look)
@@ -88,6 +86,11 @@ void LoadBalance::moved(std::vector<double> measured, const Ranks &ranks, const 
   costs = std::move(measured);
   price = seconds;
   lost = 0.;
+  begin(ranks);
+}
+
+void LoadBalance::begin(const Ranks &ranks)
+{
   steps = 0;
   late.assign(ranks.number(), 0.);
   own_before = ranks.taken().own;

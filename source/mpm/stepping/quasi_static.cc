@@ -92,8 +92,12 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   StepOutcome sum;
   sum.accepted = true;
   double of_bodies = unbalanced_force_here(problem, state, work, dt);
-  sum.unbalanced =
-      std::max({of_bodies, unbalanced_walls(problem, state), unsettled_adhesion(problem, state, work, dt)});
+  const auto unbalanced = [&]()
+  {
+    return std::max(
+        {of_bodies, unbalanced_walls(problem, state), unsettled_adhesion(problem, state, work, dt)});
+  };
+  sum.unbalanced = unbalanced();
   Relaxation relaxation(problem, state, dt);
   StepOutcome step;
   double slid = 0.;
@@ -111,8 +115,7 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     const double before = of_bodies;
     of_bodies = unbalanced_force_here(problem, state, work, dt);
-    sum.unbalanced =
-        std::max({of_bodies, unbalanced_walls(problem, state), unsettled_adhesion(problem, state, work, dt)});
+    sum.unbalanced = unbalanced();
     if (sum.unbalanced <= settings.unbalanced_force &&
         step.largest_move <= settings.held_motion * problem.lattice->cell_size())
     {

@@ -271,14 +271,15 @@ double StepEquations::regularisation_work() const
     else if (!body.driven)
     {
       // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
-      const Eigen::VectorXd beyond = increment[body.index] - dt * free_way(body.index);
-      dealii::Tensor<1, 2> way;
+      const Eigen::VectorXd beyond = resisted_way(body.index);
+      const double mass = body.mass.sum();
+      dealii::Tensor<1, 2> way; // of the centre of mass
       for (unsigned int i = 0; i < body.mass.size(); ++i)
       {
         work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
                 increment[body.index].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
         for (unsigned int d = 0; d < 2; ++d)
-          way[d] += body.mass[i] / body.mass.sum() * increment[body.index][2 * i + d];
+          way[d] += body.mass[i] / mass * increment[body.index][2 * i + d];
       }
       if (!state.resistance.empty())
         work += 0.5 * state.resistance[body.index] * way;
@@ -295,12 +296,17 @@ std::vector<dealii::Tensor<1, 2>> StepEquations::resistance() const
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
     {
-      const Eigen::VectorXd beyond = increment[body.index] - dt * free_way(body.index);
+      const Eigen::VectorXd beyond = resisted_way(body.index);
       for (unsigned int i = 0; i < body.mass.size(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
           forces[body.index][d] += shift[body.index] / (dt * dt) * body.mass[i] * beyond[2 * i + d];
     }
   return forces;
+}
+
+Eigen::VectorXd StepEquations::resisted_way(const unsigned int b) const
+{
+  return increment[b] - dt * free_way(b);
 }
 
 Eigen::VectorXd StepEquations::free_way(const unsigned int b) const

@@ -43,14 +43,16 @@ public:
   void moved(std::vector<double> measured, const Ranks &ranks, double seconds);
 
 private:
+  /// Measures from here on.
+  void begin(const Ranks &ranks);
+
   std::vector<double> costs; ///< of bodies
-  bool watching = false;
-  double own_before = 0.; ///< of this rank, when it was last measured [processor s]
-  unsigned int steps = 0; ///< since then
-  std::vector<double> now,
-      late;          ///< own work of every rank since it was last measured, and with what was before
-  double lost = 0.;  ///< since work has been uneven, by the busiest rank [processor s]
-  double price = 0.; ///< of the last change; 0: none yet [processor s]
+  double own_before = 0.;    ///< of this rank, when it was last measured [processor s]
+  unsigned int steps = 0;    ///< since then
+  std::vector<double> now;   ///< own work of every rank since it was last measured [processor s]
+  std::vector<double> late;  ///< the same with what was before, halved each time; empty before the first step
+  double lost = 0.;          ///< since work has been uneven, by the busiest rank [processor s]
+  double price = 0.;         ///< of the last change; 0: none yet [processor s]
 };
 } // namespace softgrain::mpm
 

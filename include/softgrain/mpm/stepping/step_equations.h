@@ -117,6 +117,8 @@ private:
   void heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eigen::VectorXd &x) const;
   /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
   Eigen::VectorXd free_way(unsigned int b) const;
+  /// The part of the increment of a body that is resisted: what goes beyond the free way [m].
+  Eigen::VectorXd resisted_way(unsigned int b) const;
 
   const Problem &problem;
   const State &state;
