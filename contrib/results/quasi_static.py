@@ -41,8 +41,9 @@ def line(name, summary, rows):
     newton = sum(row["newton_iterations"] for row in rows[1:])
     gave = most = 0.0
     for row in rows:
-        # What contacts give in held steps is energy that is released with the wrong sign.
-        taken = row["contact_loss_J_per_m"] + row["released_energy_J_per_m"]
+        # What contacts give in held steps is energy that is released with the wrong sign. What resists bodies in
+        # a step takes energy that held steps give back.
+        taken = row["contact_loss_J_per_m"] + row["released_energy_J_per_m"] + row["regularisation_work_J_per_m"]
         most = max(most, taken)
         gave = max(gave, most - taken)
     sides = abs(rows[-1]["top_force_N_per_m"] / rows[-1]["bottom_force_N_per_m"] - 1)

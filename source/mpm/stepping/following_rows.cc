@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace softgrain::mpm
 {
@@ -15,11 +16,12 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
 constexpr double lag = 0.1; ///< share of the way of a step by which rows may lag behind and still follow
-/// When searches are mixed: move of nodes [cells], and its growth since the search before. A corner lies in a
-/// dent that it has pressed, and the dent of the search before pushes it back: such a body swings from the
-/// first search on. Round bodies that move so far between searches slip past each other, and mixing misleads.
-constexpr double mixing_range = 0.02, mixing_growth = 2.;
-constexpr double mixing_range_with_corners = 0.1, mixing_growth_with_corners = 5.;
+/// Up to which move of nodes [cells] searches are mixed, and its growth since the search before. A corner
+/// lies in a dent that it has pressed, and the dent of the search before pushes it back: such a body swings
+/// from the first search on.
+constexpr double mixing_range = 0.15, mixing_growth = 2., mixing_growth_with_corners = 5.;
+/// Of the way back to the last outcome, below which it is not worth an evaluation of the stress.
+constexpr double least_share = 0.05;
 
 double deepest(const GapsByRow &gaps)
 {
@@ -86,14 +88,37 @@ bool FollowingRows::follow(const Vectors &increment) const
 
 bool FollowingRows::mix(Vectors &increment)
 {
-  const double now = way(increment, &place),
-               range = (corners ? mixing_range_with_corners : mixing_range) * problem.lattice->cell_size();
+  const double now = way(increment, &place), range = mixing_range * problem.lattice->cell_size();
   if (now > range || now > (corners ? mixing_growth_with_corners : mixing_growth) * last_way)
     mixing.restart();
   last_way = now;
   if (now > range)
-    return false;
+    return go_between(increment);
+  last_outcome.clear();
   increment = mixing.next(place, increment);
+  return true;
+}
+
+// Far from the solution mixing misleads where it goes beyond what it knows: round bodies slip past each
+// other. Between the last two outcomes it is safe, and rows that swing come to rest there.
+bool FollowingRows::go_between(Vectors &increment)
+{
+  double along = 0., square = 0.;
+  for (unsigned int b = 0; b < last_outcome.size(); ++b)
+  {
+    const Eigen::VectorXd change = increment[b] - place[b], differs = change - last_change[b];
+    along += differs.dot(change);
+    square += differs.squaredNorm();
+  }
+  const double share = square > 0. ? std::min(1., along / square) : 0.;
+  const Vectors before = std::exchange(last_outcome, increment);
+  last_change.resize(increment.size());
+  for (unsigned int b = 0; b < increment.size(); ++b)
+    last_change[b] = increment[b] - place[b];
+  if (share < least_share)
+    return false;
+  for (unsigned int b = 0; b < increment.size(); ++b)
+    increment[b] -= share * (increment[b] - before[b]);
   return true;
 }
 

@@ -46,7 +46,8 @@ public:
    * @brief Makes @p increment, the outcome of these rows, what the next ones are best found for.
    *
    * Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
-   * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed.
+   * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed; far
+   * from it, it goes back between its last two outcomes where they swing.
    * @return whether it is another than it was
    */
   bool mix(Vectors &increment);
@@ -65,14 +66,18 @@ private:
   /// [m].
   double way(const Vectors &increment, const Vectors *from) const;
 
+  /// The nearest to rest between the last outcome and this one. @return whether it is another than it was
+  bool go_between(Vectors &increment);
+
   const Problem &problem;
   const State &state;
   Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
-  const bool corners;   ///< whether a body has any
-  GapsByRow start_gaps; ///< of a step with inertia
-  Vectors place;        ///< displacements for which the rows were found [m]
+  const bool corners;                ///< whether a body has any
+  GapsByRow start_gaps;              ///< of a step with inertia
+  Vectors place;                     ///< displacements for which the rows were found [m]
+  Vectors last_outcome, last_change; ///< of the search before, when it was too far to be mixed [m]
   AndersonMixing mixing{5};
   double last_way = std::numeric_limits<double>::max();
   unsigned int n_searches = 0;
