@@ -10,13 +10,18 @@
 
 namespace softgrain::contact
 {
-ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries)
+ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries, const bool row_by_row)
     // below some hundred unknowns, or with many entries, the dense factorisation is faster than the ordering
     // of a sparse one
-    : dense(size <= 200 || n_entries > 0.3 * size * size), size(size)
+    : dense(size <= 200 || n_entries > 0.3 * size * size), row_by_row(row_by_row), size(size)
 {
   if (dense)
     matrix = Eigen::MatrixXd::Zero(size, size);
+  else if (row_by_row)
+  {
+    lower.resize(size, size);
+    lower.reserve(n_entries / 2 + size);
+  }
   else
     entries.reserve(n_entries);
 }
@@ -32,8 +37,16 @@ bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen
   }
   else
   {
+    for (; row_by_row && begun < size; ++begun)
+      lower.startVec(begun);
     Eigen::SparseMatrix<double> A(size, size);
-    A.setFromTriplets(entries.begin(), entries.end());
+    if (row_by_row)
+    {
+      lower.finalize();
+      A.swap(lower);
+    }
+    else
+      A.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(A);
     if (factor.info() != Eigen::Success)
       return false;

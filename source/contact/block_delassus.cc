@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace softgrain::contact
 {
@@ -35,7 +36,8 @@ void BlockDelassus::add_block(const std::vector<unsigned int> &block_components,
   if (!block.allFinite())
     throw ComputationError(name + " is not finite");
   std::vector<unsigned int> sorted(block_components);
-  std::sort(sorted.begin(), sorted.end());
+  if (!std::is_sorted(sorted.begin(), sorted.end()))
+    std::sort(sorted.begin(), sorted.end());
   if (sorted.back() >= contacts * components)
     throw InputError(name + " has component " + std::to_string(sorted.back()) + ", but there are only " +
                      std::to_string(contacts * components));
@@ -111,15 +113,45 @@ void BlockDelassus::diagonal_block(const unsigned int contact, double *block) co
 Eigen::SparseMatrix<double, Eigen::RowMajor> BlockDelassus::assemble() const
 {
   const unsigned int n = contacts * components;
+  // Of row r: the block and the row in it of every part, start[r], ..., start[r + 1] - 1.
+  std::vector<unsigned int> start(n + 1, 0);
+  for (const unsigned int component : row_component)
+    ++start[component + 1];
+  for (unsigned int r = 0; r < n; ++r)
+    start[r + 1] += start[r];
+  std::vector<std::pair<unsigned int, unsigned int>> parts(row_component.size());
+  std::vector<unsigned int> next(start.begin(), start.end() - 1);
+  for (unsigned int b = 0; b < blocks.size(); ++b)
+    for (unsigned int i = 0; i < blocks[b].size; ++i)
+      parts[next[row_component[blocks[b].row + i]]++] = {b, i};
   Eigen::SparseMatrix<double, Eigen::RowMajor> W(n, n);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(values.size());
-  for (const Block &block : blocks)
-    for (unsigned int i = 0; i < block.size; ++i)
+  W.reserve(values.size());
+  std::vector<std::pair<unsigned int, double>> row;
+  const auto by_column = [](const auto &a, const auto &b) { return a.first < b.first; };
+  for (unsigned int r = 0; r < n; ++r)
+  {
+    row.clear();
+    for (unsigned int p = start[r]; p < start[r + 1]; ++p)
+    {
+      const auto [b, i] = parts[p];
+      const Block &block = blocks[b];
+      const std::size_t known = row.size();
       for (unsigned int j = 0; j < block.size; ++j)
-        entries.emplace_back(row_component[block.row + i], row_component[block.row + j],
-                             values[block.value + std::size_t(i) * block.size + j]);
-  W.setFromTriplets(entries.begin(), entries.end());
+        row.emplace_back(row_component[block.row + j], values[block.value + std::size_t(i) * block.size + j]);
+      // Stable: what falls on one place is added up in the order of the blocks.
+      if (!std::is_sorted(row.begin() + known, row.end(), by_column))
+        std::sort(row.begin() + known, row.end(), by_column);
+      std::inplace_merge(row.begin(), row.begin() + known, row.end(), by_column);
+    }
+    W.startVec(r);
+    for (std::size_t k = 0; k < row.size();)
+    {
+      double &sum = W.insertBack(r, row[k].first) = row[k].second;
+      for (const std::size_t first = k++; k < row.size() && row[k].first == row[first].first; ++k)
+        sum += row[k].second;
+    }
+  }
+  W.finalize();
   return W;
 }
 } // namespace softgrain::contact

@@ -51,14 +51,11 @@ bool FrictionlessNewton::solve_active(const std::vector<unsigned int> &active,
   for (const unsigned int i : active)
     for (Matrix::InnerIterator entry(W, i); entry; ++entry)
       n_entries += local[entry.col()] >= 0;
-  ActiveSystem system(active.size(), n_entries);
+  ActiveSystem system(active.size(), n_entries, true);
   for (unsigned int a = 0; a < active.size(); ++a)
-  {
     for (Matrix::InnerIterator entry(W, active[a]); entry; ++entry)
-      if (local[entry.col()] >= 0)
-        system.add(a, local[entry.col()], entry.value());
-    system.add(a, a, epsilon * diagonal[active[a]]);
-  }
+      if (const int b = local[entry.col()]; b >= 0)
+        system.add(a, b, a == unsigned(b) ? entry.value() + epsilon * diagonal[active[a]] : entry.value());
   return system.solve_symmetric(right_hand_side, solution);
 }
 

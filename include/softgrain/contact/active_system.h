@@ -25,14 +25,17 @@ class ActiveSystem
 public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  /// Starts a system of @p size unknowns that will get about @p n_entries entries.
-  ActiveSystem(unsigned int size, std::size_t n_entries);
+  /// Starts a system of @p size unknowns that will get about @p n_entries entries. @p row_by_row: they come
+  /// row by row, in every row from left to right, each place once, and the matrix is symmetric.
+  ActiveSystem(unsigned int size, std::size_t n_entries, bool row_by_row = false);
 
   /// Adds @p value to row @p i, column @p j.
   void add(const unsigned int i, const unsigned int j, const double value)
   {
     if (dense)
       matrix(i, j) += value;
+    else if (row_by_row)
+      add_to_lower(i, j, value);
     else
       entries.emplace_back(i, j, value);
   }
@@ -53,8 +56,19 @@ private:
   /// Its ordering keeps the symmetric pattern of W, which leaves a third of the entries of SparseLU.
   using SparseFactors = Eigen::UmfPackLU<Eigen::SparseMatrix<double>>;
 
-  bool dense;
+  /// Rows of a symmetric matrix are its columns; of those the lower half is enough.
+  void add_to_lower(const unsigned int column, const unsigned int row, const double value)
+  {
+    for (; begun <= column; ++begun)
+      lower.startVec(begun);
+    if (row >= column)
+      lower.insertBack(row, column) = value;
+  }
+
+  bool dense, row_by_row;
   unsigned int size;
+  unsigned int begun = 0; ///< columns of lower
+  Eigen::SparseMatrix<double> lower;
   Eigen::MatrixXd matrix;
   std::vector<Eigen::Triplet<double>> entries;
   std::unique_ptr<DenseFactors> dense_factors;

@@ -50,22 +50,20 @@ NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, const doub
   const unsigned int n_a = a.size, n_b = b.size;
   const unsigned int *const node_a = a.node, *const node_b = b.node;
   const double *const weight_a = a.weight, *const weight_b = b.weight;
-  NodeWeights result;
-  result.node.resize(n_a + n_b, boost::container::default_init);
-  result.weight.resize(n_a + n_b, boost::container::default_init);
+  // Most nodes are those of both: merged they fit where no memory is to be asked for.
+  boost::container::small_vector<unsigned int, 64> node(n_a + n_b, boost::container::default_init);
+  boost::container::small_vector<double, 64> weight(n_a + n_b, boost::container::default_init);
   unsigned int n = 0;
   for (unsigned int i = 0, j = 0; i < n_a || j < n_b; ++n)
   {
     const bool first = j == n_b || (i < n_a && node_a[i] <= node_b[j]),
                second = i == n_a || (j < n_b && node_b[j] <= node_a[i]);
-    result.node[n] = first ? node_a[i] : node_b[j];
-    result.weight[n] = (first ? (1. - share) * weight_a[i] : 0.) + (second ? share * weight_b[j] : 0.);
+    node[n] = first ? node_a[i] : node_b[j];
+    weight[n] = (first ? (1. - share) * weight_a[i] : 0.) + (second ? share * weight_b[j] : 0.);
     i += first;
     j += second;
   }
-  result.node.resize(n);
-  result.weight.resize(n);
-  return result;
+  return NodeWeightsView{node.data(), weight.data(), n}.copy();
 }
 
 MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)

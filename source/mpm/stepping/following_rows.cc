@@ -15,7 +15,8 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 /// Way of bodies over a step [cells] up to which gaps are linear in it: as far as a body is not smaller than
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
-constexpr double lag = 0.1; ///< share of the way of a step by which rows may lag behind and still follow
+constexpr double small_lag =
+    0.1; ///< share of the way of a step by which rows may lag behind and still follow
 /// Up to which move of nodes [cells] searches are mixed, and its growth since the search before. A corner
 /// lies in a dent that it has pressed, and the dent of the search before pushes it back: such a body swings
 /// from the first search on.
@@ -75,24 +76,28 @@ double FollowingRows::way(const Vectors &increment, const Vectors *from) const
   return way;
 }
 
-bool FollowingRows::settled(const Vectors &increment) const
+double FollowingRows::lag(const Vectors &increment) const
 {
-  return !problem.settings.rows_follow() ||
-         way(increment, &place) <= row_tolerance * problem.lattice->cell_size();
+  return problem.settings.rows_follow() ? way(increment, &place) : 0.;
+}
+
+bool FollowingRows::settled(const double lag) const
+{
+  return lag <= row_tolerance * problem.lattice->cell_size();
 }
 
 bool FollowingRows::follow(const Vectors &increment) const
 {
-  return way(increment, &place) <= lag * way(increment, nullptr);
+  return way(increment, &place) <= small_lag * way(increment, nullptr);
 }
 
-bool FollowingRows::mix(Vectors &increment)
+bool FollowingRows::mix(Vectors &increment, const double lag)
 {
-  const double now = way(increment, &place), range = mixing_range * problem.lattice->cell_size();
-  if (now > range || now > (corners ? mixing_growth_with_corners : mixing_growth) * last_way)
+  const double range = mixing_range * problem.lattice->cell_size();
+  if (lag > range || lag > (corners ? mixing_growth_with_corners : mixing_growth) * last_lag)
     mixing.restart();
-  last_way = now;
-  if (now > range)
+  last_lag = lag;
+  if (lag > range)
     return go_between(increment);
   last_outcome.clear();
   increment = mixing.next(place, increment);

@@ -59,11 +59,12 @@ public:
     for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
     {
       stop_if_interrupted();
-      const bool settled = rows.settled(equations.increment);
+      const double lag = rows.lag(equations.increment);
+      const bool settled = rows.settled(lag);
       if (in_balance() && (settled || rows.searches() >= most_searches()))
         return at_end(settled);
       if (rows_go_on(settled))
-        find_rows_again();
+        find_rows_again(lag);
       if (outcome.newton_iterations == problem.settings.max_newton)
         return "Newton did not converge in " + std::to_string(problem.settings.max_newton) +
                " iterations ('Newton/Maximum iterations'); relative residual " +
@@ -82,7 +83,7 @@ public:
 private:
   bool first_guess();
   void find_rows(bool again);
-  void find_rows_again();
+  void find_rows_again(double lag);
   bool rows_go_on(bool settled) const;
   unsigned int most_searches() const;
   void move_to(const Vectors &increment);
@@ -131,11 +132,11 @@ void ImplicitStep::find_rows(const bool again)
   contact.rows_changed();
 }
 
-void ImplicitStep::find_rows_again()
+void ImplicitStep::find_rows_again(const double lag)
 {
   Vectors next = equations.increment;
   // With inertia a few searches mostly do; mixing costs an evaluation of the stress.
-  if ((!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing) && rows.mix(next))
+  if ((!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing) && rows.mix(next, lag))
     move_to(next);
   find_rows(true);
 }

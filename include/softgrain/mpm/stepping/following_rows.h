@@ -36,8 +36,11 @@ public:
   /// Finds the rows of the step for the displacements @p increment [m]; @p again: they replace others of it.
   void find(const Vectors &increment, bool again);
 
-  /// Whether the rows are those of a step with these displacements [m].
-  bool settled(const Vectors &increment) const;
+  /// How far nodes are from where the rows were found, with these displacements [m]; 0 for rows that stay.
+  double lag(const Vectors &increment) const;
+
+  /// Whether rows with this lag [m] are those of the step.
+  bool settled(double lag) const;
 
   /// Whether they lag behind a step with these displacements [m] by a small share of its way only.
   bool follow(const Vectors &increment) const;
@@ -48,9 +51,10 @@ public:
    * Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
    * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed; far
    * from it, it goes back between its last two outcomes where they swing.
+   * @param lag of the rows with it [m]
    * @return whether it is another than it was
    */
-  bool mix(Vectors &increment);
+  bool mix(Vectors &increment, double lag);
 
   /// How often they were found after the first time.
   unsigned int searches() const { return n_searches; }
@@ -79,7 +83,7 @@ private:
   Vectors place;                     ///< displacements for which the rows were found [m]
   Vectors last_outcome, last_change; ///< of the search before, when it was too far to be mixed [m]
   AndersonMixing mixing{5};
-  double last_way = std::numeric_limits<double>::max();
+  double last_lag = std::numeric_limits<double>::max();
   unsigned int n_searches = 0;
 };
 } // namespace softgrain::mpm
