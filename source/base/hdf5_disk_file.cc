@@ -7,10 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <unordered_map>
 
 namespace softgrain
 {
@@ -36,13 +34,9 @@ std::size_t transfer(const Transfer &some, const std::size_t size)
 
 struct Hdf5DiskFile::Disk
 {
-  static constexpr std::size_t page_size = 4096;
-  using Page = std::array<char, page_size>;
-
   int descriptor = -1;
   int reason = 0; ///< errno of the first refusal
   haddr_t end_of_allocation = 0, end_of_file = 0;
-  std::unordered_map<haddr_t, Page> pages; ///< what HDF5 may want to read again after it
 
   void refuse()
   {
@@ -50,59 +44,21 @@ struct Hdf5DiskFile::Disk
       reason = errno != 0 ? errno : EIO;
   }
 
-  /// What the disk has; zeros behind its end.
-  void load(const haddr_t at, const std::size_t size, char *const to) const
-  {
-    const std::size_t done =
-        transfer([&](const std::size_t n) { return ::pread(descriptor, to + n, size - n, at + n); }, size);
-    std::fill(to + done, to + size, 0);
-  }
-
-  /// Calls @p use for every piece of pages: number of the page, begin in it, begin in the whole, size.
-  template <class Use>
-  static void for_pages(const haddr_t at, const std::size_t size, const Use &use)
-  {
-    for (std::size_t done = 0; done < size;)
-    {
-      const std::size_t begin = (at + done) % page_size, n = std::min(page_size - begin, size - done);
-      use((at + done) / page_size, begin, done, n);
-      done += n;
-    }
-  }
-
-  void keep(const haddr_t at, const std::size_t size, const char *const from)
-  {
-    for_pages(at, size,
-              [&](const haddr_t page, const std::size_t begin, const std::size_t done, const std::size_t n)
-              {
-                const auto [place, is_new] = pages.try_emplace(page);
-                if (is_new)
-                  load(page * page_size, page_size, place->second.data());
-                std::copy_n(from + done, n, place->second.data() + begin);
-              });
-  }
-
-  void write(const haddr_t at, const std::size_t size, const char *const from, const bool is_data)
+  void write(const haddr_t at, const std::size_t size, const char *const from)
   {
     if (reason == 0 &&
         transfer([&](const std::size_t n) { return ::pwrite(descriptor, from + n, size - n, at + n); },
                  size) < size)
       refuse();
-    if (reason != 0 && !is_data)
-      keep(at, size, from);
     end_of_file = std::max(end_of_file, at + size);
   }
 
+  /// What the disk has; zeros behind its end.
   void read(const haddr_t at, const std::size_t size, char *const to) const
   {
-    load(at, size, to);
-    for_pages(at, size,
-              [&](const haddr_t page, const std::size_t begin, const std::size_t done, const std::size_t n)
-              {
-                const auto kept = pages.find(page);
-                if (kept != pages.end())
-                  std::copy_n(kept->second.data() + begin, n, to + done);
-              });
+    const std::size_t done =
+        transfer([&](const std::size_t n) { return ::pread(descriptor, to + n, size - n, at + n); }, size);
+    std::fill(to + done, to + size, 0);
   }
 
   void truncate()
@@ -176,14 +132,10 @@ read_disk(H5FD_t *const file, H5FD_mem_t, hid_t, const haddr_t at, const std::si
   return 0;
 }
 
-herr_t write_disk(H5FD_t *const file,
-                  const H5FD_mem_t type,
-                  hid_t,
-                  const haddr_t at,
-                  const std::size_t size,
-                  const void *const from)
+herr_t write_disk(
+    H5FD_t *const file, H5FD_mem_t, hid_t, const haddr_t at, const std::size_t size, const void *const from)
 {
-  disk_of(file).write(at, size, static_cast<const char *>(from), type == H5FD_MEM_DRAW);
+  disk_of(file).write(at, size, static_cast<const char *>(from));
   return 0;
 }
 

@@ -12,9 +12,9 @@ namespace softgrain
  * @brief A place on the disk where HDF5 makes a file, whatever the disk does.
  *
  * When a disk refuses what HDF5 writes, HDF5 keeps the file open and crashes at the end of the program. So
- * HDF5 writes through this, and never hears of it: from the first refusal on, numbers are dropped and HDF5's
- * own records stay in memory; check() and finish() tell. What is written is on the disk at once, so the file
- * may be larger than the memory.
+ * HDF5 writes through this, and never hears of it: from the first refusal on nothing is written any more, and
+ * check() and finish() tell. After that the file is only to be closed. What is written is on the disk at once,
+ * so the file may be larger than the memory.
  */
 class Hdf5DiskFile
 {
