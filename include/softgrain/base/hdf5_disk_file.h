@@ -13,8 +13,8 @@ namespace softgrain
  *
  * When a disk refuses what HDF5 writes, HDF5 keeps the file open and crashes at the end of the program. So
  * HDF5 writes through this, and never hears of it: from the first refusal on nothing is written any more, and
- * check() and finish() tell. After that the file is only to be closed. What is written is on the disk at once,
- * so the file may be larger than the memory.
+ * check() and finish() tell. After that the file is only to be closed. What is written is on the disk at
+ * once, so the file may be larger than the memory.
  */
 class Hdf5DiskFile
 {
