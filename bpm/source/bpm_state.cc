@@ -9,6 +9,17 @@ namespace softgrain::bpm
 {
 namespace
 {
+const char *const memory_name = "bpm/neighbours/memory";
+
+const double *numbers_of(const std::vector<double> &values)
+{
+  return values.data();
+}
+const double *numbers_of(const std::vector<std::array<double, 2>> &values)
+{
+  return values.data()->data();
+}
+
 template <std::size_t n>
 std::vector<double> flat(const std::vector<std::array<double, n>> &values)
 {
@@ -29,21 +40,19 @@ std::vector<std::array<double, n>> unflat(const std::vector<double> &numbers)
 }
 } // namespace
 
-void BpmModel::write(StateWriter &out,
-                     const std::string &name,
-                     const std::vector<std::array<double, 2>> &values) const
+template <class T>
+void BpmModel::write(StateWriter &out, const std::string &name, const std::vector<T> &values) const
 {
+  constexpr std::size_t width = sizeof(T) / sizeof(double);
   const StripShare *const share = dynamics->parted();
-  out.write(name,
-            share == nullptr ? flat(values) : share->at_first(values.data()->data(), 2, dynamics->disks()));
-}
-
-void BpmModel::write(StateWriter &out, const std::string &name, const std::vector<double> &values) const
-{
-  if (dynamics->parted() == nullptr)
-    out.write(name, values);
-  else
-    out.write(name, dynamics->parted()->at_first(values.data(), 1, dynamics->disks()));
+  const auto fill = [&](const std::size_t begin, const std::size_t end, double *const rows)
+  {
+    if (share == nullptr)
+      std::memcpy(rows, values.data() + begin, (end - begin) * sizeof(T));
+    else
+      share->bring_rows(numbers_of(values), width, dynamics->disks(), begin, end, rows);
+  };
+  out.write_rows(name, share == nullptr ? values.size() : share->n_all(), width, fill);
 }
 
 void BpmModel::save(StateWriter &out) const
@@ -76,10 +85,7 @@ void BpmModel::save(StateWriter &out) const
 
   const contact::NeighbourList &list = dynamics->neighbours();
   write(out, "bpm/neighbours/build_position", list.build_positions());
-  if (dynamics->parted() == nullptr)
-    out.write("bpm/neighbours/memory", list.memory().values());
-  else
-    out.write("bpm/neighbours/memory", dynamics->memory_of_pairs());
+  dynamics->save_memory(out, memory_name);
   const contact::ImageLattice &built = list.build_lattice();
   if (built.repeats())
     out.write("bpm/neighbours/build_cell",
@@ -98,17 +104,27 @@ void BpmModel::save(StateWriter &out) const
 }
 
 template <class T>
-void BpmModel::take(const std::vector<T> &of_all, std::vector<T> &here) const
+void BpmModel::read(const StateReader &in, const std::string &name, std::vector<T> &here) const
 {
-  const Primaries &disks = dynamics->disks();
-  for (std::size_t i = 0; i < disks.size(); ++i)
-    here[i] = of_all.at(disks.number_of(i));
+  constexpr std::size_t width = sizeof(T) / sizeof(double);
+  if (in.size(name) != width * dynamics->n_all())
+    throw InputError("the checkpoint was made with other primaries or frictions");
+  in.read_rows(name, width,
+               [&](const std::size_t begin, const std::size_t end, const double *const rows)
+               {
+                 dynamics->for_numbers(begin, end,
+                                       [&](const std::size_t i, const std::size_t number) {
+                                         std::memcpy(&here[i], rows + (number - begin) * width, sizeof(T));
+                                       });
+               });
 }
 
 void BpmModel::load(StateReader &in)
 {
-  if (!dynamics->has_radii(in.read_doubles("bpm/radius")) ||
-      in.read_doubles("bpm/angular_velocity").size() != (rotates ? n_points() : 0))
+  Primaries &disks = dynamics->disks();
+  std::vector<double> radius(disks.size());
+  read(in, "bpm/radius", radius);
+  if (ranks.any(radius != disks.radius) || in.size("bpm/angular_velocity") != (rotates ? n_points() : 0))
     throw InputError("the checkpoint was made with other primaries or frictions");
   load_walls(in, "bpm/walls", moving_walls);
   const std::vector<double> scalars = in.read_doubles("bpm/scalars");
@@ -127,15 +143,14 @@ void BpmModel::load(StateReader &in)
     const std::vector<double> v = in.read_doubles("bpm/neighbours/build_cell");
     built = {{{v.at(5) > 0., v.at(6) > 0.}}, {{v[0], v[1]}}, {{v[2], v[3]}}, v[4]};
   }
-  dynamics->build_list(unflat<2>(in.read_doubles("bpm/neighbours/build_position")), built,
-                       in.read_doubles("bpm/neighbours/memory"));
-  Primaries &disks = dynamics->disks();
-  take(unflat<2>(in.read_doubles("bpm/position")), disks.position);
-  take(unflat<2>(in.read_doubles("bpm/velocity")), disks.velocity);
+  read(in, "bpm/neighbours/build_position", disks.position);
+  dynamics->build_list(built, in, memory_name);
+  read(in, "bpm/position", disks.position);
+  read(in, "bpm/velocity", disks.velocity);
   if (rotates)
-    take(in.read_doubles("bpm/angular_velocity"), disks.angular_velocity);
+    read(in, "bpm/angular_velocity", disks.angular_velocity);
   if (is_loaded)
-    take(unflat<2>(in.read_doubles("bpm/start_position")), disks.start);
+    read(in, "bpm/start_position", disks.start);
   const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
   const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));
   dynamics->wall_memory().clear();

@@ -230,41 +230,43 @@ void Dynamics::tell_of_walls(std::vector<double> &normal, std::vector<double> &t
   std::copy(velocity.begin(), velocity.end(), bodies.velocity.begin() + primaries.size());
 }
 
-std::vector<double> Dynamics::memory_of_pairs() const
+void Dynamics::save_memory(StateWriter &out, const std::string &name) const
 {
-  const contact::PairMemory &memory = list.memory();
-  return share->tiles_at_first(memory.values(),
-                               memory.n_impulses() * list.tile_start()[list.colour_start()[1]]);
-}
-
-bool Dynamics::has_radii(const std::vector<double> &radii) const
-{
-  if (radii.size() != n_all())
-    return false;
-  bool same = true;
-  for (std::size_t i = 0; i < n_own(); ++i)
-    same = same && radii[primaries.number_of(i)] == primaries.radius[i];
-  return share ? !share->of_ranks().any(!same) : same;
-}
-
-void Dynamics::build_list(const std::vector<std::array<double, 2>> &places,
-                          const contact::ImageLattice &lattice,
-                          const std::vector<double> &memory)
-{
+  const std::vector<double> &values = list.memory().values();
+  const std::size_t width = list.memory().n_impulses(), n_here = list.memory().size();
   if (!share)
   {
-    list.build(places, lattice);
-    if (memory.size() != list.memory().values().size())
-      throw InputError("the checkpoint was made with other primaries or frictions");
-    list.memory().values() = memory;
+    out.write_rows(name, n_here, width,
+                   [&](const std::size_t begin, const std::size_t end, double *const rows)
+                   { std::copy(&values[begin * width], values.data() + end * width, rows); });
     return;
   }
-  drop_guests();
-  for (std::size_t i = 0; i < share->n_own(); ++i)
-    primaries.position[i] = places[primaries.number[i]];
-  list.memory().forget(0, list.n_pairs());
-  share->share_out(primaries, kept, list);
-  weigh();
-  share->take_tiles(memory, list);
+  const StripShare::TileRows tiles = share->rows_of_tiles(list.tile_start()[list.colour_start()[1]], n_here);
+  out.write_rows(name, tiles.n_all, width,
+                 [&](const std::size_t begin, const std::size_t end, double *const rows)
+                 { share->bring_tiles(values, width, tiles, begin, end, rows); });
+}
+
+void Dynamics::build_list(const contact::ImageLattice &lattice,
+                          const StateReader &in,
+                          const std::string &name)
+{
+  if (share)
+  {
+    drop_guests();
+    list.memory().forget(0, list.n_pairs());
+    share->share_out(primaries, kept, list);
+    weigh();
+    share->take_tiles(in, name, list);
+    return;
+  }
+  list.build(primaries.position, lattice);
+  contact::PairMemory &memory = list.memory();
+  if (in.size(name) != memory.values().size())
+    throw InputError("the checkpoint was made with other primaries or frictions");
+  const std::size_t width = memory.n_impulses();
+  in.read_rows(name, width,
+               [&](const std::size_t begin, const std::size_t end, const double *const rows)
+               { std::copy(rows, rows + (end - begin) * width, memory.values().data() + begin * width); });
 }
 } // namespace softgrain::bpm

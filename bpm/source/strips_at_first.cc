@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of StripShare that brings what ranks have to the first one, and back.
-#include <softgrain/base/exceptions.h>
+// The part of StripShare that brings what ranks have to the first one.
 #include <softgrain/bpm/strip_share.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace softgrain::bpm
 {
@@ -34,26 +32,6 @@ StripShare::at_first(const double *const values, const unsigned int n, const Pri
       std::copy_n(&came[n * i], n, &all[n * static_cast<std::size_t>(numbers[i])]);
   }
   return all;
-}
-
-void StripShare::take_tiles(const std::vector<double> &memory, contact::NeighbourList &list) const
-{
-  const std::vector<std::uint32_t> &start = list.tile_start();
-  std::vector<double> here(list.n_tiles());
-  for (std::size_t tile = 0; tile < here.size(); ++tile)
-    here[tile] = start[tile + 1] - start[tile];
-  // A tile has pairs on one rank.
-  std::vector<double> n_pairs(here.size());
-  for (const std::vector<double> &other : ranks.of_all(here))
-    for (std::size_t tile = 0; tile < n_pairs.size(); ++tile)
-      n_pairs[tile] += other[tile];
-  const unsigned int n = list.memory().n_impulses();
-  if (memory.size() != n * std::accumulate(n_pairs.begin(), n_pairs.end(), std::size_t(0)))
-    throw InputError("the checkpoint was made with other primaries or frictions");
-  std::size_t before = 0;
-  for (std::size_t tile = 0; tile < here.size(); before += static_cast<std::size_t>(n_pairs[tile++]))
-    std::copy_n(memory.begin() + n * before, n * static_cast<std::size_t>(here[tile]),
-                list.memory().values().begin() + n * start[tile]);
 }
 
 std::vector<double> StripShare::tiles_at_first(const std::vector<double> &values,

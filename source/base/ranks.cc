@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <iostream>
@@ -253,6 +254,20 @@ void Ranks::bring(const std::vector<Piece> &pieces) const
       MPI_Send(MPI_BOTTOM, 1, type, 0, tag, MPI_COMM_WORLD);
     MPI_Type_free(&type);
   }
+}
+
+void Ranks::join_at_first(double *const numbers, const std::size_t size) const
+{
+  if (alone())
+    return;
+  static_assert(sizeof(double) == sizeof(std::uint64_t), "numbers are joined by their bits");
+  const Wait wait(times);
+  constexpr std::size_t most = std::numeric_limits<int>::max(); // MPI counts with an int
+  for (std::size_t begin = 0; begin < size; begin += most)
+    MPI_Reduce(first() ? MPI_IN_PLACE : numbers + begin, numbers + begin,
+               static_cast<int>(std::min(most, size - begin)), MPI_UINT64_T, MPI_BOR, 0, MPI_COMM_WORLD);
+  if (first())
+    times.bytes += size * sizeof(double);
 }
 
 void Ranks::swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const

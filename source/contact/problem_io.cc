@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/hdf5_image.h>
+#include <softgrain/base/hdf5_disk_file.h>
 #include <softgrain/contact/active_set.h>
 #include <softgrain/contact/problem_io.h>
 
@@ -275,9 +275,12 @@ void save_problem(const std::string &path, const SavedProblem &saved)
   const std::string temporary = path + ".tmp";
   try
   {
-    const Handle file(create_hdf5_image(path), H5Fclose);
-    write_all(file, saved);
-    write_hdf5_image(file, temporary);
+    Hdf5DiskFile disk(temporary);
+    {
+      const Handle file(disk.create(), H5Fclose);
+      write_all(file, saved);
+    }
+    disk.finish();
   }
   catch (const ComputationError &)
   {

@@ -31,6 +31,29 @@ void MemoryState::write(const std::string &name, const std::string &text)
   texts[name] = text;
 }
 
+void MemoryState::write_rows(const std::string &name,
+                             const std::size_t n_rows,
+                             const std::size_t width,
+                             const Fill &fill)
+{
+  std::vector<double> &values = doubles[name];
+  values.resize(n_rows * width);
+  for_pieces(n_rows, width,
+             [&](const std::size_t begin, const std::size_t end)
+             { fill(begin, end, values.data() + begin * width); });
+}
+
+std::size_t MemoryState::size(const std::string &name) const
+{
+  return find(doubles, name).size();
+}
+
+void MemoryState::read_rows(const std::string &name, const std::size_t width, const Take &take) const
+{
+  const std::vector<double> &values = find(doubles, name);
+  take(0, values.size() / width, values.data());
+}
+
 std::vector<double> MemoryState::read_doubles(const std::string &name) const
 {
   return find(doubles, name);

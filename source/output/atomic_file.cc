@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/hdf5_image.h>
 #include <softgrain/output/atomic_file.h>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -60,7 +60,17 @@ AtomicFile::~AtomicFile()
 
 void AtomicFile::write(const std::string &content)
 {
-  write_bytes(part_path, content.data(), content.size());
+  std::FILE *const file = std::fopen(part_path.c_str(), "wb");
+  if (file == nullptr)
+    fail("write", part_path);
+  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  const int reason = errno;
+  // fclose writes what is still buffered, so a full disk may show only here.
+  const bool closed = std::fclose(file) == 0;
+  if (!whole)
+    errno = reason;
+  if (!whole || !closed)
+    fail("write", part_path);
 }
 
 void AtomicFile::commit()

@@ -77,6 +77,22 @@ void CheckpointWriter::write(const std::string &name, const std::string &text)
   file->write(name, text);
 }
 
+void CheckpointWriter::write_rows(const std::string &name,
+                                  const std::size_t n_rows,
+                                  const std::size_t width,
+                                  const Fill &fill)
+{
+  file->create_array(name, n_rows * width);
+  std::vector<double> rows;
+  const auto write_piece = [&](const std::size_t begin, const std::size_t end)
+  {
+    rows.resize((end - begin) * width);
+    fill(begin, end, rows.data());
+    file->write_piece(name, begin * width, rows.size(), rows.data());
+  };
+  for_pieces(n_rows, width, write_piece);
+}
+
 void CheckpointWriter::commit()
 {
   file->write_attribute("/", "format", format_name);
@@ -104,6 +120,23 @@ CheckpointReader::CheckpointReader(const std::string &path) : path(path)
 }
 
 CheckpointReader::~CheckpointReader() = default;
+
+std::size_t CheckpointReader::size(const std::string &name) const
+{
+  return file->size(name);
+}
+
+void CheckpointReader::read_rows(const std::string &name, const std::size_t width, const Take &take) const
+{
+  std::vector<double> rows;
+  const auto read_piece = [&](const std::size_t begin, const std::size_t end)
+  {
+    rows.resize((end - begin) * width);
+    file->read_piece(name, begin * width, rows.size(), rows.data());
+    take(begin, end, rows.data());
+  };
+  for_pieces(size(name) / width, width, read_piece);
+}
 
 std::vector<double> CheckpointReader::read_doubles(const std::string &name) const
 {

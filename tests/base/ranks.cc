@@ -8,6 +8,7 @@
 #include <softgrain/base/ranks.h>
 
 #include <cmath>
+#include <cstring>
 #include <iostream>
 #include <limits>
 #include <vector>
@@ -60,6 +61,24 @@ unsigned int wrong_at_first(const Ranks &ranks)
   }
   ranks.bring(pieces);
   return wrong_values(lists);
+}
+
+/// The same for numbers each of which one rank has, joined at the first rank; zeros of both signs among them.
+unsigned int wrong_joined(const Ranks &ranks)
+{
+  std::vector<double> numbers(40), expected(40);
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+  {
+    expected[i] = i % 7 == 3 ? 0. : i % 7 == 4 ? -0. : value(i % 7);
+    numbers[i] = i * i % ranks.number() == ranks.here() ? expected[i] : 0.;
+  }
+  const std::vector<double> before = numbers;
+  ranks.join_at_first(numbers.data(), numbers.size());
+  const std::vector<double> &right = ranks.first() ? expected : before;
+  unsigned int wrong = 0;
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+    wrong += std::memcmp(&numbers[i], &right[i], sizeof(double)) != 0;
+  return wrong;
 }
 
 /// Numbers that differ from what the neighbours on a ring have sent, each a list of its own length.
@@ -142,7 +161,8 @@ int main(int argc, char **argv)
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
       parted(ranks.number());
   const unsigned int here = ranks.here();
-  wrong[here] = wrong_numbers(ranks) + wrong_at_first(ranks) + wrong_messages(ranks) + wrong_lists(ranks);
+  wrong[here] = wrong_numbers(ranks) + wrong_at_first(ranks) + wrong_joined(ranks) + wrong_messages(ranks) +
+                wrong_lists(ranks);
   caught[here] = failure(ranks, last) == "no good on " + std::to_string(last) &&
                  failure(ranks, ranks.number()) == "none";
   await_telling_of_interruption();

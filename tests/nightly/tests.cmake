@@ -11,7 +11,7 @@ endforeach()
 # stands in the program counts before what the library has. It takes minutes to compile, which only this test does.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   # Sources that register members would do so twice.
-  set(readers bpm/source/aggregate_library source/app/input source/base/expression source/base/hdf5_image
+  set(readers bpm/source/aggregate_library source/app/input source/base/expression source/base/hdf5_disk_file
     source/base/nearest_name source/contact/problem_io source/contact/siconos_problem source/packing/packing
     source/packing/packing_file source/scene/contact_pairs source/scene/pair_table)
   list(TRANSFORM readers REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1.cc")

@@ -27,6 +27,40 @@ public:
     hand_on(name, values);
   }
   void write(const std::string &name, const std::string &text) override { hand_on(name, text); }
+  void write_rows(const std::string &name,
+                  const std::size_t n_rows,
+                  const std::size_t width,
+                  const Fill &fill) override
+  {
+    std::size_t done = 0;
+    bool filling = false;
+    const Fill note = [&](const std::size_t begin, const std::size_t end, double *const rows)
+    {
+      filling = true;
+      fill(begin, end, rows);
+      filling = false;
+      done = end;
+    };
+    try
+    {
+      if (file != nullptr && !failure)
+        file->write_rows(name, n_rows, width, note);
+    }
+    catch (...)
+    {
+      if (filling) // on all ranks
+        throw;
+      failure = std::current_exception();
+    }
+    // Others bring their numbers all the same.
+    std::vector<double> rows;
+    const auto pass = [&](const std::size_t begin, const std::size_t end)
+    {
+      rows.resize((end - begin) * width);
+      fill(begin, end, rows.data());
+    };
+    for_pieces(n_rows, width, pass, done);
+  }
 
   /// @throw the first error of writing
   void check() const

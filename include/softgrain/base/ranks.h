@@ -100,6 +100,10 @@ public:
   /// list; of the places it names, an owner needs its own, and the first rank all.
   void bring(const std::vector<Piece> &pieces) const;
 
+  /// Of numbers each of which one rank has, where the others have +0: all of them on the first rank. The
+  /// others keep what they have.
+  void join_at_first(double *numbers, std::size_t size) const;
+
   /// @p numbers of every rank, as many on each; first those of the first rank.
   std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;
 

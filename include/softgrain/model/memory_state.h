@@ -15,8 +15,11 @@ public:
   void write(const std::string &name, const std::vector<double> &values) override;
   void write(const std::string &name, const std::vector<std::uint64_t> &values) override;
   void write(const std::string &name, const std::string &text) override;
+  void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill) override;
 
   /// @throw InputError when nothing of that name and type has been written
+  std::size_t size(const std::string &name) const override;
+  void read_rows(const std::string &name, std::size_t width, const Take &take) const override;
   std::vector<double> read_doubles(const std::string &name) const override;
   std::vector<std::uint64_t> read_integers(const std::string &name) const override;
   std::string read_text(const std::string &name) const override;

@@ -2,17 +2,51 @@
 #ifndef softgrain_model_state_file_h
 #define softgrain_model_state_file_h
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace softgrain
 {
+/// @name Long lists go through files in pieces of some rows, each of @p width numbers, so that nobody needs
+/// them as a whole.
+///@{
+
+/// What a piece has at most [numbers].
+constexpr std::size_t numbers_of_a_piece = std::size_t(1) << 17;
+
+/// Calls @p work for piece after piece: its first row and the end of its rows.
+template <class Work>
+void for_pieces(const std::size_t n_rows, const std::size_t width, const Work &work, std::size_t begin = 0)
+{
+  const std::size_t rows_of_a_piece = std::max<std::size_t>(numbers_of_a_piece / width, 1);
+  for (; begin < n_rows; begin = std::min(begin + rows_of_a_piece, n_rows))
+    work(begin, std::min(begin + rows_of_a_piece, n_rows));
+}
+///@}
+
 /// Where a model writes its state: named arrays, slashes make groups.
 class StateWriter
 {
 public:
+  /// Puts the rows from @p begin to @p end, without it, to @p rows.
+  using Fill = std::function<void(std::size_t begin, std::size_t end, double *rows)>;
+
   virtual ~StateWriter() = default;
+
+  /// Writes a list that @p fill gives piece by piece, with for_pieces(). Where ranks work together, all of
+  /// them call it, and what is put to the rows of the first one counts.
+  virtual void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill)
+  {
+    std::vector<double> values(n_rows * width);
+    for_pieces(n_rows, width,
+               [&](const std::size_t begin, const std::size_t end)
+               { fill(begin, end, values.data() + begin * width); });
+    write(name, values);
+  }
 
   virtual void write(const std::string &name, const std::vector<double> &values) = 0;
   virtual void write(const std::string &name, const std::vector<std::uint64_t> &values) = 0;
@@ -23,7 +57,19 @@ public:
 class StateReader
 {
 public:
+  /// Is shown the rows from @p begin to @p end, without it.
+  using Take = std::function<void(std::size_t begin, std::size_t end, const double *rows)>;
+
   virtual ~StateReader() = default;
+
+  /// How many numbers a list has.
+  virtual std::size_t size(const std::string &name) const { return read_doubles(name).size(); }
+  /// Shows a list piece by piece; numbers that make no whole row at its end are left out.
+  virtual void read_rows(const std::string &name, const std::size_t width, const Take &take) const
+  {
+    const std::vector<double> values = read_doubles(name);
+    take(0, values.size() / width, values.data());
+  }
 
   virtual std::vector<double> read_doubles(const std::string &name) const = 0;
   virtual std::vector<std::uint64_t> read_integers(const std::string &name) const = 0;

@@ -31,6 +31,7 @@ public:
   void write(const std::string &name, const std::vector<double> &values) override;
   void write(const std::string &name, const std::vector<std::uint64_t> &values) override;
   void write(const std::string &name, const std::string &text) override;
+  void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill) override;
 
   /**
    * @brief Seals the file with a checksum, brings it to the disk and renames it.
@@ -56,6 +57,8 @@ public:
   ~CheckpointReader() override;
 
   /// @throw InputError that names file and array when it is missing or of another type.
+  std::size_t size(const std::string &name) const override;
+  void read_rows(const std::string &name, std::size_t width, const Take &take) const override;
   std::vector<double> read_doubles(const std::string &name) const override;
   std::vector<std::uint64_t> read_integers(const std::string &name) const override;
   std::string read_text(const std::string &name) const override;

@@ -4,15 +4,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace softgrain
 {
+class Hdf5DiskFile;
+
 /**
  * @brief An HDF5 file with arrays of numbers and texts in groups, used by one process.
  *
- * A file that is created is made in memory, and close() writes it: without close() it stays empty.
+ * A file that is created is written as it goes, and whole after close().
  * Slashes in names make groups; missing groups are created. Errors of writing are ComputationErrors, errors
  * of reading InputErrors; both name file and array. HDF5 itself prints nothing.
  */
@@ -40,8 +43,15 @@ public:
   void write(const std::string &name, const std::vector<std::uint64_t> &values, unsigned int n_columns = 1);
   void write(const std::string &name, const std::string &text);
   void write(const std::string &name, const std::vector<std::string> &texts);
+  /// An array of one column whose numbers write_piece() gives; they are not compressed.
+  void create_array(const std::string &name, std::size_t size);
+  void write_piece(const std::string &name, std::size_t begin, std::size_t size, const double *values);
   std::vector<double> read_doubles(const std::string &name) const;
   std::vector<std::uint64_t> read_integers(const std::string &name) const;
+  /// A part of an array of one column, from its number @p begin on.
+  void read_piece(const std::string &name, std::size_t begin, std::size_t size, double *values) const;
+  /// How many numbers an array has.
+  std::size_t size(const std::string &name) const;
   std::string read_text(const std::string &name) const;
   std::vector<std::string> read_texts(const std::string &name) const;
   ///@}
@@ -71,9 +81,15 @@ public:
   void close(bool sealed = false);
 
 private:
+  void put(const std::string &name,
+           std::int64_t type,
+           const std::vector<std::uint64_t> &sizes,
+           const void *values,
+           unsigned int level);
+
   std::string path;
-  bool in_memory;
-  std::int64_t file = -1; ///< HDF5's hid_t, whose header stays out of ours
+  std::unique_ptr<Hdf5DiskFile> disk; ///< null: it is only read
+  std::int64_t file = -1;             ///< HDF5's hid_t, whose header stays out of ours
   unsigned int compression_level;
 };
 } // namespace softgrain

@@ -2,7 +2,6 @@
 #ifndef softgrain_output_seal_h
 #define softgrain_output_seal_h
 
-#include <cstddef>
 #include <string>
 
 namespace softgrain
@@ -11,8 +10,8 @@ namespace softgrain
 /// last byte, and may crash on damaged files: who looks at the seal first never shows it one.
 ///@{
 
-/// The line that belongs behind these bytes.
-std::string seal_of(const void *bytes, std::size_t n_bytes);
+/// Puts the seal behind a file. @throw ComputationError "cannot write PATH: REASON"
+void seal(const std::string &path);
 
 /// Whether a file ends with the seal of what comes before.
 bool is_sealed(const std::string &path);

@@ -5,6 +5,8 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <algorithm>
+
 namespace softgrain::mpm
 {
 namespace
@@ -54,11 +56,15 @@ std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
   }
   const auto tree = dealii::pack_rtree_of_indices(boxes);
   std::vector<std::vector<ContactTask>> tasks(boxes.size());
+  const auto looks = [&scene](const std::size_t b)
+  { return scene.looking == nullptr || scene.looking->mine(static_cast<unsigned int>(b)); };
   for (unsigned int b = 0; b < boxes.size(); ++b)
-    for (const std::size_t a :
-         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
-      if (a < b)
-        share_out(scene, a, b, {}, tasks);
+    if (looks(b))
+      for (const std::size_t a :
+           tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(boxes[b])))
+        // Once for a pair, of which one body at least looks here.
+        if (a < b || (a > b && !looks(a)))
+          share_out(scene, std::min<unsigned int>(a, b), std::max<unsigned int>(a, b), {}, tasks);
   if (scene.cell != nullptr)
     for (const ImagePair &pair : pairs_across(boxes, scene.cell->cell))
     {

@@ -261,6 +261,10 @@ GapsByRow share_gaps_where_found(const BodyShare &share,
       },
       packed);
   GapsByRow gaps;
+  std::size_t n_numbers = 0;
+  for (const std::vector<double> &numbers : packed)
+    n_numbers += numbers.size();
+  gaps.reserve(n_numbers / 3); // a key is two
   for (const std::vector<double> &numbers : packed)
     for (Unpacker unpack(numbers, false); !unpack.done();)
     {

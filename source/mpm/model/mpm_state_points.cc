@@ -6,81 +6,137 @@
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace softgrain::mpm
 {
 namespace
 {
-/// Lists of numbers of points, as many of each: what a rank writes, and what it must know of others for that.
+/// The points of a list, which stand body after body and by their numbers in the body: which of them are
+/// here, and how a writer gets what they carry.
 class PointLists
 {
 public:
-  /// @param of_all the first rank gets the points of all others; else every rank lists those that lie with it
+  /// @param of_all the points of all are listed, and the first rank gets them; else those that lie with this
+  /// rank
   PointLists(const std::vector<Body<2>> &bodies, const BodyShare &share, const bool of_all)
-      : bodies(bodies), share(share), of_all(of_all)
+      : bodies(bodies), share(share), of_all(of_all), point_of(bodies.size())
   {
     for (const Body<2> &body : bodies)
     {
-      begin.push_back(room);
-      if (is_listed(body) || (of_all && share.ranks.first()))
-        room += body.n_points;
+      begin_of.push_back(n_points);
+      const bool listed = of_all ? share.mine(body.index) : share.holds(body.index);
+      if (listed || of_all)
+        n_points += body.n_points;
+      if (!listed)
+        continue;
+      point_of[body.index].resize(body.n_points);
+      for (unsigned int p = 0; p < body.points.size(); ++p)
+        point_of[body.index][body.points.number(p)] = p;
     }
+    begin_of.push_back(n_points);
   }
 
-  /// @param put writes @p n_components numbers of point @p p of a body from a place on. All ranks call it
-  /// when the list is of all.
+  /// @param put writes @p width numbers of point @p p of a body from a place on. All ranks call it when the
+  /// list is of all.
   template <class Put>
-  std::vector<double> make(const unsigned int n_components, const Put &put) const
+  void write(StateWriter &out, const std::string &name, const unsigned int width, const Put &put) const
   {
-    std::vector<double> numbers;
-    const auto make_own = [&]()
-    {
-      numbers.resize(room * n_components);
-      for (const Body<2> &body : bodies)
-        if (is_listed(body))
-          for (unsigned int p = 0; p < body.points.size(); ++p)
-            put(body, p, &numbers[(begin[body.index] + body.points.number(p)) * n_components]);
-    };
-    if (!of_all)
-    {
-      make_own();
-      return numbers;
-    }
-    share.ranks.together(make_own);
-    std::vector<Ranks::Piece> pieces;
-    for (const Body<2> &body : bodies)
-      if (share.ranks.first() || is_listed(body))
-        pieces.push_back({share.owner(body.index), numbers.data() + begin[body.index] * n_components,
-                          static_cast<std::size_t>(body.n_points) * n_components});
-    share.ranks.bring(pieces);
-    return numbers;
+    out.write_rows(name, n_points, width,
+                   [&](const std::size_t begin, const std::size_t end, double *const rows)
+                   {
+                     if (of_all && !share.ranks.alone())
+                       std::fill(rows, rows + (end - begin) * width, 0.);
+                     fill(begin, end, width, put, rows);
+                     if (of_all)
+                       share.ranks.join_at_first(rows, (end - begin) * width);
+                   });
   }
 
 private:
-  bool is_listed(const Body<2> &body) const
+  template <class Put>
+  void fill(const std::size_t begin,
+            const std::size_t end,
+            const unsigned int width,
+            const Put &put,
+            double *const rows) const
   {
-    return of_all ? share.mine(body.index) : share.holds(body.index);
+    std::optional<Ranks::OwnWork> own;
+    if (of_all)
+      own.emplace(share.ranks);
+    std::size_t b = std::upper_bound(begin_of.begin(), begin_of.end(), begin) - begin_of.begin() - 1;
+    for (; b < bodies.size() && begin_of[b] < end; ++b)
+      if (!point_of[b].empty())
+        for (std::size_t row = std::max(begin, begin_of[b]); row < std::min(end, begin_of[b + 1]); ++row)
+          put(bodies[b], point_of[b][row - begin_of[b]], rows + (row - begin) * width);
   }
 
   const std::vector<Body<2>> &bodies;
   const BodyShare &share;
   const bool of_all;
-  std::vector<std::size_t> begin; ///< of every body in the list of this rank
-  std::size_t room = 0;
+  std::vector<std::vector<unsigned int>> point_of; ///< of every body, by number; empty: it is not here
+  std::vector<std::size_t> begin_of;               ///< of every body in the list, and the end
+  std::size_t n_points = 0;
 };
+
+/// Which points of a list in a file belong here, and their places.
+struct PointsHere
+{
+  std::vector<std::size_t> row;
+  std::vector<unsigned int> body;
+  std::vector<dealii::Point<2>> place;
+};
+
+/// Shows @p take those rows of a list that belong here: their count, their numbers.
+template <class Take>
+void read_here(const StateReader &in,
+               const std::string &name,
+               const unsigned int width,
+               const std::vector<std::size_t> &here,
+               const Take &take)
+{
+  std::size_t k = 0;
+  in.read_rows(name, width,
+               [&](const std::size_t begin, const std::size_t end, const double *const rows)
+               {
+                 for (; k < here.size() && here[k] < end; ++k)
+                   take(k, rows + (here[k] - begin) * width);
+               });
+}
+
+PointsHere find_points(const StateReader &in, const BodyShare &share)
+{
+  PointsHere here;
+  in.read_rows("mpm/points/body", 1,
+               [&](const std::size_t begin, const std::size_t end, const double *const bodies)
+               {
+                 for (std::size_t p = begin; p < end; ++p)
+                 {
+                   const auto body = static_cast<unsigned int>(bodies[p - begin]);
+                   if (!share.holds(body))
+                     continue;
+                   here.row.push_back(p);
+                   here.body.push_back(body);
+                 }
+               });
+  here.place.resize(here.row.size());
+  read_here(in, "mpm/points/position", 2, here.row,
+            [&here](const std::size_t k, const double *const numbers)
+            { here.place[k] = dealii::Point<2>(numbers[0], numbers[1]); });
+  return here;
+}
 } // namespace
 
 void MpmModel::save_points(StateWriter &out, const bool of_all) const
 {
   const PointLists lists(state.bodies, work.share, of_all);
-  out.write("mpm/points/position",
-            lists.make(2, [](const Body<2> &body, const unsigned int p, double *const numbers)
-                       { std::copy_n(body.points[p].position().begin_raw(), 2, numbers); }));
+  lists.write(out, "mpm/points/position", 2,
+              [](const Body<2> &body, const unsigned int p, double *const numbers)
+              { std::copy_n(body.points[p].position().begin_raw(), 2, numbers); });
   for (const PointSlotDescription &slot : state.points->layout().slots())
-    out.write("mpm/points/" + slot.name,
-              lists.make(slot.n_components,
-                         [&slot](const Body<2> &body, const unsigned int p, double *numbers)
-                         { std::copy_n(body.points[p].data(slot.slot), slot.n_components, numbers); }));
+    lists.write(out, "mpm/points/" + slot.name, slot.n_components,
+                [&slot](const Body<2> &body, const unsigned int p, double *const numbers)
+                { std::copy_n(body.points[p].data(slot.slot), slot.n_components, numbers); });
 }
 
 void MpmModel::load_points(const StateReader &in, const bool of_all)
@@ -90,43 +146,35 @@ void MpmModel::load_points(const StateReader &in, const bool of_all)
   for (const Body<2> &body : state.bodies)
     if (of_all || work.share.holds(body.index))
       expected += body.n_points;
-  // Of a list with the points of all, those that belong here, by their number in it.
+  if (in.size("mpm/points/position") != 2 * expected || in.size("mpm/points/body") != expected)
+    throw InputError("the checkpoint was made with another number of material points");
   std::vector<std::size_t> here;
   std::vector<PointStore<2>::Handle> handles;
   {
-    const std::vector<double> positions = in.read_doubles("mpm/points/position"),
-                              bodies = in.read_doubles("mpm/points/body");
-    if (positions.size() != 2 * expected || bodies.size() != expected)
-      throw InputError("the checkpoint was made with another number of material points");
-    const auto place = [&positions](const std::size_t p)
-    { return dealii::Point<2>(positions[2 * p], positions[2 * p + 1]); };
-    bool all_covered = true;
-    for (std::size_t p = 0; p < expected; ++p)
-      if (work.share.holds(static_cast<unsigned int>(bodies[p])))
-      {
-        here.push_back(p);
-        all_covered = all_covered && store.covers(problem.lattice->cell_of(place(p)));
-      }
+    PointsHere found = find_points(in, work.share);
     // A run that laid grids anew may go on as one that does not.
-    if (all_covered)
+    if (std::all_of(found.place.begin(), found.place.end(),
+                    [&](const dealii::Point<2> &place)
+                    { return store.covers(problem.lattice->cell_of(place)); }))
       store.clear();
     else
       store.cover_all();
-    store.reserve(here.size());
-    for (const std::size_t p : here)
-      handles.push_back(store.add(place(p), static_cast<unsigned int>(bodies[p])));
+    store.reserve(found.row.size());
+    for (std::size_t k = 0; k < found.row.size(); ++k)
+      handles.push_back(store.add(found.place[k], found.body[k]));
+    here = std::move(found.row);
   }
   for (const PointSlotDescription &slot : store.layout().slots())
   {
-    const std::vector<double> values = in.read_doubles("mpm/points/" + slot.name);
-    if (values.size() != expected * slot.n_components)
+    if (in.size("mpm/points/" + slot.name) != expected * slot.n_components)
       throw InputError("the checkpoint was made with other settings: its points have another '" + slot.name +
                        "'");
-    for (std::size_t p = 0; p < here.size(); ++p)
-    {
-      auto point = store(handles[p]);
-      std::copy_n(&values[here[p] * slot.n_components], slot.n_components, point.data(slot.slot));
-    }
+    read_here(in, "mpm/points/" + slot.name, slot.n_components, here,
+              [&](const std::size_t k, const double *const numbers)
+              {
+                auto point = store(handles[k]);
+                std::copy_n(numbers, slot.n_components, point.data(slot.slot));
+              });
   }
 }
 } // namespace softgrain::mpm

@@ -93,12 +93,11 @@ private:
   std::vector<std::size_t> draw_own_outlines(Outlines &result) const;
   void refresh_solid_area() const;
   /// Writes numbers of all primaries; @p values has those of the primaries here.
-  void
-  write(StateWriter &out, const std::string &name, const std::vector<std::array<double, 2>> &values) const;
-  void write(StateWriter &out, const std::string &name, const std::vector<double> &values) const;
-  /// Takes from those of all primaries what belongs to those here.
   template <class T>
-  void take(const std::vector<T> &of_all, std::vector<T> &here) const;
+  void write(StateWriter &out, const std::string &name, const std::vector<T> &values) const;
+  /// Reads from those of all primaries what belongs to those here.
+  template <class T>
+  void read(const StateReader &in, const std::string &name, std::vector<T> &here) const;
   void show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const;
   void show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const;
   ContactState<2> contact_state(const LookedAt &seen, std::size_t row) const;

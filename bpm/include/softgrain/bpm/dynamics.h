@@ -13,8 +13,10 @@
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/model/state_file.h>
 #include <softgrain/scene/contact_pairs.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -126,17 +128,33 @@ public:
   void take_back_motion(const std::vector<Wall> &walls);
   void forget_motion() { kept = Motion(); }
 
-  /// Impulses that pairs remember, in the order of the list of all; where ranks have parted, on the first
-  /// one.
-  std::vector<double> memory_of_pairs() const;
-  /// Whether the primaries have these radii, of all of them.
-  bool has_radii(const std::vector<double> &radii) const;
+  /// Writes the impulses that pairs remember, in the order of the list of all.
+  void save_memory(StateWriter &out, const std::string &name) const;
 
-  /// Takes places, of all primaries, for which the list of neighbours is to be made, with what its pairs
-  /// remember; for restarts. Places and velocities come afterwards.
-  void build_list(const std::vector<std::array<double, 2>> &places,
-                  const contact::ImageLattice &lattice,
-                  const std::vector<double> &memory);
+  /// Makes the list of neighbours for the places that primaries have now, with what its pairs remember in a
+  /// state; for restarts. Other places and velocities come afterwards.
+  void build_list(const contact::ImageLattice &lattice, const StateReader &in, const std::string &name);
+
+  /// Calls @p work for all primaries here whose number, among those of all ranks, is from @p begin to @p end,
+  /// without it: index, number.
+  template <class Work>
+  void for_numbers(const std::size_t begin, const std::size_t end, const Work &work) const
+  {
+    const std::vector<std::uint32_t> &number = primaries.number;
+    if (number.empty())
+    {
+      for (std::size_t i = begin; i < std::min(end, primaries.size()); ++i)
+        work(i, i);
+      return;
+    }
+    // Own ones stand by number; copies and guests are few.
+    const auto own_end = number.begin() + n_own();
+    for (auto i = std::lower_bound(number.begin(), own_end, begin); i != own_end && *i < end; ++i)
+      work(i - number.begin(), *i);
+    for (auto i = own_end; i != number.end(); ++i)
+      if (*i >= begin && *i < end)
+        work(i - number.begin(), *i);
+  }
 
   /// Sections of its work go there; may be null.
   void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }

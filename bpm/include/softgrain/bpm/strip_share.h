@@ -6,10 +6,13 @@
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/neighbour_list.h>
+#include <softgrain/model/state_file.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,8 +78,52 @@ public:
   /// those of all tiles on the first rank.
   std::vector<double> tiles_at_first(const std::vector<double> &values, std::size_t n_first) const;
 
-  /// Takes what the pairs of @p list remember from @p memory, where those of all tiles stand.
-  void take_tiles(const std::vector<double> &memory, contact::NeighbourList &list) const;
+  /// @name For files: all together bring rows of a list of all, from @p begin to @p end, to the first rank.
+  ///@{
+
+  /// Of @p n numbers of every primary, by number; @p values are those here.
+  void bring_rows(const double *values,
+                  std::size_t n,
+                  const Primaries &disks,
+                  std::size_t begin,
+                  std::size_t end,
+                  double *rows) const;
+
+  /// Where rows of the tiles here stand in the list of all: of each colour, those from one row here to
+  /// another, and the first of them there.
+  struct TileRows
+  {
+    std::size_t n_all = 0;
+    std::array<std::size_t, 3> here{};
+    std::array<std::size_t, 2> there{};
+
+    /// Calls @p work for those of them that are among the rows from @p begin to @p end of all: the first one
+    /// here, the same in the list of all, and how many follow.
+    template <class Work>
+    void among(const std::size_t begin, const std::size_t end, const Work &work) const
+    {
+      for (unsigned int colour = 0; colour < 2; ++colour)
+      {
+        const std::size_t first = std::max(begin, there[colour]),
+                          last = std::min(end, there[colour] + here[colour + 1] - here[colour]);
+        if (first < last)
+          work(here[colour] + first - there[colour], first, last - first);
+      }
+    }
+  };
+  /// For @p n rows in the order of the tiles here, of which @p n_first belong to the first colour.
+  TileRows rows_of_tiles(std::size_t n_first, std::size_t n) const;
+  /// Of @p width numbers in each of these rows.
+  void bring_tiles(const std::vector<double> &values,
+                   std::size_t width,
+                   const TileRows &tiles,
+                   std::size_t begin,
+                   std::size_t end,
+                   double *rows) const;
+
+  /// Takes what the pairs of @p list remember from the list of all in a state.
+  void take_tiles(const StateReader &in, const std::string &name, contact::NeighbourList &list) const;
+  ///@}
 
 private:
   void choose_strips(const Primaries &disks, double cell);

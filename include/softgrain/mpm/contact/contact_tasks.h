@@ -43,7 +43,8 @@ struct ContactTask
   }
 };
 
-/// Who looks for contact with whom, by the body that looks, in an order that depends on nothing else.
+/// Who looks for contact with whom, by the body that looks, in an order that depends on nothing else; with
+/// ContactScene::looking only lists of bodies of this rank are whole.
 /// @throw ComputationError when a cell that repeats has become so small that a body meets itself
 std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
                                                  const ContactReach &reach,
