@@ -17,10 +17,10 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 constexpr double short_way = 0.2;
 constexpr double small_lag =
     0.1; ///< share of the way of a step by which rows may lag behind and still follow
-/// Up to which move of nodes [cells] searches are mixed, and its growth since the search before. A corner
-/// lies in a dent that it has pressed, and the dent of the search before pushes it back: such a body swings
-/// from the first search on.
-constexpr double mixing_range = 0.15, mixing_growth = 2., mixing_growth_with_corners = 5.;
+/// Up to which move of nodes [cells] searches are mixed, and its growth since the search before. In full
+/// packings, and where a corner lies in a dent that it has pressed, moves grow by 2 to 5 in a search: what
+/// the mixing knows of them must not be forgotten just then.
+constexpr double mixing_range = 0.15, mixing_growth = 5.;
 /// Of the way back to the last outcome, below which it is not worth an evaluation of the stress.
 constexpr double least_share = 0.05;
 
@@ -38,14 +38,7 @@ FollowingRows::FollowingRows(const Problem &problem,
                              Workspace &work,
                              const double dt,
                              const std::vector<WallMotion<2>> &motion)
-    : problem(problem)
-    , state(state)
-    , work(work)
-    , dt(dt)
-    , motion(motion)
-    , corners(std::any_of(state.bodies.begin(),
-                          state.bodies.end(),
-                          [](const Body<2> &body) { return !body.boundary.smooth; }))
+    : problem(problem), state(state), work(work), dt(dt), motion(motion)
 {
 }
 
@@ -94,7 +87,7 @@ bool FollowingRows::follow(const Vectors &increment) const
 bool FollowingRows::mix(Vectors &increment, const double lag)
 {
   const double range = mixing_range * problem.lattice->cell_size();
-  if (lag > range || lag > (corners ? mixing_growth_with_corners : mixing_growth) * last_lag)
+  if (lag > range || lag > mixing_growth * last_lag)
     mixing.restart();
   last_lag = lag;
   if (lag > range)

@@ -50,9 +50,20 @@ double GivenEnergy::work_of_overlaps(const double share) const
   return sum;
 }
 
+double GivenEnergy::work_of_free_walls() const
+{
+  double sum = 0.;
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+  {
+    const Wall &wall = state.walls[free.wall];
+    sum += (free.slides() ? wall.slide_load : wall.load) * plan.dt * free.speed;
+  }
+  return sum;
+}
+
 bool GivenEnergy::is_given(const bool settled, const double penetration) const
 {
-  const bool descends = plan.held && work.contact.free_walls.list.empty();
+  const bool descends = plan.held;
   const bool on_the_way = settled && problem.settings.scheme.inertia;
   if (!problem.settings.rows_follow() || !problem.slippery() || work.contact.empty() ||
       (settled && !descends && !on_the_way) || (plan.held && plan.regularisation >= strongest))
@@ -85,7 +96,7 @@ bool GivenEnergy::is_given(const bool settled, const double penetration) const
   const double limit = (on_the_way ? allowed_on_the_way : allowed) * (stored + sum(kinetic)) + sum(floor);
   if (!descends)
     return gain > limit;
-  gain += stored - stored_energy(state, work.share) - sum(external_work);
+  gain += stored - stored_energy(state, work.share) - sum(external_work) - work_of_free_walls();
   // What pushes bodies out of each other that were too deep is not given.
   return gain > limit && gain - work_of_overlaps(0.) > limit;
 }

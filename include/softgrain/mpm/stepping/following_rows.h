@@ -78,7 +78,6 @@ private:
   Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
-  const bool corners;                ///< whether a body has any
   GapsByRow start_gaps;              ///< of a step with inertia
   Vectors place;                     ///< displacements for which the rows were found [m]
   Vectors last_outcome, last_change; ///< of the search before, when it was too far to be mixed [m]

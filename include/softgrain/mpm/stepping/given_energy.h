@@ -35,6 +35,9 @@ public:
 private:
   /// Work of the present contact forces on the overlaps of bodies at a share of the step, 0 or 1 [J/m].
   double work_of_overlaps(double share) const;
+  /// What pressures and shear stresses do on the walls that they move, in a held step: loads stay as they are
+  /// [J/m].
+  double work_of_free_walls() const;
 
   const Problem &problem;
   const State &state;
