@@ -17,10 +17,12 @@ constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
 constexpr double short_way = 0.2;
 constexpr double small_lag =
     0.1; ///< share of the way of a step by which rows may lag behind and still follow
-/// Up to which move of nodes [cells] searches are mixed, and its growth since the search before. In full
-/// packings, and where a corner lies in a dent that it has pressed, moves grow by 2 to 5 in a search: what
-/// the mixing knows of them must not be forgotten just then.
-constexpr double mixing_range = 0.15, mixing_growth = 5.;
+/// Up to which move of nodes [cells] searches are mixed.
+constexpr double mixing_range = 0.15;
+/// Growth of that move since the search before at which mixing begins anew. In full packings, and where a
+/// corner lies in a dent that it has pressed, moves grow by 2 to 5: what mixing knows of them must not be
+/// forgotten just then. Where bodies are not nearly in balance it knows little.
+constexpr double mixing_growth = 5., mixing_growth_off_balance = 2., off_balance = 0.1;
 /// Of the way back to the last outcome, below which it is not worth an evaluation of the stress.
 constexpr double least_share = 0.05;
 
@@ -84,10 +86,10 @@ bool FollowingRows::follow(const Vectors &increment) const
   return way(increment, &place) <= small_lag * way(increment, nullptr);
 }
 
-bool FollowingRows::mix(Vectors &increment, const double lag)
+bool FollowingRows::mix(Vectors &increment, const double lag, const double residual)
 {
   const double range = mixing_range * problem.lattice->cell_size();
-  if (lag > range || lag > mixing_growth * last_lag)
+  if (lag > range || lag > (residual > off_balance ? mixing_growth_off_balance : mixing_growth) * last_lag)
     mixing.restart();
   last_lag = lag;
   if (lag > range)

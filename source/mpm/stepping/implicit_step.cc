@@ -136,7 +136,8 @@ void ImplicitStep::find_rows_again(const double lag)
 {
   Vectors next = equations.increment;
   // With inertia a few searches mostly do; mixing costs an evaluation of the stress.
-  if ((!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing) && rows.mix(next, lag))
+  if ((!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing) &&
+      rows.mix(next, lag, outcome.newton_residual))
     move_to(next);
   find_rows(true);
 }

@@ -51,10 +51,11 @@ public:
    * Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
    * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed; far
    * from it, it goes back between its last two outcomes where they swing.
-   * @param lag of the rows with it [m]
+   * @param lag      of the rows with it [m]
+   * @param residual of the Newton iteration there, relative
    * @return whether it is another than it was
    */
-  bool mix(Vectors &increment, double lag);
+  bool mix(Vectors &increment, double lag, double residual);
 
   /// How often they were found after the first time.
   unsigned int searches() const { return n_searches; }
