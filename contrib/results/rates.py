@@ -3,9 +3,12 @@
 """Chapter 4 at 5 m/s and without inertia: stress and coordination over the packing fraction, from runs that assemblies.py has made
 (--only seeds friction static static-friction), for a table and the figure of doc/results/thesis-4.md."""
 import argparse
-import csv
 import pathlib
 import statistics
+
+from graded_grains import mean_near
+from quasi_static import at
+from running import as_rows, softgrain
 
 # Name of the series, beginning of the names of its runs, style of its curve.
 SERIES = (("5 m/s", "mpm", dict(color="C0", lw=0.8)), ("5 m/s, μ = 0.5", "mpm-friction", dict(color="C1", lw=0.8)),
@@ -15,24 +18,20 @@ HALF = 0.005  # of the range of the packing fraction over which waves of the fas
 
 
 def curves(folder, name):
-    """Of every packing: packing fraction, stress of top and bottom wall [MPa], contacts of a grain."""
+    """States of every packing, with the mean stress of top and bottom wall [MPa]."""
     found = []
     for run in sorted(folder.glob(f"{name}-[0-9]")):
-        with open(run / "measures.csv", encoding="utf-8") as file:
-            found.append([(float(row["packing_fraction"]), (float(row["top_pressure_Pa"]) + float(row["bottom_pressure_Pa"])) / 2e6,
-                           float(row["coordination"])) for row in csv.DictReader(file)])
+        found.append(as_rows(softgrain.open(run).measures_table))
+        for state in found[-1]:
+            state["stress"] = (state["top_pressure_Pa"] + state["bottom_pressure_Pa"]) / 2e6
     return found
 
 
-def at(curve, fraction, column):
-    """Mean over states near a packing fraction, or between the two beside it where states are far apart."""
-    near = [state[column] for state in curve if abs(state[0] - fraction) < HALF]
-    below, above = ([state for state in curve if side * (state[0] - fraction) >= 0] for side in (-1, 1))
-    if len(near) > 1 or not below or not above:
-        return statistics.fmean(near) if near else float("nan")
-    before, after = below[-1], above[0]
-    share = (fraction - before[0]) / (after[0] - before[0]) if after[0] > before[0] else 0.
-    return before[column] + share * (after[column] - before[column])
+def value(name, curve, column, fraction):
+    """Of the fast wall, which sends waves, a mean; without inertia states are few, and the value is between two of them."""
+    if "static" in name:
+        return at(curve, column, fraction)
+    return mean_near(curve, "packing_fraction", fraction, HALF, lambda state: state[column])
 
 
 def told(values):
@@ -47,8 +46,8 @@ def draw(picture, found):
     figure, axes = pyplot.subplots(1, 2, figsize=(9, 3.6))
     for label, name, style in SERIES:
         for curve in found[name][:1]:
-            for axis, column in zip(axes, (1, 2)):
-                axis.plot([state[0] for state in curve], [state[column] for state in curve], markersize=4, label=label, **style)
+            for axis, column in zip(axes, ("stress", "coordination")):
+                axis.plot([state["packing_fraction"] for state in curve], [state[column] for state in curve], markersize=4, label=label, **style)
     axes[0].set(xlabel="packing fraction Φ", ylabel="stress of top and bottom wall [MPa]", yscale="log", ylim=(0.005, 3))
     axes[1].set(xlabel="packing fraction Φ", ylabel="contacts of a grain Z")
     axes[0].legend(frameon=False, fontsize=8)
@@ -62,13 +61,13 @@ def main():
     parser.add_argument("--picture", type=pathlib.Path, help="PNG file for the figure, of the first packing")
     arguments = parser.parse_args()
     found = {name: curves(arguments.folder, name) for _, name, _ in SERIES}
-    there = [(label, found[name]) for label, name, _ in SERIES if found[name]]
+    there = [(label, name) for label, name, _ in SERIES if found[name]]
     if not there:
         parser.error(f"no runs of assemblies.py in {arguments.folder}")
-    for column, title in ((1, "stress [MPa] at Φ"), (2, "Z at Φ")):
-        print(f"\n| {title} | " + " | ".join(f"{label} ({len(of)})" for label, of in there) + " |\n" + "|---" * (len(there) + 1) + "|")
+    for column, title in (("stress", "stress [MPa] at Φ"), ("coordination", "Z at Φ")):
+        print(f"\n| {title} | " + " | ".join(f"{label} ({len(found[name])})" for label, name in there) + " |\n" + "|---" * (len(there) + 1) + "|")
         for fraction in FRACTIONS:
-            print(f"| {fraction:.2f} | " + " | ".join(told([at(curve, fraction, column) for curve in of]) for _, of in there) + " |")
+            print(f"| {fraction:.2f} | " + " | ".join(told([value(name, curve, column, fraction) for curve in found[name]]) for _, name in there) + " |")
     if arguments.picture:
         draw(arguments.picture, found)
 

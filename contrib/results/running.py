@@ -20,7 +20,11 @@ def read_run(folder):
 
 def rows_of(found):
     """The history of an opened run as a list of rows."""
-    table = found.history_table
+    return as_rows(found.history_table)
+
+
+def as_rows(table):
+    """A table of columns as a list of rows."""
     return [dict(zip(table, row)) for row in zip(*(table[name].tolist() for name in table))]
 
 

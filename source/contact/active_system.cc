@@ -10,14 +10,14 @@
 
 namespace softgrain::contact
 {
-ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries, const bool row_by_row)
+ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries, const bool symmetric)
     // below some hundred unknowns, or with many entries, the dense factorisation is faster than the ordering
     // of a sparse one
-    : dense(size <= 200 || n_entries > 0.3 * size * size), row_by_row(row_by_row), size(size)
+    : dense(size <= 200 || n_entries > 0.3 * size * size), symmetric(symmetric), size(size)
 {
   if (dense)
     matrix = Eigen::MatrixXd::Zero(size, size);
-  else if (row_by_row)
+  else if (symmetric)
   {
     lower.resize(size, size);
     lower.reserve(n_entries / 2 + size);
@@ -37,17 +37,10 @@ bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen
   }
   else
   {
-    for (; row_by_row && begun < size; ++begun)
+    for (; begun < size; ++begun)
       lower.startVec(begun);
-    Eigen::SparseMatrix<double> A(size, size);
-    if (row_by_row)
-    {
-      lower.finalize();
-      A.swap(lower);
-    }
-    else
-      A.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(A);
+    lower.finalize();
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(lower);
     if (factor.info() != Eigen::Success)
       return false;
     solution = factor.solve(right_hand_side);

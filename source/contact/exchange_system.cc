@@ -79,7 +79,7 @@ bool ExchangeSystem::factorise()
   base.reset();
   if (n_closed > 0)
   {
-    base = std::make_unique<ActiveSystem>(n_closed, n_entries);
+    base = std::make_unique<ActiveSystem>(n_closed, n_entries, false);
     Vector b[2] = {Vector(n_closed), Vector(n_closed)};
     for (int row = 0; row < W.rows(); ++row)
     {

@@ -113,7 +113,7 @@ bool newton_step(const Matrix &W,
       for (Matrix::InnerIterator entry(W, row); entry; ++entry)
         n_entries += local[entry.col()] >= 0;
 
-  ActiveSystem system(size, n_entries + 3 * size);
+  ActiveSystem system(size, n_entries + 3 * size, false);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   // adds factor * ((W + ε D) dP)_from to the equation of row `to`
   const auto add_row = [&](const unsigned int to, const unsigned int from, const double factor)

@@ -2,10 +2,10 @@
 // A body that leaves the mesh ends the run with a message that names it, and the state then is whole: it can
 // be saved, and a run that starts from it ends at the same place.
 #include "scene_of.h"
+#include "take_state.h"
 #include <softgrain/base/mpi_session.h>
 
 #include <softgrain/base/exceptions.h>
-#include <softgrain/output/checkpoint.h>
 
 #include <iostream>
 
@@ -37,12 +37,8 @@ int main(int argc, char **argv)
                                             "Bodies/left/Velocity=-20; 0"};
   const auto first = shipped_scene("gallery/two_disks.prm", changes);
   const std::string message = run_out(*first);
-  CheckpointWriter writer("state.h5");
-  first->save(writer);
-  writer.commit();
   const auto second = shipped_scene("gallery/two_disks.prm", changes);
-  CheckpointReader reader("state.h5");
-  second->load(reader);
+  take_state(*first, *second);
   const auto x = first->snapshot().points.position, y = second->snapshot().points.position;
   double furthest = 0., leftmost = 0.;
   for (unsigned int p = 0; p < x.size(); ++p)

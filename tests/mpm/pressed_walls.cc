@@ -5,8 +5,7 @@
 // stresses on all of them are the pressure.
 #include "gel.h"
 #include "scene_of.h"
-
-#include <softgrain/output/checkpoint.h>
+#include "take_state.h"
 
 #include <iostream>
 
@@ -128,9 +127,6 @@ void follow(const std::string &what, const Changes &changes)
                  "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5"};
   const auto compacted = shipped_scene("gallery/thirty_grains_quasi_static_mpm.prm", all);
   compacted->advance(1.);
-  CheckpointWriter writer("compacted.h5");
-  compacted->save(writer);
-  writer.commit();
   for (const std::string change :
        {"Walls/top/Drive=position", "Walls/top/Pressure=0", "Walls/right/Pressure=0"})
     all.push_back(change);
@@ -141,8 +137,7 @@ void follow(const std::string &what, const Changes &changes)
   all.push_back(position.str());
   all.insert(all.end(), changes.begin(), changes.end());
   const auto model = shipped_scene("gallery/thirty_grains_quasi_static_mpm.prm", all);
-  CheckpointReader reader("compacted.h5");
-  model->load(reader);
+  take_state(*compacted, *model);
   for (unsigned int i = 0; i < 3; ++i)
     model->advance(1.);
   const auto walls = model->walls(); // bottom, top, left, right

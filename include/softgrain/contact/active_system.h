@@ -25,16 +25,17 @@ class ActiveSystem
 public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  /// Starts a system of @p size unknowns that will get about @p n_entries entries. @p row_by_row: they come
-  /// row by row, in every row from left to right, each place once, and the matrix is symmetric.
-  ActiveSystem(unsigned int size, std::size_t n_entries, bool row_by_row = false);
+  /// Starts a system of @p size unknowns that will get about @p n_entries entries. One that is @p symmetric
+  /// is for solve_symmetric(), others are for the rest: its entries come row by row, in every row from left
+  /// to right, each place once.
+  ActiveSystem(unsigned int size, std::size_t n_entries, bool symmetric);
 
   /// Adds @p value to row @p i, column @p j.
   void add(const unsigned int i, const unsigned int j, const double value)
   {
     if (dense)
       matrix(i, j) += value;
-    else if (row_by_row)
+    else if (symmetric)
       add_to_lower(i, j, value);
     else
       entries.emplace_back(i, j, value);
@@ -65,7 +66,7 @@ private:
       lower.insertBack(row, column) = value;
   }
 
-  bool dense, row_by_row;
+  bool dense, symmetric;
   unsigned int size;
   unsigned int begun = 0; ///< columns of lower
   Eigen::SparseMatrix<double> lower;

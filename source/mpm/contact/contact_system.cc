@@ -92,7 +92,6 @@ ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
 {
   ContactMemory<dim> now;
   now.step = dt;
-  now.impulses.reserve(rows.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (carries_force(r))
     {

@@ -63,15 +63,14 @@ double GivenEnergy::work_of_free_walls() const
 
 bool GivenEnergy::is_given(const bool settled, const double penetration) const
 {
-  const bool descends = plan.held;
   const bool on_the_way = settled && problem.settings.scheme.inertia;
   if (!problem.settings.rows_follow() || !problem.slippery() || work.contact.empty() ||
-      (settled && !descends && !on_the_way) || (plan.held && plan.regularisation >= strongest))
+      (settled && !plan.held && !on_the_way) || (plan.held && plan.regularisation >= strongest))
     return false;
   if (on_the_way && penetration < shallow * problem.lattice->cell_size())
     return false;
   double gain = settled && !on_the_way ? 0. : work_of_overlaps(1.);
-  if (!descends && gain == 0.)
+  if (!plan.held && gain == 0.)
     return false;
 
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), plan.dt);
@@ -94,7 +93,7 @@ bool GivenEnergy::is_given(const bool settled, const double penetration) const
           message.add(*numbers);
       });
   const double limit = (on_the_way ? allowed_on_the_way : allowed) * (stored + sum(kinetic)) + sum(floor);
-  if (!descends)
+  if (!plan.held)
     return gain > limit;
   gain += stored - stored_energy(state, work.share) - sum(external_work) - work_of_free_walls();
   // What pushes bodies out of each other that were too deep is not given.
