@@ -82,7 +82,8 @@ SAMPLES = {
     "scripts": (
         {"a.py": "print(1)\n", "a.sh": "#!/bin/sh\necho 1\n"},
         [({"a.py": "def f(:\n"}, "a.py:1"), ({"run": "#!/bin/sh\nif true; then\n"}, "run: line"),
-         ({"run": "#!/usr/bin/env python3\nprint(\n"}, "run:2" if sys.version_info < (3, 10) else "run:")]),
+         ({"run": "#!/usr/bin/env python3\nprint(\n"}, "run:2" if sys.version_info < (3, 10) else "run:"),
+         ({"not_executable": "#!/bin/sh\ntrue\n"}, "cannot be executed")]),
 }
 
 
@@ -93,6 +94,8 @@ def run(check, sample):
             path = Path(folder) / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
+            if text.startswith("#!") and name != "not_executable":
+                path.chmod(0o755)
         program = [sys.executable, str(ROOT / "contrib/checks" / f"{check}.py"), "--root", folder]
         done = subprocess.run(program, capture_output=True, text=True, check=False)
         return done.returncode, done.stdout + done.stderr
