@@ -62,7 +62,7 @@ void BodyRows<dim>::reinit(const Body<dim> &body,
   {
     const ContactRow<dim> &row = rows[of_body[k] / n_components];
     const bool own = row.body == body.index;
-    const NodeWeights &weights = own ? row.body_weights : row.partner_weights;
+    const NodeWeights &weights = own ? *row.body_weights : *row.partner_weights;
     const dealii::Tensor<1, dim> direction = (own ? 1. : -1.) * row.direction(of_body[k] % n_components);
     if (own && slides(of_body[k]))
       add_column<dim>(weights, direction, row.slide->place, -row.slope * row.slide->across, k, local);

@@ -225,8 +225,7 @@ MovedBoundary::Arc MovedBoundary::arc(const unsigned int m) const
   return arc;
 }
 
-MovedBoundary::Place
-MovedBoundary::place(const unsigned int m, const double share, const bool with_weights) const
+MovedBoundary::Place MovedBoundary::place(const unsigned int m, const double share) const
 {
   const unsigned int next = body->boundary.next(m);
   const Arc curve = arc(m);
@@ -239,8 +238,6 @@ MovedBoundary::place(const unsigned int m, const double share, const bool with_w
   else
     at.normal = Vector({tangent[1], -tangent[0]}) / at.speed;
   at.displacement = (1. - share) * displacement[m] + share * displacement[next];
-  if (with_weights)
-    at.weights = weights(m, share);
   return at;
 }
 
@@ -252,10 +249,10 @@ std::pair<unsigned int, double> MovedBoundary::segment(const double parameter) c
   return {m, std::min(inside - m, 1.)};
 }
 
-MovedBoundary::Place MovedBoundary::place(const double parameter, const bool with_weights) const
+MovedBoundary::Place MovedBoundary::place(const double parameter) const
 {
   const auto [m, share] = segment(parameter);
-  return place(m, share, with_weights);
+  return place(m, share);
 }
 
 NodeWeights MovedBoundary::weights(const unsigned int m, const double share) const

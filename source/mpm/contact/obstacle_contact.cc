@@ -49,7 +49,7 @@ Nearest nearest_on(const MovedBoundary &own, const Point &x)
 bool holds(const MovedBoundary &own, const Point &x)
 {
   const Nearest found = nearest_on(own, x);
-  const MovedBoundary::Place at = own.place(found.marker, found.share, false);
+  const MovedBoundary::Place at = own.place(found.marker, found.share);
   return (x - at.position) * at.normal < 0.;
 }
 } // namespace
@@ -164,7 +164,7 @@ void ObstacleContact::find_at_pieces(const Placed &placed,
                  // looks as if.
                  if (gap < -shallow * scene.cell_size && !holds(own, opposite))
                    return near;
-                 row.body_weights = own.place(seeker.parameter, true).weights;
+                 row.body_weights = own.weights(seeker.parameter).shared();
                  row.length = tributary_length(own, seeker);
                  row.key = row_key(body.index, seeker.number, placed.first_key + k, true);
                  rows.push_back(std::move(row));
@@ -191,7 +191,7 @@ void ObstacleContact::find_at_tips(const Placed &placed,
     const Nearest found = nearest_on(own, tip);
     if (found.distance > margin + scene.cell_size)
       continue;
-    const MovedBoundary::Place at = own.place(found.marker, found.share, false);
+    const MovedBoundary::Place at = own.place(found.marker, found.share);
     const Vector normal = -at.normal;
     const double gap = (at.position - tip) * normal;
     Row row = start_row(placed, body, at, normal, gap, drawn);
@@ -200,7 +200,7 @@ void ObstacleContact::find_at_tips(const Placed &placed,
     // Far to the side of a corner of the body: the corner looks for the piece itself.
     if (std::abs(gap) < 0.7 * found.distance && found.distance > 0.1 * scene.cell_size)
       continue;
-    row.body_weights = own.place(found.marker, found.share, true).weights;
+    row.body_weights = own.weights(found.marker, found.share).shared();
     row.length = own.boundary().contact_stride *
                  own.marker(found.marker).distance(own.marker(own.boundary().next(found.marker)));
     row.key = row_key(body.index, 0, placed.first_key + n_pieces + k, true);

@@ -29,13 +29,13 @@ MovedBoundary::Place end_of_row(const MovedBoundary &own, const Seeker &seeker, 
 {
   const unsigned int stride = own.boundary().contact_stride;
   if (own.is_free)
-    return own.place(seeker.parameter + (after ? 0.5 : -0.5) * stride, false);
+    return own.place(seeker.parameter + (after ? 0.5 : -0.5) * stride);
   unsigned int marker = seeker.number;
   for (unsigned int k = 0; k < stride / 2; ++k)
     marker = after ? own.boundary().next(marker) : own.boundary().previous(marker);
   if (stride % 2 == 0)
-    return own.place(marker, 0., false);
-  return own.place(after ? marker : own.boundary().previous(marker), 0.5, false);
+    return own.place(marker, 0.);
+  return own.place(after ? marker : own.boundary().previous(marker), 0.5);
 }
 } // namespace
 

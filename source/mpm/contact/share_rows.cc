@@ -35,6 +35,13 @@ public:
     for (unsigned int d = 0; d < 2; ++d)
       numbers.push_back(value[d]);
   }
+  void operator()(const std::shared_ptr<const NodeWeights> &value)
+  {
+    if (value == nullptr)
+      numbers.push_back(0.);
+    else
+      (*this)(*value);
+  }
   void operator()(const NodeWeights &value)
   {
     numbers.push_back(value.node.size());
@@ -89,6 +96,12 @@ public:
   {
     for (unsigned int d = 0; d < 2; ++d)
       value[d] = static_cast<int>(*at++);
+  }
+  void operator()(std::shared_ptr<const NodeWeights> &value)
+  {
+    NodeWeights weights;
+    (*this)(weights);
+    value = std::move(weights).shared();
   }
   void operator()(NodeWeights &value)
   {
@@ -210,17 +223,23 @@ void share_rows(const BodyShare &share,
         find();
         for (std::size_t first = 0, end; first < rows.size(); first = end)
         {
+          for (end = first; end < rows.size() && rows[end].body == rows[first].body;)
+            ++end;
           Packer pack(packed[rows[first].body], weights_everywhere);
-          for (end = first; end < rows.size() && rows[end].body == rows[first].body; ++end)
+          pack(static_cast<unsigned int>(end - first));
+          for (std::size_t r = first; r < end; ++r)
           {
-            pack(rows[end].partner);
-            for_parts(pack, weights_of(rows[end].body, rows[end].partner), rows[end]);
+            pack(rows[r].partner);
+            for_parts(pack, weights_of(rows[r].body, rows[r].partner), rows[r]);
           }
         }
       },
       packed);
+  std::size_t n_rows = 0;
+  for (const std::vector<double> &of_body : packed)
+    n_rows += of_body.empty() ? 0 : static_cast<std::size_t>(of_body[0]);
   std::vector<Row> all;
-  all.reserve(rows.size());
+  all.reserve(n_rows);
   std::size_t own = 0;
   for (unsigned int b = 0; b < n_bodies; ++b)
   {
@@ -230,14 +249,19 @@ void share_rows(const BodyShare &share,
     if (share.mine(b))
       all.insert(all.end(), std::make_move_iterator(rows.begin() + first),
                  std::make_move_iterator(rows.begin() + own));
-    else
-      for (Unpacker unpack(packed[b], weights_everywhere); !unpack.done();)
+    else if (!packed[b].empty())
+    {
+      Unpacker unpack(packed[b], weights_everywhere);
+      unsigned int n_of_body = 0;
+      unpack(n_of_body);
+      for (unsigned int r = 0; r < n_of_body; ++r)
       {
         Row &row = all.emplace_back();
         row.body = b;
         unpack(row.partner);
         for_parts(unpack, weights_of(b, row.partner), row);
       }
+    }
   }
   rows = std::move(all);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/sliding_places.h>
 
-#include <utility>
-
 namespace softgrain::mpm
 {
 namespace
@@ -14,7 +12,8 @@ using Place = MovedBoundary::Place;
 std::shared_ptr<const PlaceSlide<2>>
 slide_of_places(const MovedBoundary &own, const Vector &direction, const MovedBoundary *partner)
 {
-  Place first = own.place(own.facing(direction), true);
+  const double parameter = own.facing(direction);
+  const Place first = own.place(parameter);
   const Vector arm = first.position - own.center;
   const Vector across = Vector({-arm[1], arm[0]}) / arm.norm();
   // The outline crosses the ray at this rate per marker.
@@ -30,7 +29,7 @@ slide_of_places(const MovedBoundary &own, const Vector &direction, const MovedBo
   slide->way = -(slide->across * (first.displacement - own.travel)) - slide->of_centre * own.nodal_travel;
   if (partner != nullptr)
     slide->way += slide->of_centre * partner->nodal_travel;
-  slide->place = std::move(first.weights);
+  slide->place = own.weights(parameter);
   return slide;
 }
 

@@ -79,7 +79,7 @@ void find_wall_rows(const ContactScene<2> &scene,
                    rows.push_back(std::move(row));
                    return true;
                  }
-                 row.body_weights = own.weights(seeker.parameter);
+                 row.body_weights = own.weights(seeker.parameter).shared();
                  row.place = at.position;
                  row.normal = wall.normal;
                  row.log_full_width[0] = log_full_width(scene, body, own, seeker.parameter);
@@ -162,7 +162,7 @@ public:
     if (!segments.empty())
       for (unsigned int m = 0; m < own.n_markers(); ++m)
         if (own.boundary().corner[m])
-          look({own.place(m, 0., false), static_cast<double>(m), m}, rows, true);
+          look({own.place(m, 0.), static_cast<double>(m), m}, rows, true);
   }
 
 private:
@@ -205,7 +205,7 @@ private:
     const double none = std::numeric_limits<double>::infinity();
     if (found.distance == std::numeric_limits<double>::max())
       return none;
-    const Place opposite = other.place(found.first, found.share, false);
+    const Place opposite = other.place(found.first, found.share);
     const double gap = (at.position - opposite.position) * opposite.normal;
     return is_far_aside(gap, found.distance) ? none : gap;
   }
@@ -226,7 +226,7 @@ private:
     // Deeper than two cells is the far side of a thin partner, not a contact.
     if (found.distance > margin + 2. * scene.cell_size)
       return false;
-    const Place opposite = other.place(found.first, found.share, false);
+    const Place opposite = other.place(found.first, found.share);
     const double gap = (at.position - opposite.position) * opposite.normal;
     const double start = gap - scene.share * ((at.displacement - opposite.displacement) * opposite.normal);
     if (std::min(gap, start) > margin)
@@ -248,8 +248,8 @@ private:
     take_pair(scene, row);
     if (row.adhesion == 0. && gap >= 0. && is_held_by_a_corner(found, seeker, corners_only))
       return true;
-    row.body_weights = own.weights(seeker.parameter);
-    row.partner_weights = other.weights(found.first, found.share);
+    row.body_weights = own.weights(seeker.parameter).shared();
+    row.partner_weights = other.weights(found.first, found.share).shared();
     row.place = at.position;
     row.normal = opposite.normal;
     row.log_full_width = {{log_full_width(scene, body, own, seeker.parameter),

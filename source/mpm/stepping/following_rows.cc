@@ -25,14 +25,6 @@ constexpr double mixing_range = 0.15;
 constexpr double mixing_growth = 5., mixing_growth_off_balance = 2., off_balance = 0.1;
 /// Of the way back to the last outcome, below which it is not worth an evaluation of the stress.
 constexpr double least_share = 0.05;
-
-double deepest(const GapsByRow &gaps)
-{
-  double worst = 0.;
-  for (const auto &gap : gaps)
-    worst = std::max(worst, -gap.second);
-  return worst;
-}
 } // namespace
 
 FollowingRows::FollowingRows(const Problem &problem,
@@ -52,7 +44,7 @@ void FollowingRows::find(const Vectors &increment, const bool again)
     start_gaps = true_gaps(problem, state, work, motion, dt, increment, 0.);
   place = increment;
   find_rows(problem, state, work, motion, dt, &place, problem.settings.scheme.row_share, again,
-            follow ? &start_gaps : nullptr);
+            follow ? &start_gaps.here : nullptr);
 }
 
 double FollowingRows::way(const Vectors &increment, const Vectors *from) const
@@ -124,7 +116,7 @@ bool FollowingRows::go_between(Vectors &increment)
 
 double FollowingRows::penetration_at_start() const
 {
-  return deepest(start_gaps);
+  return start_gaps.deepest;
 }
 
 double FollowingRows::penetration(const Vectors &increment) const
@@ -133,7 +125,7 @@ double FollowingRows::penetration(const Vectors &increment) const
     return 0.;
   if (problem.settings.rows_follow() && problem.settings.scheme.inertia &&
       way(increment, nullptr) > short_way * problem.lattice->cell_size())
-    return deepest(true_gaps(problem, state, work, motion, dt, increment, 1.));
+    return true_gaps(problem, state, work, motion, dt, increment, 1.).deepest;
   double worst = 0.;
   const std::vector<double> gaps = end_gaps(state, work, increment, motion, dt),
                             dents = work.contact.subgrid_overlap(dt);

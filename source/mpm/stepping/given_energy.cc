@@ -36,7 +36,7 @@ GivenEnergy::GivenEnergy(const Problem &problem,
 
 double GivenEnergy::work_of_overlaps(const double share) const
 {
-  const GapsByRow gaps = true_gaps(problem, state, work, motion, plan.dt, equations.increment, share);
+  const GapsByRow gaps = true_gaps_of_all(problem, state, work, motion, plan.dt, equations.increment, share);
   const auto &rows = work.contact.contact_rows();
   const std::vector<double> dents = work.contact.subgrid_overlap(plan.dt);
   double sum = 0.;

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace softgrain::mpm
@@ -37,6 +38,64 @@ ContactScene<2> contact_scene(const Problem &problem,
   scene.looking = &work.share;
   return scene;
 }
+
+/// One search for contact, with what it refers to.
+struct Search
+{
+  Search(const Problem &problem,
+         const State &state,
+         const Workspace &work,
+         const std::vector<WallMotion<2>> &motion,
+         const double dt,
+         const std::vector<Eigen::VectorXd> *increment,
+         const double share)
+      : cell(state.cell_motion(motion))
+      , where(contact_scene(problem, state, work, motion, dt, increment, share, cell))
+      , by_rank(!work.share.alone() && problem.geometry->looks_by_body())
+      , geometry(*problem.geometry)
+      , bodies(work.share)
+  {
+  }
+  Search(const Search &) = delete;
+
+  /// All ranks come here, before any of them looks.
+  void begin()
+  {
+    if (!by_rank)
+      return;
+    moved = share_boundaries(bodies, where);
+    where.moved = &moved;
+  }
+  /// Of this rank's bodies where every rank looks for its own, else of all.
+  void find() { geometry.find(where, rows); }
+
+  const std::optional<CellMotion> cell;
+  ContactScene<2> where;
+  const bool by_rank; ///< whether every rank looks for its own bodies
+  std::vector<ContactRow<2>> rows;
+  const ContactGeometry<2> &geometry;
+  const BodyShare &bodies;
+  std::vector<MovedBoundary> moved;
+};
+
+void take_start_gaps(const GapsByRow &gaps, std::vector<ContactRow<2>> &rows)
+{
+  for (ContactRow<2> &row : rows)
+  {
+    const auto gap = gaps.find(row.key);
+    if (gap != gaps.end())
+      row.gap = gap->second;
+  }
+}
+
+GapsByRow gaps_where_found(const std::vector<ContactRow<2>> &rows)
+{
+  GapsByRow gaps;
+  gaps.reserve(rows.size());
+  for (const ContactRow<2> &row : rows)
+    gaps[row.key] = row.gap_where_found;
+  return gaps;
+}
 } // namespace
 
 void find_rows(const Problem &problem,
@@ -50,39 +109,30 @@ void find_rows(const Problem &problem,
                const GapsByRow *start_gaps)
 {
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
-  std::vector<ContactRow<2>> rows;
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
-  ContactScene<2> where = contact_scene(problem, state, work, motion, dt, increment, share, cell);
+  Search search(problem, state, work, motion, dt, increment, share);
   if (again)
-    where.foresight = 0.5; // the next search sees what this one leaves out
-  const auto find = [&]() { problem.geometry->find(where, rows); };
-  const bool by_rank = !work.share.alone() && problem.geometry->looks_by_body();
-  std::vector<MovedBoundary> moved;
-  if (by_rank)
+    search.where.foresight = 0.5; // the next search sees what this one leaves out
+  const auto find = [&]()
   {
-    moved = share_boundaries(work.share, where);
-    where.moved = &moved;
-    share_rows(work.share, state.bodies.size(), find, !problem.settings.condenses(), rows);
-  }
+    search.find();
+    if (start_gaps != nullptr)
+      take_start_gaps(*start_gaps, search.rows);
+  };
+  search.begin();
+  if (search.by_rank)
+    share_rows(work.share, state.bodies.size(), find, !problem.settings.condenses(), search.rows);
   else
     find();
-  if (start_gaps != nullptr)
-    for (ContactRow<2> &row : rows)
-    {
-      const auto gap = start_gaps->find(row.key);
-      if (gap != start_gaps->end())
-        row.gap = gap->second;
-    }
   if (problem.pairs.adhere())
-    for (ContactRow<2> &row : rows)
+    for (ContactRow<2> &row : search.rows)
       // The impulse of newmark is half a step of the force at its end.
       row.pull = (problem.settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
                  (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap, row.lift) : 0.);
-  work.contact.reinit(std::move(rows), work.share, !problem.settings.condenses(), state.bodies, dt,
+  work.contact.reinit(std::move(search.rows), work.share, !problem.settings.condenses(), state.bodies, dt,
                       again ? nullptr : &state.memory);
 }
 
-GapsByRow true_gaps(const Problem &problem,
+FoundGaps true_gaps(const Problem &problem,
                     const State &state,
                     const Workspace &work,
                     const std::vector<WallMotion<2>> &motion,
@@ -91,23 +141,51 @@ GapsByRow true_gaps(const Problem &problem,
                     const double share)
 {
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
-  std::vector<ContactRow<2>> rows;
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
-  ContactScene<2> where = contact_scene(problem, state, work, motion, dt, &increment, share, cell);
-  where.gaps_only = true;
-  const auto find = [&]() { problem.geometry->find(where, rows); };
-  if (!work.share.alone() && problem.geometry->looks_by_body())
+  Search search(problem, state, work, motion, dt, &increment, share);
+  search.where.gaps_only = true;
+  search.begin();
+  const Ranks &ranks = work.share.ranks;
+  std::vector<double> overlap(ranks.number(), 0.); // the deepest of every rank
+  FoundGaps found;
+  const auto find = [&]()
   {
-    std::vector<MovedBoundary> moved = share_boundaries(work.share, where);
-    where.moved = &moved;
-    return share_gaps_where_found(work.share, state.bodies.size(), find, rows);
-  }
+    search.find();
+    found.here = gaps_where_found(search.rows);
+    for (const ContactRow<2> &row : search.rows)
+      overlap[ranks.here()] = std::max(overlap[ranks.here()], -row.gap_where_found);
+  };
+  if (search.by_rank)
+    ranks.together(find,
+                   [&]()
+                   {
+                     std::vector<Ranks::Piece> pieces;
+                     for (unsigned int r = 0; r < overlap.size(); ++r)
+                       pieces.push_back({r, &overlap[r], 1});
+                     return pieces;
+                   });
+  else
+    find();
+  found.deepest = *std::max_element(overlap.begin(), overlap.end());
+  return found;
+}
+
+GapsByRow true_gaps_of_all(const Problem &problem,
+                           const State &state,
+                           const Workspace &work,
+                           const std::vector<WallMotion<2>> &motion,
+                           const double dt,
+                           const std::vector<Eigen::VectorXd> &increment,
+                           const double share)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  Search search(problem, state, work, motion, dt, &increment, share);
+  search.where.gaps_only = true;
+  search.begin();
+  const auto find = [&]() { search.find(); };
+  if (search.by_rank)
+    return share_gaps_where_found(work.share, state.bodies.size(), find, search.rows);
   find();
-  GapsByRow gaps;
-  gaps.reserve(rows.size());
-  for (const ContactRow<2> &row : rows)
-    gaps[row.key] = row.gap_where_found;
-  return gaps;
+  return gaps_where_found(search.rows);
 }
 
 std::vector<double> end_gaps(const State &state,

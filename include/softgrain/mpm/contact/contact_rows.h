@@ -30,7 +30,9 @@ struct ContactRow
   unsigned int wall =
       none;              ///< the wall on the other side, plane or made of points; obstacles follow the walls
   bool obstacle = false; ///< whether it is one
-  NodeWeights body_weights, partner_weights;
+  /// What nodes have to do with its places; none of a partner that is driven or a wall, nor where both bodies
+  /// are of other ranks. Apart, since rows are many and go from hand to hand.
+  std::shared_ptr<const NodeWeights> body_weights, partner_weights;
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
   double gap = 0;                ///< at the start of the step [m]

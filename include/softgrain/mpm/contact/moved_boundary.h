@@ -50,7 +50,6 @@ public:
     Vector normal;       ///< unit, outward
     double speed = 0;    ///< length of curve per marker [m]
     Vector displacement; ///< over the whole step [m]
-    NodeWeights weights; ///< empty for a driven body
   };
 
   const Boundary<2> &boundary() const { return body->boundary; }
@@ -59,16 +58,16 @@ public:
   const Vector &normal(const unsigned int m) const { return normals[m]; }
 
   /// The place @p share of the way from marker @p m to the next.
-  Place place(unsigned int m, double share, bool with_weights) const;
+  Place place(unsigned int m, double share) const;
   /// The place of a parameter on the only loop of a smooth boundary; any number, the loop is closed.
-  Place place(double parameter, bool with_weights) const;
+  Place place(double parameter) const;
   /// Whether that is a corner.
   bool at_corner(unsigned int m, double share) const
   {
     return (share == 0. && body->boundary.corner[m]) ||
            (share == 1. && body->boundary.corner[body->boundary.next(m)]);
   }
-  /// Its weights alone; empty for a driven body.
+  /// What nodes have to do with it; empty for a driven body.
   NodeWeights weights(unsigned int m, double share) const;
   NodeWeights weights(double parameter) const;
   /// Its position alone [m].

@@ -11,9 +11,9 @@ namespace softgrain::mpm
 /// A place on a boundary that looks for contact.
 struct Seeker
 {
-  MovedBoundary::Place at; ///< without weights
-  double parameter;        ///< on its boundary
-  unsigned int number;     ///< names it from search to search
+  MovedBoundary::Place at;
+  double parameter;    ///< on its boundary
+  unsigned int number; ///< names it from search to search
 };
 
 /// Names a row from step to step.
@@ -42,7 +42,7 @@ void for_places(const MovedBoundary &own, const MovedBoundary::Vector &direction
   if (!own.is_free)
   {
     for (int m = 0; m < n; m += stride)
-      work({own.place(m, 0., false), static_cast<double>(m), static_cast<unsigned int>(m)});
+      work({own.place(m, 0.), static_cast<double>(m), static_cast<unsigned int>(m)});
     return;
   }
   const double first = own.facing(direction);
@@ -50,7 +50,7 @@ void for_places(const MovedBoundary &own, const MovedBoundary::Vector &direction
   const auto look = [&](const int k)
   {
     const double parameter = first + k * stride;
-    return work({own.place(parameter, false), parameter, static_cast<unsigned int>(k + 0x8000)});
+    return work({own.place(parameter), parameter, static_cast<unsigned int>(k + 0x8000)});
   };
   for (int k = 0; k < side && look(k); ++k)
     ;

@@ -5,6 +5,8 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace softgrain::mpm
@@ -15,6 +17,12 @@ struct NodeWeights
 {
   boost::container::small_vector<unsigned int, 16> node; ///< in ascending order
   boost::container::small_vector<double, 16> weight;
+
+  /// These, where several may refer to them.
+  std::shared_ptr<const NodeWeights> shared() &&
+  {
+    return std::make_shared<const NodeWeights>(std::move(*this));
+  }
 };
 
 /// The same, kept elsewhere.

@@ -3,7 +3,7 @@
 #define softgrain_mpm_stepping_following_rows_h
 
 #include <softgrain/mpm/stepping/anderson_mixing.h>
-#include <softgrain/mpm/stepping/step.h>
+#include <softgrain/mpm/stepping/step_rows.h>
 
 #include <Eigen/Core>
 
@@ -79,7 +79,7 @@ private:
   Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
-  GapsByRow start_gaps;              ///< of a step with inertia
+  FoundGaps start_gaps;              ///< of a step with inertia
   Vectors place;                     ///< displacements for which the rows were found [m]
   Vectors last_outcome, last_change; ///< of the search before, when it was too far to be mixed [m]
   AndersonMixing mixing{5};

@@ -13,7 +13,7 @@ namespace softgrain::mpm
 /// velocities
 /// @param share     where in the step places and normals are taken
 /// @param again     whether rows of this step are replaced; they hand their impulses on
-/// @param start_gaps true_gaps() at the start, null: gaps are drawn back from where rows are taken
+/// @param start_gaps true_gaps().here at the start, null: gaps are drawn back from where rows are taken
 void find_rows(const Problem &problem,
                const State &state,
                Workspace &work,
@@ -24,14 +24,30 @@ void find_rows(const Problem &problem,
                bool again,
                const GapsByRow *start_gaps = nullptr);
 
-/// Gaps of all rows at the start of a step with displacements @p increment (@p share = 0), or at its end (1).
-GapsByRow true_gaps(const Problem &problem,
+/// What true_gaps() finds.
+struct FoundGaps
+{
+  GapsByRow here;     ///< of the rows that this rank finds, those of its bodies
+  double deepest = 0; ///< overlap of any row of all ranks [m]
+};
+
+/// Gaps of rows at the start of a step with displacements @p increment (@p share = 0), or at its end (1).
+FoundGaps true_gaps(const Problem &problem,
                     const State &state,
                     const Workspace &work,
                     const std::vector<WallMotion<2>> &motion,
                     double dt,
                     const std::vector<Eigen::VectorXd> &increment,
                     double share);
+
+/// The same of the rows of all ranks, on all of them.
+GapsByRow true_gaps_of_all(const Problem &problem,
+                           const State &state,
+                           const Workspace &work,
+                           const std::vector<WallMotion<2>> &motion,
+                           double dt,
+                           const std::vector<Eigen::VectorXd> &increment,
+                           double share);
 
 /// Gap of every row at the end of the step, to first order in the increments [m].
 std::vector<double> end_gaps(const State &state,
