@@ -10,6 +10,8 @@ from running import run_all
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
 ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
+CELL = 3.2e-4  # of the gallery's scene of soft grains [m]
+CLOSING = 0.2  # volume strain while pressure rises on soft grains with inertia
 RANGE = 32.  # of the pressures of a slow ramp
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
@@ -63,7 +65,25 @@ def material_points(case):
                "Stages/compress/right/Pressure": pressed, "Stages/shear/Stop/Axial strain": "0",
                "Time/Time step": f"{step:g}", "Mesh/Upper": "17e-3, 17e-3",
                "Output/Snapshots every": f"{(1 if case.cycles else 2) * step:g}", **box("mpm", case), **shear(["compress"], case, 1.)}
+    if case.moving:
+        changes.update(with_inertia(case))
     return "gallery/biaxial_thirty_grains_mpm.prm", changes
+
+
+def with_inertia(case):
+    """What is different of soft grains that have inertia: walls close, and later shear, at an inertial number of --inertia; pressure rises from a
+    tenth as slowly, since a light wall under pressure that nothing bears would fly."""
+    slow = DIAMETER * math.sqrt(DENSITY["mpm"] / case.pressure)
+    speed = case.inertia * height(case) / slow
+    step, ramp = float(f"{case.way * CELL / speed:.4g}"), float(f"{CLOSING * slow / case.inertia:.4g}")
+    pressed = f"{case.pressure:g}*min(0.1 + 0.9*t/{ramp:g}, 1)"
+    changes = {"Time/Scheme": "moreau_jean", "Time/Time step": f"{step:g}", "Output/Snapshots every": f"{2 * step:g}",
+               "Stages/close/Stop/Packing fraction": "0.8", "Stages/compress/Stop/End time": f"{1.2 * ramp:.4g}",
+               **shear(["close", "compress"], case, speed)}
+    for wall in ("top", "right"):
+        changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": f"{speed:g}",
+                        f"Stages/compress/{wall}/Pressure": pressed})
+    return changes
 
 
 def bonded(case):
@@ -120,7 +140,8 @@ def main():
     parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
     parser.add_argument("--cycles", type=int, default=0, help="shear to and fro so often")
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
-    parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm (default: %(default)s)")
+    parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm and --moving (default: %(default)s)")
+    parser.add_argument("--moving", action="store_true", help="mpm: with inertia")
     parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")

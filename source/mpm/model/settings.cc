@@ -172,9 +172,12 @@ void declare_quasi_static(dealii::ParameterHandler &prm)
             "Held steps", "1000", Integer(0, 100000),
             "Largest number of steps with walls at rest before a state is written; without balance after "
             "so many the run ends with a message. 0: none, and what is written is not in balance.");
-        prm.declare_entry("Wall motion", "0.3", Double(1e-6, 10.),
-                          "Way of a wall under pressure in a step and in each held step, at most. Held steps "
-                          "on the way to the grains do not count as 'Held steps'. Units: cells.");
+        prm.declare_entry(
+            "Wall motion", "0.3", Double(1e-6, 10.),
+            "Way of a wall under pressure in a step and in each held step, at most. Held steps "
+            "on the way to the grains do not count as 'Held steps'. With an implicit scheme that has "
+            "inertia a step in which a wall that nothing bears would go farther, and at least twice as "
+            "fast as before, is cut. Units: cells.");
       });
 }
 

@@ -227,6 +227,8 @@ std::string ImplicitStep::at_end(const bool settled)
   outcome.unsolved = false;
   outcome.rows_follow = settled || rows.follow(equations.increment);
   settle_free_walls(problem, state, work, motion);
+  if (problem.settings.scheme.inertia && walls_are_on_their_way(work))
+    return "a wall under a load would go further than 'Wall motion' allows";
   const std::string overlap = too_deep();
   heed_laws(state.bodies, equations.stress_outcome(), outcome);
   if (outcome.law_asks || !overlap.empty())

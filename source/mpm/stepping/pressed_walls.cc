@@ -34,6 +34,17 @@ void resist(
   free.stop = settings.wall_motion * problem.lattice->cell_size() / dt *
               std::min(1., settings.regularisation / plan.regularisation);
 }
+
+/// With inertia: a light wall that nothing bears would fly through all of the box in a long step. It goes no
+/// further than the settings allow, or twice as far as it does already; a step at whose end it is there is
+/// made in shorter ones.
+void stop_flight(const Problem &problem, const double dt, FreeWall<2> &free)
+{
+  const double most = problem.settings.wall_motion * problem.lattice->cell_size() / dt;
+  if (problem.settings.scheme.implicit && std::abs(free.free_speed) > most)
+    free.stop = std::max(most, 2. * std::abs(free.start_speed));
+}
+
 /// A wall of the step that is free along @p way.
 FreeWall<2> free_wall(const State &state, const unsigned int w, const dealii::Tensor<1, 2> &way)
 {
@@ -61,6 +72,7 @@ void shear_wall(
     free.mass = step.mass;
     free.free_speed = step.free_speed;
     free.start_speed = wall.slide_speed;
+    stop_flight(problem, plan.dt, free);
   }
   else
     resist(problem, state, plan, wall.slide_load, free);
@@ -97,6 +109,7 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
       free.mass = step.mass;
       free.free_speed = step.free_speed;
       free.start_speed = wall.speed;
+      stop_flight(problem, dt, free);
     }
     else
       resist(problem, state, plan, wall.load, free);

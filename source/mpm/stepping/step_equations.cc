@@ -172,12 +172,8 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
   Eigen::VectorXd &P = missing_impulse[b];
   // Forces at both ends are turned with the body to where it is halfway: there they and the contacts have no
   // torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
-  const double half = half_turn[b] =
-      scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
-  if (half == 0.)
-    P = dt * ((1. - scheme.theta) * old_force[b] + scheme.theta * internal[b]);
-  else
-    P = dt * ((1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half));
+  half_turn[b] = scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
+  P = dt * acting_force(b);
   if (external[b].size() > 0)
     // newmark's stored acceleration already holds the load at the start of the step.
     P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
@@ -195,6 +191,14 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
     holding[b] = rotation_weight[b] * forbidden;
     P -= holding[b] * z;
   }
+}
+
+Eigen::VectorXd StepEquations::acting_force(const unsigned int b) const
+{
+  const double half = half_turn[b];
+  if (half == 0.)
+    return (1. - scheme.theta) * old_force[b] + scheme.theta * internal[b];
+  return (1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half);
 }
 
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
@@ -254,12 +258,13 @@ double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd
 {
   if (!scheme.inertia || scheme.stored_acceleration)
     return 0.;
-  // Impulses and forces at theta do (theta - 1/2) more than their mean over the step.
+  // What impulses and forces at theta do more than their mean over the step.
   const Body<2> &body = state.bodies[b];
-  double sum = -(internal[b] - body.internal_force).dot(increment[b]);
+  double sum = 0.;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     sum += body.mass[i] * (v - body.velocity).segment<2>(2 * i).squaredNorm();
-  return (scheme.theta - 0.5) * sum;
+  return (scheme.theta - 0.5) * sum +
+         (0.5 * (internal[b] + body.internal_force) - acting_force(b)).dot(increment[b]);
 }
 
 double StepEquations::regularisation_work() const

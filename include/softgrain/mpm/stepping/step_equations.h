@@ -105,6 +105,8 @@ private:
   /// evaluate(), in which a body's end velocities become known by @p before.
   bool evaluate_after(const std::function<void(unsigned int)> &before, const Vectors &v);
   void find_increment(const Body<2> &body, const Eigen::VectorXd &v);
+  /// Mean of the internal forces at both ends of the step, as they act in it: turned with the body [N/m].
+  Eigen::VectorXd acting_force(unsigned int b) const;
   /// From the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
