@@ -74,6 +74,8 @@ public:
     void add(std::vector<double> &numbers);
     /// A vector per body that is not driven, on its degrees of freedom; one of another size is zeroed.
     void add(const std::vector<Body<2>> &bodies, std::vector<Eigen::VectorXd> &vectors);
+    /// Where the outline of a body is.
+    void add_outline(Body<2> &body);
     /// Numbers of one body, as many on all ranks.
     void add(unsigned int b, double *begin, std::size_t size);
 
