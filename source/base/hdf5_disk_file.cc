@@ -187,12 +187,29 @@ Hdf5DiskFile::~Hdf5DiskFile()
     ::close(disk->descriptor);
 }
 
+namespace
+{
+/// Says how much of what describes data sets may wait in memory: by itself the library keeps that of ten
+/// thousand small ones until the file is closed.
+bool limit_memory(const hid_t access)
+{
+  constexpr std::size_t most = 1 << 20; // [bytes]
+  H5AC_cache_config_t cache;
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  if (H5Pget_mdc_config(access, &cache) < 0)
+    return false;
+  cache.set_initial_size = true;
+  cache.initial_size = cache.min_size = cache.max_size = most;
+  return H5Pset_mdc_config(access, &cache) >= 0;
+}
+} // namespace
+
 std::int64_t Hdf5DiskFile::create()
 {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   hid_t file = -1;
   const Disk *const place = disk.get();
-  if (access >= 0 && H5Pset_driver(access, driver(), &place) >= 0)
+  if (access >= 0 && limit_memory(access) && H5Pset_driver(access, driver(), &place) >= 0)
     file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (access >= 0)
     H5Pclose(access);

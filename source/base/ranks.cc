@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/ranks.h>
+#include <softgrain/base/scattered_numbers.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -103,37 +104,6 @@ private:
   RankTimes &times;
   const double begin, processor_begin;
 };
-
-/// Numbers that lie in several places, as one message of MPI.
-class ScatteredNumbers
-{
-public:
-  void add(double *const begin, const std::size_t size)
-  {
-    // MPI counts with an int.
-    constexpr std::size_t most = std::numeric_limits<int>::max();
-    for (std::size_t first = 0; first < size; first += most)
-    {
-      MPI_Aint place;
-      MPI_Get_address(begin + first, &place);
-      places.push_back(place);
-      sizes.push_back(static_cast<int>(std::min(most, size - first)));
-    }
-  }
-  bool empty() const { return places.empty(); }
-  /// To be freed.
-  MPI_Datatype type() const
-  {
-    MPI_Datatype result;
-    MPI_Type_create_hindexed(sizes.size(), sizes.data(), places.data(), MPI_DOUBLE, &result);
-    MPI_Type_commit(&result);
-    return result;
-  }
-
-private:
-  std::vector<MPI_Aint> places;
-  std::vector<int> sizes;
-};
 } // namespace
 
 Ranks::Ranks()
@@ -156,59 +126,73 @@ double processor_seconds()
 
 void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const
 {
+  using Some = std::vector<Piece>::const_iterator;
   std::string text;
   const Failure kind = kind_of(failure, text);
-  std::vector<std::size_t> count(n, 1);
-  for (const Piece &piece : pieces)
-    count[piece.owner] += piece.size;
-  const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
-  if (total > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
-  std::vector<int> counts(count.begin(), count.end()), starts(n, 0);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  // Rank after rank: whether it failed, whether it was asked to stop, and its pieces in the order of the
-  // list.
-  all.resize(total);
-  std::vector<double *> at(n);
-  for (unsigned int r = 0; r < n; ++r)
-    at[r] = all.data() + starts[r];
-  *at[rank] = (kind != Failure::none ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
-  double *own = at[rank] + 1;
-  for (const Piece &piece : pieces)
-    if (piece.owner == rank)
-      own = std::copy_n(piece.begin, piece.size, own);
+  const auto exchange_some = [&](const Some begin, const Some end)
   {
-    const Wait wait(times);
-    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-                   MPI_COMM_WORLD);
-  }
-  times.bytes += (total - count[rank]) * sizeof(double);
-  unsigned int failed = n;
-  for (unsigned int r = n; r-- > 0;)
+    std::vector<std::size_t> count(n, 1);
+    for (Some piece = begin; piece != end; ++piece)
+      count[piece->owner] += piece->size;
+    const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
+    if (total > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
+    std::vector<int> counts(count.begin(), count.end()), starts(n, 0);
+    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+    // Rank after rank: whether it failed, whether it was asked to stop, and its pieces in the order of the
+    // list.
+    all.resize(total);
+    std::vector<double *> at(n);
+    for (unsigned int r = 0; r < n; ++r)
+      at[r] = all.data() + starts[r];
+    *at[rank] = (kind != Failure::none ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
+    double *own = at[rank] + 1;
+    for (Some piece = begin; piece != end; ++piece)
+      if (piece->owner == rank)
+        own = std::copy_n(piece->begin, piece->size, own);
+    {
+      const Wait wait(times);
+      MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
+                     MPI_COMM_WORLD);
+    }
+    times.bytes += (total - count[rank]) * sizeof(double);
+    unsigned int failed = n;
+    for (unsigned int r = n; r-- > 0;)
+    {
+      const double flags = *at[r]++;
+      if (flags == 1. || flags == 3.)
+        tell_interruption();
+      if (flags >= 2.)
+        failed = r;
+    }
+    if (failed < n)
+    {
+      const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
+      if (failure)
+        std::rethrow_exception(failure);
+      fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
+    }
+    for (Some piece = begin; piece != end; ++piece)
+    {
+      if (piece->owner != rank)
+        std::copy_n(at[piece->owner], piece->size, piece->begin);
+      at[piece->owner] += piece->size;
+    }
+  };
+  // Not all at once: what is exchanged takes memory on every rank.
+  constexpr std::size_t most_at_once = 1 << 18;
+  Some first = pieces.begin();
+  do
   {
-    const double flags = *at[r]++;
-    if (flags == 1. || flags == 3.)
-      tell_interruption();
-    if (flags >= 2.)
-      failed = r;
-  }
-  if (failed < n)
-  {
-    const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
-    if (failure)
-      std::rethrow_exception(failure);
-    fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
-  }
-  for (const Piece &piece : pieces)
-  {
-    if (piece.owner != rank)
-      std::copy_n(at[piece.owner], piece.size, piece.begin);
-    at[piece.owner] += piece.size;
-  }
-  // What is exchanged in every step is small beside this.
-  constexpr std::size_t most_kept = 1000000;
-  if (all.size() > most_kept)
-    std::vector<double>().swap(all);
+    Some end = first;
+    for (std::size_t size = 0; end != pieces.end() && (end == first || size + end->size <= most_at_once);
+         ++end)
+      size += end->size;
+    exchange_some(first, end);
+    first = end;
+  } while (first != pieces.end());
+  if (all.size() > most_at_once + n)
+    std::vector<double>().swap(all); // for once there was more
 }
 
 bool Ranks::any(const bool here) const

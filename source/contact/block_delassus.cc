@@ -23,35 +23,64 @@ void BlockDelassus::reinit(const unsigned int n_contacts, const unsigned int n_c
   impulse.clear();
 }
 
-void BlockDelassus::add_block(const std::vector<unsigned int> &block_components,
-                              const Eigen::Ref<const Eigen::MatrixXd> &block)
+namespace
 {
-  const unsigned int size = block_components.size();
-  const std::string name = "Delassus block " + std::to_string(blocks.size());
+std::string name_of(const unsigned int b)
+{
+  return "Delassus block " + std::to_string(b);
+}
+
+void check(const Eigen::Ref<const Eigen::MatrixXd> &block, const unsigned int size, const unsigned int b)
+{
   if (block.rows() != size || block.cols() != size)
-    throw InputError(name + " is " + std::to_string(block.rows()) + " x " + std::to_string(block.cols()) +
-                     ", but has " + std::to_string(size) + " rows to go to");
+    throw InputError(name_of(b) + " is " + std::to_string(block.rows()) + " x " +
+                     std::to_string(block.cols()) + ", but has " + std::to_string(size) + " rows to go to");
   if (size == 0)
     return;
   if (!block.allFinite())
-    throw ComputationError(name + " is not finite");
+    throw ComputationError(name_of(b) + " is not finite");
+  // Rounding of a Cholesky factor is far below this; a wrong sign or order of rows is far above.
+  if ((block - block.transpose()).cwiseAbs().maxCoeff() > 1e-6 * block.cwiseAbs().maxCoeff())
+    throw InputError(name_of(b) + " is not symmetric");
+}
+} // namespace
+
+void BlockDelassus::add_block(const std::vector<unsigned int> &block_components,
+                              const Eigen::Ref<const Eigen::MatrixXd> &block)
+{
+  check(block, block_components.size(), blocks.size());
+  if (block_components.empty())
+    return;
+  add_room(block_components);
+  place(blocks.size() - 1) = block;
+}
+
+void BlockDelassus::set_block(const unsigned int b, const Eigen::Ref<const Eigen::MatrixXd> &block)
+{
+  check(block, blocks.at(b).size, b);
+  place(b) = block;
+}
+
+void BlockDelassus::add_room(const std::vector<unsigned int> &block_components)
+{
+  const unsigned int size = block_components.size();
   std::vector<unsigned int> sorted(block_components);
   std::sort(sorted.begin(), sorted.end());
   if (sorted.back() >= contacts * components)
-    throw InputError(name + " has component " + std::to_string(sorted.back()) + ", but there are only " +
-                     std::to_string(contacts * components));
+    throw InputError(name_of(blocks.size()) + " has component " + std::to_string(sorted.back()) +
+                     ", but there are only " + std::to_string(contacts * components));
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw InputError(name + " has a component twice");
-  // Rounding of a Cholesky factor is far below this; a wrong sign or order of rows is far above.
-  if ((block - block.transpose()).cwiseAbs().maxCoeff() > 1e-6 * block.cwiseAbs().maxCoeff())
-    throw InputError(name + " is not symmetric");
+    throw InputError(name_of(blocks.size()) + " has a component twice");
 
   blocks.push_back({size, values.size(), row_component.size()});
   row_component.insert(row_component.end(), block_components.begin(), block_components.end());
   values.resize(values.size() + std::size_t(size) * size);
-  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-      values.data() + blocks.back().value, size, size) = block;
   ordered = false;
+}
+
+Eigen::Map<BlockDelassus::Matrix> BlockDelassus::place(const unsigned int b)
+{
+  return {values.data() + blocks[b].value, blocks[b].size, blocks[b].size};
 }
 
 std::vector<unsigned int> BlockDelassus::block_components(const unsigned int b) const
@@ -62,8 +91,7 @@ std::vector<unsigned int> BlockDelassus::block_components(const unsigned int b) 
 
 Eigen::MatrixXd BlockDelassus::block(const unsigned int b) const
 {
-  return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-      values.data() + blocks.at(b).value, blocks[b].size, blocks[b].size);
+  return Eigen::Map<const Matrix>(values.data() + blocks.at(b).value, blocks[b].size, blocks[b].size);
 }
 
 void BlockDelassus::order_rows()

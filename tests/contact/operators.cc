@@ -81,7 +81,8 @@ void random_rows()
   std::reverse(rows.begin(), rows.end()); // rows of a block may come in any order
   blocks.add_block(rows, Eigen::MatrixXd(0.25 * W.rowwise().reverse().colwise().reverse()));
   std::iota(rows.begin(), rows.end(), 0);
-  blocks.add_block(rows, Eigen::MatrixXd(0.75 * W));
+  blocks.add_room(rows); // the matrix may come later
+  blocks.set_block(1, Eigen::MatrixXd(0.75 * W));
   std::cout << n << " components: mass operator is W " << verdict(difference<n>(mass, W) < 1e-13)
             << ", two blocks are W " << verdict(difference<n>(blocks, W) < 1e-13);
   std::vector<double> values;

@@ -35,6 +35,13 @@ public:
    */
   void add_block(const std::vector<unsigned int> &components, const Eigen::Ref<const Eigen::MatrixXd> &block);
 
+  /// Adds a block without its matrix, which set_block() gives or somebody writes to block_values().
+  void add_room(const std::vector<unsigned int> &components);
+  /// Its matrix; blocks may get theirs at the same time. @throw as add_block()
+  void set_block(unsigned int b, const Eigen::Ref<const Eigen::MatrixXd> &block);
+  /// Numbers of block @p b, row by row, until the next one is added.
+  double *block_values(const unsigned int b) { return values.data() + blocks[b].value; }
+
   unsigned int n_components() const { return components; }
   unsigned int n_contacts() const { return contacts; }
   unsigned int n_blocks() const { return blocks.size(); }
@@ -81,6 +88,8 @@ public:
   Eigen::SparseMatrix<double, Eigen::RowMajor> assemble() const;
 
 private:
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   struct Block
   {
     unsigned int size;
@@ -98,6 +107,7 @@ private:
   };
 
   void order_rows();
+  Eigen::Map<Matrix> place(unsigned int b);
 
   unsigned int contacts = 0;
   unsigned int components = 1;

@@ -23,6 +23,14 @@ void BodyShare::Message::add(const std::vector<Body<2>> &bodies, std::vector<Eig
     }
 }
 
+void BodyShare::Message::add_outline(Body<2> &body)
+{
+  std::vector<dealii::Point<2>> &outline = body.boundary.position;
+  static_assert(sizeof(outline[0]) == 2 * sizeof(double), "points are not two numbers each");
+  if (!outline.empty())
+    add(body.index, outline[0].begin_raw(), 2 * outline.size());
+}
+
 void BodyShare::Message::add(const unsigned int b, double *const begin, const std::size_t size)
 {
   if (!share.alone())

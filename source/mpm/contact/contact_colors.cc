@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which pairs of a contact system can be solved at once.
+// Which bodies take part in which components of a contact system, and which pairs can be solved at once.
 #include <softgrain/mpm/contact/contact_system.h>
 
 #include <algorithm>
 
 namespace softgrain::mpm
 {
+template <int dim>
+void ContactSystem<dim>::list_components(const std::vector<Body<dim>> &bodies)
+{
+  body_components.resize(bodies.size());
+  for (std::vector<unsigned int> &list : body_components)
+    list.clear();
+  rows_at_driven.clear();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    for (const unsigned int b : {rows[r].body, rows[r].partner})
+    {
+      if (b == ContactRow<dim>::none)
+        continue;
+      if (bodies[b].driven)
+        rows_at_driven.push_back(r);
+      else
+        for (unsigned int c = 0; c < n_components(); ++c)
+          body_components[b].push_back(r * n_components() + c);
+    }
+  component_start.assign(1, 0);
+  for (const std::vector<unsigned int> &list : body_components)
+    component_start.push_back(component_start.back() + list.size());
+}
+
 template <int dim>
 void ContactSystem<dim>::color(const std::vector<unsigned int> &taking,
                                const contact::Problem::Range range,
@@ -55,6 +78,7 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
           taken);
 }
 
+template void ContactSystem<2>::list_components(const std::vector<Body<2>> &);
 template void ContactSystem<2>::color(const std::vector<unsigned int> &,
                                       contact::Problem::Range,
                                       std::vector<std::vector<char>> &);

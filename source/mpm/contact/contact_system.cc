@@ -52,12 +52,7 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
       problem.cohesion.push_back(dt * row.pull);
     problem.cohesion.resize(rows.size() + free_walls.n_stops(), 0.);
   }
-  body_components.assign(bodies.size(), {});
-  for (unsigned int r = 0; r < rows.size(); ++r)
-    for (const unsigned int b : {rows[r].body, rows[r].partner})
-      if (b != ContactRow<dim>::none && !bodies[b].driven)
-        for (unsigned int c = 0; c < components; ++c)
-          body_components[b].push_back(r * components + c);
+  list_components(bodies);
   body_rows.resize(bodies.size());
   rows_here.assign(bodies.size(), 1);
   for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -82,7 +77,6 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
         impulse[r * components + c] = scale * old->second[c];
   }
   free_walls.move(impulse);
-  delassus.reset();
   color_pairs(bodies);
   place_dents(!again);
 }
@@ -92,6 +86,7 @@ ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
 {
   ContactMemory<dim> now;
   now.step = dt;
+  now.impulses.reserve(rows.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
     if (carries_force(r))
     {
@@ -107,35 +102,30 @@ template <int dim>
 std::vector<double> ContactSystem<dim>::relative_velocity(const BodyShare &share,
                                                           const std::vector<Body<dim>> &bodies,
                                                           const std::vector<dealii::Tensor<1, dim>> &drive,
-                                                          const std::vector<Eigen::VectorXd> &nodal) const
+                                                          const Velocities &nodal) const
 {
-  std::vector<double> w(rows.size() * n_components(), 0.);
-  std::vector<Eigen::VectorXd> of_bodies(bodies.size());
+  std::vector<double> w(rows.size() * n_components(), 0.), of_bodies(component_start.back());
   share.for_mine(
       bodies,
       [&](const Body<dim> &body)
       {
         const unsigned int b = body.index;
         if (!body_components[b].empty())
-          of_bodies[b] = body_rows[b].velocities(nodal[b]);
+          Eigen::Map<Eigen::VectorXd>(&of_bodies[component_start[b]], body_components[b].size()) =
+              body_rows[b].velocities(nodal(b));
       },
       [&](BodyShare::Message &message)
       {
         for (unsigned int b = 0; b < bodies.size(); ++b)
-          if (!bodies[b].driven)
-          {
-            of_bodies[b].resize(body_components[b].size());
-            message.add(b, of_bodies[b].data(), of_bodies[b].size());
-          }
+          if (!body_components[b].empty())
+            message.add(b, &of_bodies[component_start[b]], body_components[b].size());
       });
   for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (!bodies[b].driven)
-      for (unsigned int k = 0; k < body_components[b].size(); ++k)
-        w[body_components[b][k]] += of_bodies[b][k];
-  for (unsigned int r = 0; r < rows.size(); ++r)
-    if (rows[r].partner != ContactRow<dim>::none && bodies[rows[r].partner].driven)
-      for (unsigned int c = 0; c < n_components(); ++c)
-        w[r * n_components() + c] -= drive[rows[r].partner] * rows[r].direction(c);
+    for (unsigned int k = 0; k < body_components[b].size(); ++k)
+      w[body_components[b][k]] += of_bodies[component_start[b] + k];
+  for (const unsigned int r : rows_at_driven)
+    for (unsigned int c = 0; c < n_components(); ++c)
+      w[r * n_components() + c] -= drive[rows[r].partner] * rows[r].direction(c);
   return w;
 }
 
@@ -181,28 +171,36 @@ void ContactSystem<dim>::condense(const BodyShare &share,
                                   const double dt,
                                   const double theta)
 {
-  std::vector<Eigen::MatrixXd> blocks(bodies.size());
+  contact::BlockDelassus W;
+  if (delassus.use_count() == 1 && std::holds_alternative<contact::BlockDelassus>(delassus->kind))
+    W = std::move(std::get<contact::BlockDelassus>(delassus->kind)); // its memory
+  W.reinit(rows.size() + free_walls.n_stops(), n_components());
+  constexpr unsigned int none = ContactRow<dim>::none;
+  std::vector<unsigned int> block_of(bodies.size(), none);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    if (!body_components[b].empty())
+    {
+      block_of[b] = W.n_blocks();
+      W.add_room(body_components[b]);
+    }
   share.for_mine(
       bodies,
       [&](const Body<dim> &body)
       {
         const unsigned int b = body.index;
-        if (!body_components[b].empty())
-          body_rows[b].condense(*solvers[b], blocks[b]);
+        if (block_of[b] == none)
+          return;
+        Eigen::MatrixXd block;
+        body_rows[b].condense(*solvers[b], block);
+        W.set_block(block_of[b], block);
       },
       [&](BodyShare::Message &message)
       {
         for (unsigned int b = 0; b < bodies.size(); ++b)
-          if (!bodies[b].driven)
-          {
-            blocks[b].resize(body_components[b].size(), body_components[b].size());
-            message.add(b, blocks[b].data(), blocks[b].size());
-          }
+          if (block_of[b] != none)
+            message.add(b, W.block_values(block_of[b]),
+                        std::size_t(body_components[b].size()) * body_components[b].size());
       });
-  contact::BlockDelassus W(rows.size() + free_walls.n_stops(), n_components());
-  for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (blocks[b].size() > 0)
-      W.add_block(body_components[b], blocks[b]);
   if constexpr (dim == 2)
     for (Pair &pair : pairs)
     {

@@ -66,14 +66,22 @@ NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, const doub
   return NodeWeightsView{node.data(), weight.data(), n}.copy();
 }
 
+NodeWeights weights_on_outline(const Body<2> &body, const unsigned int marker, const double share)
+{
+  if (share == 0.)
+    return body.field.marker_weights(marker).copy();
+  return blend(body.field.marker_weights(marker), body.field.marker_weights(body.boundary.next(marker)),
+               share);
+}
+
 MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
     : is_free(body.boundary.circular && scene.free_places)
     , body(&body)
-    , position(body.boundary.position)
     , lower(std::numeric_limits<double>::max(), std::numeric_limits<double>::max())
     , upper(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest())
 {
   find_center(scene);
+  find_displacements(scene);
   move_markers(scene);
   for (unsigned int m = 0; m < position.size(); ++m)
   {
@@ -86,10 +94,14 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const ContactScene<2> &scene)
     if (m % body.boundary.contact_stride == 0)
       spread = std::max(spread, (displacement[m] - travel).norm());
   }
+}
+
+void MovedBoundary::find_normals()
+{
   normals.reserve(position.size());
-  for (unsigned int l = 0; l < body.boundary.n_loops(); ++l)
+  for (unsigned int l = 0; l < body->boundary.n_loops(); ++l)
   {
-    const unsigned int begin = body.boundary.loop_start[l], end = body.boundary.loop_start[l + 1];
+    const unsigned int begin = body->boundary.loop_start[l], end = body->boundary.loop_start[l + 1];
     Vector before = edge_normal(position[end - 1], position[begin]);
     for (unsigned int m = begin; m < end; ++m)
     {
@@ -120,13 +132,19 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const Sketch &sketch)
 {
 }
 
-void MovedBoundary::move_markers(const ContactScene<2> &scene)
+void MovedBoundary::take_markers(const ContactScene<2> &scene, const double *const displacements)
 {
-  const Point start_center = center - scene.share * travel;
+  is_free = body->boundary.circular && scene.free_places;
+  displacement.resize(body->boundary.position.size());
+  std::copy_n(displacements, 2 * displacement.size(), displacement[0].begin_raw());
+  move_markers(scene);
+}
+
+void MovedBoundary::find_displacements(const ContactScene<2> &scene)
+{
   const Vector taken = scene.cell != nullptr ? scene.dt * scene.cell->velocity(start) : Vector();
-  double along = 0., across = 0.;
-  displacement.reserve(position.size());
-  for (unsigned int m = 0; m < position.size(); ++m)
+  displacement.reserve(body->boundary.position.size());
+  for (unsigned int m = 0; m < body->boundary.position.size(); ++m)
   {
     Vector moved = body->driven ? scene.dt * scene.drive[body->index]
                    : scene.increment == nullptr
@@ -135,18 +153,31 @@ void MovedBoundary::move_markers(const ContactScene<2> &scene)
     if (scene.cell != nullptr)
       moved += taken;
     displacement.push_back(moved);
+  }
+}
+
+void MovedBoundary::move_markers(const ContactScene<2> &scene)
+{
+  position = body->boundary.position;
+  const Point start_center = center - scene.share * travel;
+  double along = 0., across = 0.;
+  for (unsigned int m = 0; m < position.size(); ++m)
+  {
+    const Vector &moved = displacement[m];
     const Vector arm = position[m] - start_center, after = arm + moved - travel;
     along += arm * after;
     across += arm[0] * after[1] - arm[1] * after[0];
     position[m] += scene.share * moved;
   }
   const double length = std::hypot(along, across);
-  if (body->driven || length == 0. || scene.share == 0. || scene.share == 1.)
-    return;
-  // Chords cut the corners of circles: drawn along them, a body that turns is smaller on its way.
-  const double grow = 1. / std::sqrt(1. - 2. * scene.share * (1. - scene.share) * (1. - along / length));
-  for (Point &x : position)
-    x = center + grow * (x - center);
+  if (!body->driven && length != 0. && scene.share != 0. && scene.share != 1.)
+  {
+    // Chords cut the corners of circles: drawn along them, a body that turns is smaller on its way.
+    const double grow = 1. / std::sqrt(1. - 2. * scene.share * (1. - scene.share) * (1. - along / length));
+    for (Point &x : position)
+      x = center + grow * (x - center);
+  }
+  find_normals();
 }
 
 void MovedBoundary::find_center(const ContactScene<2> &scene)
@@ -257,11 +288,7 @@ MovedBoundary::Place MovedBoundary::place(const double parameter) const
 
 NodeWeights MovedBoundary::weights(const unsigned int m, const double share) const
 {
-  if (body->driven)
-    return {};
-  if (share == 0.)
-    return body->field.marker_weights(m).copy();
-  return blend(body->field.marker_weights(m), body->field.marker_weights(body->boundary.next(m)), share);
+  return body->driven ? NodeWeights() : weights_on_outline(*body, m, share);
 }
 
 NodeWeights MovedBoundary::weights(const double parameter) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/contact/share_rows.h>
 
 #include <iterator>
@@ -132,91 +133,59 @@ private:
   Slide last;
 };
 
-/// Which weights of nodes are told of a row.
-enum class Weights
-{
-  all,
-  of_partner,
-  none
-};
-
-/// Every part of a row, but for its two bodies.
+/// Every part of a row that is told, but for its two bodies; `gap_where_found` and `pull` are not.
 template <typename Parts, typename SomeRow>
-void for_parts(Parts &part, const Weights weights, SomeRow &row)
+void for_parts(Parts &part, const RowParts &told, SomeRow &row)
 {
   part(row.wall);
-  part(row.obstacle);
-  if (weights == Weights::all)
+  if (told.weights)
+  {
     part(row.body_weights);
-  if (weights != Weights::none)
     part(row.partner_weights);
+  }
+  part(row.partner_marker);
+  part(row.partner_share);
   part(row.place);
   part(row.normal);
   part(row.gap);
-  part(row.gap_where_found);
   part(row.length);
   part(row.friction);
-  part(row.adhesion);
-  part(row.log_full_width[0]);
-  part(row.log_full_width[1]);
-  part(row.lift[0]);
-  part(row.lift[1]);
-  part(row.pull);
-  part(row.partner_velocity);
   part(row.slide);
   part(row.slope);
   part(row.key);
-  part(row.branch);
-  part(row.image);
-  part(row.fold);
+  if (told.subgrid)
+  {
+    part(row.log_full_width[0]);
+    part(row.log_full_width[1]);
+  }
+  if (told.adhesion)
+  {
+    part(row.adhesion);
+    part(row.lift[0]);
+    part(row.lift[1]);
+  }
+  if (told.obstacles)
+  {
+    part(row.obstacle);
+    part(row.partner_velocity);
+  }
+  if (told.cell)
+  {
+    part(row.branch);
+    part(row.image);
+    part(row.fold);
+  }
 }
+constexpr unsigned int numbers_of_most_rows = 16;
 } // namespace
 
-std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const ContactScene<2> &scene)
-{
-  const std::vector<Body<2>> &bodies = scene.bodies;
-  std::vector<MovedBoundary> boundaries(bodies.size());
-  std::vector<MovedBoundary::Sketch> sketches(bodies.size());
-  share.together(
-      [&]()
-      {
-        parallel_for(bodies.size(), 8,
-                     [&](const std::size_t begin, const std::size_t end)
-                     {
-                       for (std::size_t b = begin; b < end; ++b)
-                         if (share.mine(b) || bodies[b].driven)
-                         {
-                           boundaries[b] = MovedBoundary(bodies[b], scene);
-                           sketches[b] = boundaries[b].sketch();
-                         }
-                     });
-      },
-      [&](BodyShare::Message &message)
-      {
-        for (unsigned int b = 0; b < sketches.size(); ++b)
-          message.add(b, sketches[b].data(), sketches[b].size());
-      });
-  for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (!boundaries[b].has_markers())
-      boundaries[b] = MovedBoundary(bodies[b], sketches[b]);
-  return boundaries;
-}
-
 void share_rows(const BodyShare &share,
-                const std::size_t n_bodies,
+                const std::vector<Body<2>> &bodies,
                 const std::function<void()> &find,
-                const bool weights_everywhere,
+                const RowParts &told,
                 std::vector<Row> &rows)
 {
-  std::vector<std::vector<double>> packed(n_bodies);
-  // What nodes have to do with a row matters to the ranks of its two bodies, mostly one.
-  const auto weights_of = [&](const unsigned int body, const unsigned int partner)
-  {
-    if (weights_everywhere)
-      return Weights::all;
-    return partner == Row::none || share.owner(partner) == share.owner(body) ? Weights::none
-                                                                             : Weights::of_partner;
-  };
+  std::vector<std::vector<double>> packed(bodies.size());
   share.share_lists(
       [&]()
       {
@@ -225,12 +194,13 @@ void share_rows(const BodyShare &share,
         {
           for (end = first; end < rows.size() && rows[end].body == rows[first].body;)
             ++end;
-          Packer pack(packed[rows[first].body], weights_everywhere);
+          packed[rows[first].body].reserve(numbers_of_most_rows * (end - first));
+          Packer pack(packed[rows[first].body], told.weights);
           pack(static_cast<unsigned int>(end - first));
           for (std::size_t r = first; r < end; ++r)
           {
             pack(rows[r].partner);
-            for_parts(pack, weights_of(rows[r].body, rows[r].partner), rows[r]);
+            for_parts(pack, told, rows[r]);
           }
         }
       },
@@ -241,7 +211,7 @@ void share_rows(const BodyShare &share,
   std::vector<Row> all;
   all.reserve(n_rows);
   std::size_t own = 0;
-  for (unsigned int b = 0; b < n_bodies; ++b)
+  for (unsigned int b = 0; b < bodies.size(); ++b)
   {
     const std::size_t first = own;
     while (own < rows.size() && rows[own].body == b)
@@ -251,7 +221,7 @@ void share_rows(const BodyShare &share,
                  std::make_move_iterator(rows.begin() + own));
     else if (!packed[b].empty())
     {
-      Unpacker unpack(packed[b], weights_everywhere);
+      Unpacker unpack(packed[b], told.weights);
       unsigned int n_of_body = 0;
       unpack(n_of_body);
       for (unsigned int r = 0; r < n_of_body; ++r)
@@ -259,7 +229,11 @@ void share_rows(const BodyShare &share,
         Row &row = all.emplace_back();
         row.body = b;
         unpack(row.partner);
-        for_parts(unpack, weights_of(b, row.partner), row);
+        for_parts(unpack, told, row);
+        if (!told.weights && row.partner != Row::none && share.mine(row.partner) &&
+            !bodies[row.partner].driven)
+          row.partner_weights =
+              weights_on_outline(bodies[row.partner], row.partner_marker, row.partner_share).shared();
       }
     }
   }

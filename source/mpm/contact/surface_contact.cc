@@ -249,7 +249,10 @@ private:
     if (row.adhesion == 0. && gap >= 0. && is_held_by_a_corner(found, seeker, corners_only))
       return true;
     row.body_weights = own.weights(seeker.parameter).shared();
-    row.partner_weights = other.weights(found.first, found.share).shared();
+    row.partner_marker = found.first;
+    row.partner_share = found.share;
+    if (partner.driven || partner.field.knows_markers())
+      row.partner_weights = other.weights(found.first, found.share).shared();
     row.place = at.position;
     row.normal = opposite.normal;
     row.log_full_width = {{log_full_width(scene, body, own, seeker.parameter),
@@ -297,31 +300,20 @@ private:
   mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
 
-/// Moves the boundaries of those that bodies of this rank may meet, where there were sketches.
-void move_partners(const ContactScene<2> &scene,
-                   const std::vector<std::vector<ContactTask>> &tasks,
-                   const std::vector<PeriodicCell<2>::Image> &folds,
-                   std::vector<MovedBoundary> &boundaries)
+/// Of all bodies.
+MovedOutlines move_outlines(const ContactScene<2> &scene, const ContactReach &reach)
 {
-  std::vector<unsigned int> partners;
-  for (unsigned int b = 0; b < tasks.size(); ++b)
-    if (scene.looking->mine(b))
-      for (const ContactTask &task : tasks[b])
-        if (!boundaries[task.partner].has_markers())
-          partners.push_back(task.partner);
-  std::sort(partners.begin(), partners.end());
-  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-  parallel_for(partners.size(), 8,
+  MovedOutlines moved;
+  moved.boundaries.resize(scene.bodies.size());
+  parallel_for(scene.bodies.size(), 8,
                [&](const std::size_t begin, const std::size_t end)
                {
-                 for (std::size_t i = begin; i < end; ++i)
-                 {
-                   const unsigned int p = partners[i];
-                   boundaries[p] = MovedBoundary(scene.bodies[p], scene);
-                   if (!folds.empty())
-                     fold_back(scene, folds[p], boundaries[p]);
-                 }
+                 for (std::size_t b = begin; b < end; ++b)
+                   moved.boundaries[b] = MovedBoundary(scene.bodies[b], scene);
                });
+  moved.folds = fold_into_cell(scene, moved.boundaries);
+  moved.tasks = find_tasks(scene, reach, moved.boundaries);
+  return moved;
 }
 } // namespace
 
@@ -330,20 +322,10 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
   const std::size_t n = scene.bodies.size();
   const ObstacleContact obstacles(scene);
   const ContactReach reach(scene, obstacles.largest_way());
-  std::vector<MovedBoundary> boundaries(n);
-  if (scene.moved != nullptr)
-    boundaries.swap(*scene.moved);
-  else
-    parallel_for(n, 8,
-                 [&](const std::size_t begin, const std::size_t end)
-                 {
-                   for (std::size_t b = begin; b < end; ++b)
-                     boundaries[b] = MovedBoundary(scene.bodies[b], scene);
-                 });
-  const std::vector<PeriodicCell<2>::Image> folds = fold_into_cell(scene, boundaries);
-  const std::vector<std::vector<ContactTask>> tasks = find_tasks(scene, reach, boundaries);
-  if (scene.moved != nullptr)
-    move_partners(scene, tasks, folds, boundaries);
+  const MovedOutlines moved = scene.moved != nullptr ? std::move(*scene.moved) : move_outlines(scene, reach);
+  const std::vector<MovedBoundary> &boundaries = moved.boundaries;
+  const std::vector<PeriodicCell<2>::Image> &folds = moved.folds;
+  const std::vector<std::vector<ContactTask>> &tasks = moved.tasks;
   std::vector<std::vector<Row>> of_body(n);
   parallel_for(
       n, 4,

@@ -84,6 +84,9 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
                                        problem.scene.materials[0].density, context));
       state.bodies.back().wall = w;
     }
+  problem.geometry = Registry<ContactGeometryKind>::instance()
+                         .create(settings.contact_geometry)
+                         ->create(*problem.shape, settings);
   share_out_bodies(descriptions);
   fill_bodies(descriptions);
   work.trial.resize(state.bodies.size());
@@ -97,9 +100,6 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   if (settings.scheme.inertia && settings.rows_follow() && wanted_step() > 20.5 * cfl_step())
     choose_for_long_steps(problem.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
-  problem.geometry = Registry<ContactGeometryKind>::instance()
-                         .create(settings.contact_geometry)
-                         ->create(*problem.shape, settings);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {
     std::ostringstream message;

@@ -44,6 +44,14 @@ void MpmModel::renew_grids()
     }
   if (leaving.empty())
     return;
+  if (state.repeats() && !problem.outlines_everywhere())
+  {
+    BodyShare::Message message(work.share);
+    for (const unsigned int b : leaving)
+      if (!state.bodies[b].driven)
+        message.add_outline(state.bodies[b]);
+    message.send();
+  }
   lay_grids_anew(leaving);
   for (const unsigned int b : leaving)
   {
@@ -137,6 +145,7 @@ void MpmModel::bring_into_cell(Body<2> &body) const
   for (unsigned int d = 0; d < 2; ++d)
     body.home[d] += image[d];
   body.translate(-cell.shift(image));
-  move_boundary(body);
+  if (body.field.knows_markers())
+    move_boundary(body);
 }
 } // namespace softgrain::mpm

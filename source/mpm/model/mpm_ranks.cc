@@ -12,8 +12,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// What ranks without the points of a body know of its grid, number by number.
-std::vector<double> outline_of_grid(const Body<2> &body)
+/// What ranks without the points of a body know of its grid, number by number. @param everywhere also how its
+/// nodes move its outline
+std::vector<double> outline_of_grid(const Body<2> &body, const bool everywhere)
 {
   const BodyField<2> &field = body.field;
   std::vector<double> numbers = {
@@ -24,7 +25,7 @@ std::vector<double> outline_of_grid(const Body<2> &body)
       numbers.push_back(field.position(field.node_of_independent(i))[d]);
   for (const Eigen::VectorXd *const vector : {&body.mass, &body.velocity, &body.acceleration})
     numbers.insert(numbers.end(), vector->data(), vector->data() + vector->size());
-  for (std::size_t m = 0; m < field.all_marker_weights().size(); ++m)
+  for (std::size_t m = 0; everywhere && m < field.all_marker_weights().size(); ++m)
   {
     const NodeWeightsView weights = field.marker_weights(m);
     numbers.push_back(weights.size);
@@ -59,7 +60,7 @@ private:
 };
 
 /// Gives @p body what outline_of_grid() has told, as lay_grid() would have done.
-void take_outline_of_grid(const std::vector<double> &numbers, Body<2> &body)
+void take_outline_of_grid(const std::vector<double> &numbers, const bool everywhere, Body<2> &body)
 {
   Reader in(numbers);
   body.n_points = in.count();
@@ -73,7 +74,7 @@ void take_outline_of_grid(const std::vector<double> &numbers, Body<2> &body)
   in.take(body.velocity, n_velocity);
   in.take(body.acceleration, n_acceleration);
   WeightsOfPlaces markers;
-  for (std::size_t m = 0; m < body.boundary.position.size(); ++m)
+  for (std::size_t m = 0; everywhere && m < body.boundary.position.size(); ++m)
     in.add_weights(markers);
   markers.finish();
   body.field.take_outline(std::move(nodes), std::move(markers));
@@ -113,7 +114,8 @@ std::vector<char> MpmModel::held_here(const std::vector<unsigned int> &owners) c
 
 void MpmModel::keep_outline(Body<2> &body)
 {
-  take_outline_of_grid(outline_of_grid(body), body);
+  const bool everywhere = problem.outlines_everywhere();
+  take_outline_of_grid(outline_of_grid(body, everywhere), everywhere, body);
 }
 
 std::vector<unsigned int> MpmModel::all_bodies() const
@@ -127,6 +129,7 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
 {
   if (work.share.alone() || !problem.settings.contact_on_boundaries)
     return;
+  const bool everywhere = problem.outlines_everywhere();
   // Not all at once: what is sent takes memory on every rank.
   const std::size_t at_once = std::max<std::size_t>(16, of_bodies.size() / 64);
   for (std::size_t first = 0; first < of_bodies.size(); first += at_once)
@@ -139,12 +142,12 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
         {
           for (auto b = begin; b != end; ++b)
             if (work.share.mine(*b) && !state.bodies[*b].driven)
-              told[*b] = outline_of_grid(state.bodies[*b]);
+              told[*b] = outline_of_grid(state.bodies[*b], everywhere);
         },
         told);
     for (auto b = begin; b != end; ++b)
       if (!work.share.holds(*b))
-        take_outline_of_grid(told[*b], state.bodies[*b]);
+        take_outline_of_grid(told[*b], everywhere, state.bodies[*b]);
   }
 }
 

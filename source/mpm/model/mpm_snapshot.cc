@@ -160,10 +160,12 @@ std::vector<ObstacleState<2>> MpmModel::obstacles() const
 
 double MpmModel::solid_area() const
 {
+  const auto told = work.share.numbers<1>(state.bodies, [](const Body<2> &body)
+                                          { return std::array<double, 1>{outline_area(body)}; });
   double area = 0.;
   for (const Body<2> &body : state.bodies)
     if (body.wall == Row::none)
-      area += outline_area(body);
+      area += body.driven ? outline_area(body) : told[body.index][0];
   return area;
 }
 

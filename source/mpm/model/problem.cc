@@ -26,6 +26,11 @@ bool Problem::slippery() const
   return pairs.frictionless() && !contacts_remember() && !rough(scene.obstacles);
 }
 
+bool Problem::outlines_everywhere() const
+{
+  return !settings.condenses() || !geometry->looks_by_body();
+}
+
 bool Problem::contacts_remember() const
 {
   return pairs.adhere() && scene.contact_law && scene.contact_law->remembers();

@@ -116,7 +116,8 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
           body.translate(dt * cell->velocity(centers[body.index]));
         if (body.velocity.size() > 0)
           std::swap(body.velocity, v);
-        move_boundary(body);
+        if (body.field.knows_markers())
+          move_boundary(body);
       });
   work.share.for_mine(
       state.bodies,
@@ -128,7 +129,13 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
           for (unsigned int p = 0; p < body.points.size(); ++p)
             law_loss[body.index] += trial.dissipation[p] * trial.volume[p];
       },
-      [&](BodyShare::Message &message) { message.add(law_loss); });
+      [&](BodyShare::Message &message)
+      {
+        message.add(law_loss);
+        for (Body<2> &body : state.bodies)
+          if (!body.driven && !problem.outlines_everywhere())
+            message.add_outline(body);
+      });
   for (const double loss : law_loss)
     state.balance.law_loss += loss;
   if (cell && problem.settings.scheme.inertia)

@@ -80,6 +80,10 @@ bool FollowingRows::follow(const Vectors &increment) const
 
 bool FollowingRows::mix(Vectors &increment, const double lag, const double residual)
 {
+  BodyShare::Message message(work.share);
+  for (Vectors *const vectors : {&place, &increment})
+    message.add(state.bodies, *vectors);
+  message.send();
   const double range = mixing_range * problem.lattice->cell_size();
   if (lag > range || lag > (residual > off_balance ? mixing_growth_off_balance : mixing_growth) * last_lag)
     mixing.restart();

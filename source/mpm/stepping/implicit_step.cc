@@ -112,9 +112,10 @@ bool ImplicitStep::first_guess()
   for (const bool rest : {!problem.settings.scheme.inertia && plan.guess == nullptr, true})
   {
     for (unsigned int b = 0; b < trial.size(); ++b)
-      trial[b] = rest                    ? Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs())
-                 : plan.guess == nullptr ? state.bodies[b].velocity
-                                         : Eigen::VectorXd((*plan.guess)[b] / plan.dt);
+      if (work.share.mine(b))
+        trial[b] = rest                    ? Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs())
+                   : plan.guess == nullptr ? state.bodies[b].velocity
+                                           : Eigen::VectorXd((*plan.guess)[b] / plan.dt);
     if (!equations.evaluate(trial))
       continue;
     find_rows(false);
@@ -134,11 +135,13 @@ void ImplicitStep::find_rows(const bool again)
 
 void ImplicitStep::find_rows_again(const double lag)
 {
-  Vectors next = equations.increment;
   // With inertia a few searches mostly do; mixing costs an evaluation of the stress.
-  if ((!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing) &&
-      rows.mix(next, lag, outcome.newton_residual))
-    move_to(next);
+  if (!problem.settings.scheme.inertia || rows.searches() >= searches_before_mixing)
+  {
+    Vectors next = equations.increment;
+    if (rows.mix(next, lag, outcome.newton_residual))
+      move_to(next);
+  }
   find_rows(true);
 }
 
@@ -254,27 +257,32 @@ std::string ImplicitStep::too_deep()
 
 void ImplicitStep::accept(State &state_to_change)
 {
-  // Of a body: its largest move, and what the scheme takes from it.
-  std::vector<std::array<double, 2>> told(trial.size());
+  const bool inertia = problem.settings.scheme.inertia;
+  // Of a body: its largest move, what the scheme takes from it, and what resists it.
+  std::vector<std::array<double, 5>> told(trial.size());
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        told[b] = {largest_way(body, equations.increment[b]), equations.scheme_damping(b, trial[b])};
-        if (problem.settings.scheme.inertia)
+        const dealii::Tensor<1, 2> resistance = equations.resistance(b);
+        told[b] = {largest_way(body, equations.increment[b]), equations.scheme_damping(b, trial[b]),
+                   equations.regularisation_work(b), resistance[0], resistance[1]};
+        if (inertia)
           spread_imbalance(body, equations.unbalanced(b), trial[b]);
       },
       [&](BodyShare::Message &message)
       {
         message.add(state.bodies, trial);
         message.add(state.bodies, equations.internal);
+        message.add(state.bodies, equations.increment);
         for (unsigned int b = 0; b < told.size(); ++b)
           message.add(b, told[b].data(), told[b].size());
       });
   Vectors rate(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
-    rate[b] = equations.increment[b] / plan.dt;
+    if (work.share.mine(b) || equations.external[b].size() > 0)
+      rate[b] = equations.increment[b] / plan.dt;
   FoundStep found{plan,
                   motion,
                   trial,
@@ -283,12 +291,15 @@ void ImplicitStep::accept(State &state_to_change)
                   rate,
                   equations.external,
                   std::vector<double>(trial.size(), 0.),
-                  equations.regularisation_work(),
-                  equations.resistance()};
+                  0.,
+                  {}};
   for (unsigned int b = 0; b < trial.size(); ++b)
   {
     outcome.largest_move = std::max(outcome.largest_move, told[b][0]);
     found.scheme_damping[b] = told[b][1];
+    found.regularisation_work += told[b][2];
+    if (!inertia)
+      found.resistance.push_back(dealii::Tensor<1, 2>({told[b][3], told[b][4]}));
   }
   accept_step(problem, state_to_change, work, found);
 }

@@ -51,7 +51,14 @@ std::string NewtonSearch::go(Vectors &trial,
     first_length = last_length;
     first_work = last_work;
   }
-  const Vectors x = trial, from = equations.increment;
+  x.resize(trial.size());
+  from.resize(trial.size());
+  for (unsigned int b = 0; b < trial.size(); ++b)
+    if (equations.moves(b) && work.share.mine(b))
+    {
+      x[b] = trial[b];
+      from[b] = equations.increment[b];
+    }
   double best = std::numeric_limits<double>::max();
   for (double alpha = 1.; alpha > 0.01; alpha *= 0.5)
   {

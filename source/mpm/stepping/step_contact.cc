@@ -45,7 +45,7 @@ void StepContact::condense(const bool new_factors)
 
 std::string StepContact::solve_condensed(const Vectors &trial, const Vectors &direction)
 {
-  Vectors free(trial.size());
+  free.resize(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
     if (equations.moves(b) && work.share.mine(b))
       free[b] = trial[b] + direction[b];

@@ -59,6 +59,13 @@ StepEquations::StepEquations(const Problem &problem,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
+        // A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
+        // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
+        // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
+        // are resisted.
+        round_and_smooth[b] = body.boundary.circular && problem.slippery() && !scheme.stored_acceleration;
+        if (!work.share.mine(b))
+          return;
         if (scheme.stored_acceleration)
         {
           old_force[b] = body.acceleration;
@@ -72,11 +79,6 @@ StepEquations::StepEquations(const Problem &problem,
         if (!scheme.inertia)
           shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
         rotation[b] = whole_rotation(body);
-        // A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
-        // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
-        // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
-        // are resisted.
-        round_and_smooth[b] = body.boundary.circular && problem.slippery() && !scheme.stored_acceleration;
         if (scheme.inertia && round_and_smooth[b])
           spin[b] = turned_by_load(body, external[b]);
         if (scheme.inertia && !round_and_smooth[b])
@@ -101,10 +103,9 @@ void StepEquations::rows_changed()
   rows_known = true;
   if (work.contact.empty() || scheme.theta == 1.)
     return;
-  Vectors v;
-  for (const Body<2> &body : state.bodies)
-    v.push_back(body.velocity);
-  start_relative = work.contact.relative_velocity(work.share, state.bodies, work.drive, v);
+  start_relative = work.contact.relative_velocity(work.share, state.bodies, work.drive,
+                                                  [&](const unsigned int b) -> const Eigen::VectorXd &
+                                                  { return state.bodies[b].velocity; });
 }
 
 bool StepEquations::evaluate(const Vectors &v)
@@ -142,8 +143,8 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
       },
       [&](BodyShare::Message &message)
       {
-        message.add(state.bodies, increment);
-        message.add(holding);
+        if (!problem.geometry->looks_by_body())
+          message.add(state.bodies, increment);
         for (unsigned int b = 0; b < measured.size(); ++b)
           message.add(b, measured[b].data(), measured[b].size());
         outcomes.add_to(message);
@@ -267,46 +268,39 @@ double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd
          (0.5 * (internal[b] + body.internal_force) - acting_force(b)).dot(increment[b]);
 }
 
-double StepEquations::regularisation_work() const
+double StepEquations::regularisation_work(const unsigned int b) const
 {
+  if (scheme.inertia)
+    return holding[b] * rotation[b].dot(increment[b]) / dt;
+  // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
+  const Body<2> &body = state.bodies[b];
+  const Eigen::VectorXd beyond = resisted_way(b);
+  const double mass = body.mass.sum();
   double work = 0.;
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven && scheme.inertia)
-      work += holding[body.index] * rotation[body.index].dot(increment[body.index]) / dt;
-    else if (!body.driven)
-    {
-      // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
-      const Eigen::VectorXd beyond = resisted_way(body.index);
-      const double mass = body.mass.sum();
-      dealii::Tensor<1, 2> way; // of the centre of mass
-      for (unsigned int i = 0; i < body.mass.size(); ++i)
-      {
-        work += 0.5 * shift[body.index] / (dt * dt) * body.mass[i] *
-                increment[body.index].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
-        for (unsigned int d = 0; d < 2; ++d)
-          way[d] += body.mass[i] / mass * increment[body.index][2 * i + d];
-      }
-      if (!state.resistance.empty())
-        work += 0.5 * state.resistance[body.index] * way;
-    }
+  dealii::Tensor<1, 2> way; // of the centre of mass
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    work += 0.5 * shift[b] / (dt * dt) * body.mass[i] *
+            increment[b].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
+    for (unsigned int d = 0; d < 2; ++d)
+      way[d] += body.mass[i] / mass * increment[b][2 * i + d];
+  }
+  if (!state.resistance.empty())
+    work += 0.5 * state.resistance[b] * way;
   return work;
 }
 
-std::vector<dealii::Tensor<1, 2>> StepEquations::resistance() const
+dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
 {
-  std::vector<dealii::Tensor<1, 2>> forces;
+  dealii::Tensor<1, 2> force;
   if (scheme.inertia)
-    return forces;
-  forces.resize(state.bodies.size());
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-    {
-      const Eigen::VectorXd beyond = resisted_way(body.index);
-      for (unsigned int i = 0; i < body.mass.size(); ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-          forces[body.index][d] += shift[body.index] / (dt * dt) * body.mass[i] * beyond[2 * i + d];
-    }
-  return forces;
+    return force;
+  const Body<2> &body = state.bodies[b];
+  const Eigen::VectorXd beyond = resisted_way(b);
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      force[d] += shift[b] / (dt * dt) * body.mass[i] * beyond[2 * i + d];
+  return force;
 }
 
 Eigen::VectorXd StepEquations::resisted_way(const unsigned int b) const

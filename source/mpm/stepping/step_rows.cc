@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/share_outlines.h>
 #include <softgrain/mpm/contact/share_rows.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 
@@ -63,7 +64,7 @@ struct Search
   {
     if (!by_rank)
       return;
-    moved = share_boundaries(bodies, where);
+    moved = share_outlines(bodies, where);
     where.moved = &moved;
   }
   /// Of this rank's bodies where every rank looks for its own, else of all.
@@ -75,7 +76,7 @@ struct Search
   std::vector<ContactRow<2>> rows;
   const ContactGeometry<2> &geometry;
   const BodyShare &bodies;
-  std::vector<MovedBoundary> moved;
+  MovedOutlines moved;
 };
 
 void take_start_gaps(const GapsByRow &gaps, std::vector<ContactRow<2>> &rows)
@@ -120,7 +121,10 @@ void find_rows(const Problem &problem,
   };
   search.begin();
   if (search.by_rank)
-    share_rows(work.share, state.bodies.size(), find, !problem.settings.condenses(), search.rows);
+    share_rows(work.share, state.bodies, find,
+               {!problem.settings.condenses(), search.where.subgrid.on, problem.pairs.adhere(),
+                search.where.obstacles != nullptr, search.where.cell != nullptr},
+               search.rows);
   else
     find();
   if (problem.pairs.adhere())
@@ -198,7 +202,8 @@ std::vector<double> end_gaps(const State &state,
   const unsigned int components = work.contact.n_components();
   std::vector<Eigen::VectorXd> rate(increment.size());
   for (unsigned int b = 0; b < increment.size(); ++b)
-    rate[b] = increment[b] / dt;
+    if (work.share.mine(b))
+      rate[b] = increment[b] / dt;
   const std::vector<double> w = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
   std::vector<double> gap(rows.size());
   const std::optional<CellMotion> cell = state.cell_motion(motion);

@@ -18,8 +18,8 @@ namespace softgrain::mpm
  * @brief Which rank does the work on which body, and how the others come to know what it has found.
  *
  * A body has one rank, its owner: it alone has the points, the shape functions there, the matrix and its
- * factors. What nodal values do to the outline, and these values, are the same on all ranks. Where bodies
- * meet at their nodes, and of bodies that are driven, all ranks have the points; the owner's stress and
+ * factors. Between steps nodal values and the outline are known to all ranks. Where bodies meet at their
+ * nodes, and of bodies that are driven, all ranks have the points as well; the owner's stress and
  * history count.
  *
  * Results do not depend on who owns what: the work on a body is the same on any rank, and sums over bodies
@@ -74,6 +74,8 @@ public:
     void add(std::vector<double> &numbers);
     /// A vector per body that is not driven, on its degrees of freedom; one of another size is zeroed.
     void add(const std::vector<Body<2>> &bodies, std::vector<Eigen::VectorXd> &vectors);
+    /// Where the outline of a body is.
+    void add_outline(Body<2> &body);
     /// Numbers of one body, as many on all ranks.
     void add(unsigned int b, double *begin, std::size_t size);
 

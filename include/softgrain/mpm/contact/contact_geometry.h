@@ -14,7 +14,7 @@
 
 namespace softgrain::mpm
 {
-class MovedBoundary;
+struct MovedOutlines;
 
 /// What a search for contact rows looks at.
 template <int dim>
@@ -43,8 +43,8 @@ struct ContactScene
   const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
   const CellMotion *cell = nullptr;                 ///< null: nothing repeats
   const BodyShare *looking = nullptr;               ///< bodies of this rank look for contact; null: all do
-  /// Boundaries that were moved before, as share_boundaries() makes them; find() takes them. Null: none were.
-  std::vector<MovedBoundary> *moved = nullptr;
+  /// Outlines that were moved before, as share_outlines() makes them; find() takes them. Null: none were.
+  MovedOutlines *moved = nullptr;
 };
 
 /// Gives a row what the two that meet there do to each other.

@@ -30,9 +30,12 @@ struct ContactRow
   unsigned int wall =
       none;              ///< the wall on the other side, plane or made of points; obstacles follow the walls
   bool obstacle = false; ///< whether it is one
-  /// What nodes have to do with its places; none of a partner that is driven or a wall, nor where both bodies
-  /// are of other ranks. Apart, since rows are many and go from hand to hand.
+  /// What nodes have to do with its places; none of a partner that is driven or a wall, nor of bodies whose
+  /// weights are not known here. Apart, since rows are many and go from hand to hand.
   std::shared_ptr<const NodeWeights> body_weights, partner_weights;
+  /// Where on the outline of the partner it is, from a marker to the next.
+  unsigned int partner_marker = 0;
+  double partner_share = 0;
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
   double gap = 0;                ///< at the start of the step [m]

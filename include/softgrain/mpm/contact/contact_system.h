@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -62,12 +63,23 @@ public:
   /// Relative velocities w of the last solve, gap terms included [m/s].
   const std::vector<double> &velocities() const { return velocity; }
 
+  /// Nodal velocities of body b [m/s].
+  using Velocities = std::function<const Eigen::VectorXd &(unsigned int b)>;
+
   /// H v for the given nodal velocities, one value per component; driven bodies move as @p drive says, one
-  /// per body [m/s]. Every rank gives velocities of its own bodies, and learns the values of all.
+  /// per body [m/s]. Every rank is asked for velocities of its own bodies, and learns the values of all.
   std::vector<double> relative_velocity(const BodyShare &share,
                                         const std::vector<Body<dim>> &bodies,
                                         const std::vector<dealii::Tensor<1, dim>> &drive,
-                                        const std::vector<Eigen::VectorXd> &nodal) const;
+                                        const Velocities &nodal) const;
+  std::vector<double> relative_velocity(const BodyShare &share,
+                                        const std::vector<Body<dim>> &bodies,
+                                        const std::vector<dealii::Tensor<1, dim>> &drive,
+                                        const std::vector<Eigen::VectorXd> &nodal) const
+  {
+    return relative_velocity(share, bodies, drive,
+                             [&](const unsigned int b) -> const Eigen::VectorXd & { return nodal[b]; });
+  }
 
   /// Adds H^T P of body @p b, whose rows are known here, to @p nodal, with the present impulses.
   void add_impulses(unsigned int b, Eigen::VectorXd &nodal) const;
@@ -127,6 +139,7 @@ private:
     std::array<double, 2> log_full_width = {{0., 0.}}; ///< of body and partner, see SubgridCompliance
   };
 
+  void list_components(const std::vector<Body<dim>> &bodies);
   void keep_pushes();
   bool knows_rows_of(unsigned int b) const { return rows_here[b] && !body_components[b].empty(); }
   double normal_force(const Pair &pair, double dt) const;
@@ -150,8 +163,10 @@ private:
   std::unordered_map<std::uint64_t, std::array<double, 2>> dent_places; ///< log_full_width by pair_of(row)
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
+  std::vector<unsigned int> component_start;              ///< of body b among all bodies', and the end
   std::vector<BodyRows<dim>> body_rows;                   ///< its H^T on them, where rows_here
   std::vector<char> rows_here;
+  std::vector<unsigned int> rows_at_driven; ///< whose partner is a driven body
   std::vector<Eigen::VectorXd>
       pushes; ///< H^T P of the same bodies after a solve(), asked for several times; else none
   std::vector<double> impulse, velocity, last_start;

@@ -43,6 +43,14 @@ struct ContactTask
   }
 };
 
+/// Outlines on their way in a step, and who looks for contact with whom.
+struct MovedOutlines
+{
+  std::vector<MovedBoundary> boundaries;
+  std::vector<PeriodicCell<2>::Image> folds;   ///< as of fold_into_cell()
+  std::vector<std::vector<ContactTask>> tasks; ///< as of find_tasks()
+};
+
 /// Who looks for contact with whom, by the body that looks, in an order that depends on nothing else; with
 /// ContactScene::looking only lists of bodies of this rank are whole.
 /// @throw ComputationError when a cell that repeats has become so small that a body meets itself

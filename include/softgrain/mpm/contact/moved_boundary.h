@@ -15,6 +15,9 @@ namespace softgrain::mpm
 /// `a` and `b` blended: (1 - share) a + share b; both are in the order of their nodes.
 NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, double share);
 
+/// What nodes of @p body have to do with the place @p share of the way from a marker to the next.
+NodeWeights weights_on_outline(const Body<2> &body, unsigned int marker, double share);
+
 /// Of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go far and move
 /// nothing.
 double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
@@ -42,6 +45,10 @@ public:
   /// Without markers, as its sketch has it.
   MovedBoundary(const Body<2> &body, const Sketch &sketch);
   bool has_markers() const { return !position.empty(); }
+  /// Gives such a one its markers, which go as the rank that has moved it tells: two numbers each [m].
+  void take_markers(const ContactScene<2> &scene, const double *displacements);
+  /// What it tells of itself for that.
+  const std::vector<Vector> &marker_displacements() const { return displacement; }
 
   /// A place on the curve.
   struct Place
@@ -126,7 +133,9 @@ private:
   std::pair<unsigned int, double> segment(double parameter) const;
 
   void find_center(const ContactScene<2> &scene);
+  void find_displacements(const ContactScene<2> &scene);
   void move_markers(const ContactScene<2> &scene);
+  void find_normals();
 
   const Body<2> *body = nullptr;
   std::vector<Point> position;

@@ -11,17 +11,23 @@
 
 namespace softgrain::mpm
 {
-/// Boundaries of all bodies, each moved by its rank; of those of other ranks, sketches. There are several
-/// ranks.
-std::vector<MovedBoundary> share_boundaries(const BodyShare &share, const ContactScene<2> &scene);
+/// What is told of rows, beside what all of them have; what is not stays as it is in a row by itself.
+struct RowParts
+{
+  bool weights = false; ///< of nodes, on all ranks; else the rank of a partner finds those of its own body
+  bool subgrid = false; ///< what the grid misses
+  bool adhesion = false;
+  bool obstacles = false;
+  bool cell = false; ///< where something repeats
+};
 
 /// Makes of the rows that @p find puts into @p rows, on every rank for its own bodies, those of all bodies,
-/// on all ranks: in the order of the bodies that look, as one rank finds them. There are several ranks.
-/// @param weights_everywhere all ranks have the weights of nodes in a row, else those of the two bodies
+/// on all ranks: in the order of the bodies that look, as one rank finds them. There are several ranks. Where
+/// the gap was found is known of own rows.
 void share_rows(const BodyShare &share,
-                std::size_t n_bodies,
+                const std::vector<Body<2>> &bodies,
                 const std::function<void()> &find,
-                bool weights_everywhere,
+                const RowParts &told,
                 std::vector<ContactRow<2>> &rows);
 
 /// The same where only the gaps matter.

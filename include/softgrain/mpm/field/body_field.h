@@ -63,9 +63,9 @@ public:
 
   /**
    * @brief Makes it the field of a body whose points lie with another rank: what the nodal values do to the
-   * body's outline is known, what they do to its points is not.
+   * body's outline may be known, what they do to its points is not.
    * @param independent places of the independent nodes [m]
-   * @param markers     weights of the boundary markers
+   * @param markers     weights of the boundary markers; none where only its owner need know them
    */
   void take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers);
 
@@ -115,6 +115,7 @@ public:
   NodeWeights extension(unsigned int node) const;
   /// The field at marker @p m in terms of independent nodes.
   NodeWeightsView marker_weights(const unsigned int m) const { return marker_rows[m]; }
+  bool knows_markers() const { return marker_rows.size() > 0; }
   const WeightsOfPlaces &all_marker_weights() const { return marker_rows; }
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.

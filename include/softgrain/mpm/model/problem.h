@@ -38,6 +38,10 @@ struct Problem
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
   bool slippery() const;
 
+  /// Whether every rank must know how nodes of all bodies move their outlines; else owners of bodies do, and
+  /// tell where outlines are.
+  bool outlines_everywhere() const;
+
   /// Whether contacts remember what has become of them.
   bool contacts_remember() const;
 };

@@ -23,6 +23,8 @@ namespace softgrain::mpm
 class FollowingRows
 {
 public:
+  /// One per body; displacements handed in are those of this rank's bodies, unless all ranks look for contact
+  /// of all.
   using Vectors = std::vector<Eigen::VectorXd>;
 
   /// @param dt     length of the step [s]
@@ -46,7 +48,8 @@ public:
   bool follow(const Vectors &increment) const;
 
   /**
-   * @brief Makes @p increment, the outcome of these rows, what the next ones are best found for.
+   * @brief Makes @p increment, the outcome of these rows on this rank's bodies, what the next ones are best
+   * found for, of all bodies.
    *
    * Newton's matrix does not know how rows turn with the bodies and follow them, so iterations are a
    * fixed-point iteration: linear, and in dense packings slow or worse. Near the solution it is mixed; far

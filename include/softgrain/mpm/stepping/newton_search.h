@@ -35,6 +35,8 @@ private:
   const State &state;
   const Workspace &work;
   StepEquations &equations;
+  /// Of the bodies of this rank, where the last search began; kept, for fresh memory is dear.
+  Vectors x, from;
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
 };
 } // namespace softgrain::mpm

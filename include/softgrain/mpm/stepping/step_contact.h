@@ -56,6 +56,8 @@ private:
   const std::vector<WallMotion<2>> &motion;
   const StepEquations &equations;
   StepOutcome &outcome;
+  /// End velocities without contact, of the bodies of this rank; kept, for fresh memory is dear [m/s].
+  Vectors free;
   bool condensed_is_old = false;
   bool is_converged = true;
 };

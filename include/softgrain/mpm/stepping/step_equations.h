@@ -20,7 +20,8 @@ namespace softgrain::mpm
  * for a trial, and the matrix of Newton's method. See doc/theory.md, "One step".
  *
  * Vectors hold one nodal vector per body; those of driven bodies are not used. With several ranks end
- * velocities and what is unbalanced are those of this rank's bodies alone; increments are known to all.
+ * velocities and what is unbalanced are those of this rank's bodies alone, and so are increments where every
+ * rank looks for contact of its own bodies.
  */
 class StepEquations
 {
@@ -77,11 +78,11 @@ public:
   /// step; 0 for schemes that are not a choice of theta alone [J/m].
   double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
 
-  /// Work that regularising forces take in the step as last evaluated, of quasi_static and against rotation
-  /// of what is round [J/m].
-  double regularisation_work() const;
-  /// Of `quasi_static`: what resists the motion of each body at the end of the step [N/m].
-  std::vector<dealii::Tensor<1, 2>> resistance() const;
+  /// Work that regularising forces take from body @p b, of this rank, in the step as last evaluated: of
+  /// quasi_static and against rotation of what is round [J/m].
+  double regularisation_work(unsigned int b) const;
+  /// Of `quasi_static`: what resists the motion of such a body at the end of the step [N/m].
+  dealii::Tensor<1, 2> resistance(unsigned int b) const;
   /// What a direction promises, of all bodies.
   struct Slope
   {
