@@ -18,7 +18,7 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-numpy, python3-h5py, python3-matplotlib, python3-vtk9")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial, python3-numpy, python3-h5py, python3-matplotlib, python3-vtk9")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, python3-pandas, python3-xarray, libdeal.ii-dev, cmake, g++")
 # A package for this processor alone must not be mistaken for one for all.
 if(SOFTGRAIN_NATIVE)

@@ -5,10 +5,24 @@
 
 #include <tbb/parallel_for.h>
 
+#include <dlfcn.h>
+
 #include <algorithm>
 
 namespace softgrain
 {
+namespace
+{
+/// A BLAS with threads of its own would cut its products by the cores that it sees, so that bits would depend
+/// on them, and take cores from other ranks. UMFPACK calls it.
+void keep_blas_to_one_thread()
+{
+  using SetThreads = void (*)(int);
+  if (void *const set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+    reinterpret_cast<SetThreads>(set)(1);
+}
+} // namespace
+
 unsigned int n_threads()
 {
   return dealii::MultithreadInfo::n_threads();
@@ -18,6 +32,7 @@ void set_n_threads(const unsigned int n)
 {
   // deal.II hands the limit to TBB, so one call serves both.
   dealii::MultithreadInfo::set_thread_limit(n == 0 ? dealii::MultithreadInfo::n_cores() : n);
+  keep_blas_to_one_thread();
 }
 
 void internal::run_pieces(const std::size_t n,

@@ -220,8 +220,9 @@ private:
   bool look(const Seeker &seeker, std::vector<Row> &rows, const bool corners_only = false) const
   {
     const Place &at = seeker.at;
+    // In full packings bodies may touch beside the line of their centres, where they do not reach.
     if (!other.near(at.position, margin))
-      return false;
+      return other.near(at.position, margin + 2. * scene.cell_size);
     const Projection found = project(at);
     // Deeper than two cells is the far side of a thin partner, not a contact.
     if (found.distance > margin + 2. * scene.cell_size)
