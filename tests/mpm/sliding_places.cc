@@ -99,7 +99,7 @@ public:
     return worst / largest;
   }
 
-  /// The disk on the left gets a dent on the right, wider than rows look, and ears beside it.
+  /// The disk on the left gets a dent on the right, deeper than the search looks, and bulges beside it.
   void dent()
   {
     Body<2> &body = bodies[0];

@@ -220,12 +220,14 @@ private:
   bool look(const Seeker &seeker, std::vector<Row> &rows, const bool corners_only = false) const
   {
     const Place &at = seeker.at;
-    // In full packings bodies may touch beside the line of their centres, where they do not reach.
+    const double far = margin + 2. * scene.cell_size;
+    // Deformed bodies may touch beside the line of their centres alone: the search goes on from a place that
+    // is beyond the margin there.
     if (!other.near(at.position, margin))
-      return other.near(at.position, margin + 2. * scene.cell_size);
+      return other.near(at.position, far);
     const Projection found = project(at);
     // Deeper than two cells is the far side of a thin partner, not a contact.
-    if (found.distance > margin + 2. * scene.cell_size)
+    if (found.distance > far)
       return false;
     const Place opposite = other.place(found.first, found.share);
     const double gap = (at.position - opposite.position) * opposite.normal;
