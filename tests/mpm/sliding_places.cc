@@ -3,6 +3,8 @@
 // one is moved, turned, strained and waved by very little, and the change of every gap is compared with what
 // the rows say. Rows that do not count that their places slide along the outline miss a part of it. Last, one
 // disk is dented where it faces the other, and its sides touch: they are found as by a search at all markers.
+// Two that are flattened side by side do not touch: the far side of one is not in contact with that of the
+// other.
 #include <softgrain/base/registry.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/geometry/shapes_2d.h>
@@ -201,6 +203,14 @@ int main()
   for (const auto &[name, change] : changes)
     std::cout << name << ": error " << pair.error(pressed, change, true) << ", places taken to stay "
               << pair.error(pressed, change, false) << '\n';
+  const Vectors thin = pair.displacements(
+      [](const unsigned int b, const Vector &x) {
+        return Vector({(b == 0 ? 0.305 : -0.305) - 0.65 * x[0], 0.});
+      });
+  double apart = 1.;
+  for (const ContactRow<2> &row : pair.rows(thin, false))
+    apart = std::min(apart, row.gap_where_found);
+  std::cout << "flattened, beside each other: least gap " << apart << '\n';
   pair.dent();
   std::cout << "touching beside their centres: overlap " << pair.overlap(true) << ", by all markers "
             << pair.overlap(false) << '\n';

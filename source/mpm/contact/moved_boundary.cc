@@ -331,6 +331,18 @@ double MovedBoundary::facing(const Vector &direction) const
   return 0.; // only when the centre is outside of the outline
 }
 
+bool MovedBoundary::encloses(const Point &x) const
+{
+  bool inside = false;
+  for (unsigned int m = 0; m < n_markers(); ++m)
+  {
+    const Point &a = marker(m), &b = marker(boundary().next(m));
+    if ((a[1] > x[1]) != (b[1] > x[1]) && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+      inside = !inside;
+  }
+  return inside;
+}
+
 double MovedBoundary::distance_from(const Point &point, const Vector &normal) const
 {
   // The corner of the box that lies furthest against the normal.

@@ -216,6 +216,13 @@ private:
     return std::abs(gap) < 0.7 * distance && distance > 0.1 * scene.cell_size;
   }
 
+  /// Behind the far side of a partner that it is not inside of: a place beside a thin one, whose near side
+  /// looks the other way.
+  bool is_far_side(const Place &at, const double gap) const
+  {
+    return gap < -0.5 * scene.cell_size && !other.encloses(at.position);
+  }
+
   /// @return whether the partner is near
   bool look(const Seeker &seeker, std::vector<Row> &rows, const bool corners_only = false) const
   {
@@ -234,7 +241,7 @@ private:
     const double start = gap - scene.share * ((at.displacement - opposite.displacement) * opposite.normal);
     if (std::min(gap, start) > margin)
       return true;
-    if (is_far_aside(gap, found.distance))
+    if (is_far_aside(gap, found.distance) || is_far_side(at, gap))
       return true;
     Row row;
     row.body = body.index;

@@ -11,7 +11,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double row_tolerance = 2e-5; ///< move that changes rows [cells]
+/// Move of bodies [cells] that changes rows: without inertia light contacts are to be in balance, and a pull
+/// may reach no further than a small share of a cell.
+constexpr double row_tolerance = 2e-5, row_tolerance_moving = 1e-3;
 /// Way of bodies over a step [cells] up to which gaps are linear in it: as far as a body is not smaller than
 /// a cell, to u²/8R < 0.005 cells.
 constexpr double short_way = 0.2;
@@ -70,7 +72,8 @@ double FollowingRows::lag(const Vectors &increment) const
 
 bool FollowingRows::settled(const double lag) const
 {
-  return lag <= row_tolerance * problem.lattice->cell_size();
+  const bool coarsely = problem.settings.scheme.inertia && !problem.pairs.adhere();
+  return lag <= (coarsely ? row_tolerance_moving : row_tolerance) * problem.lattice->cell_size();
 }
 
 bool FollowingRows::follow(const Vectors &increment) const

@@ -105,6 +105,8 @@ public:
   /// over the step [m]. @param share where in the step it is
   void shift(const Vector &way, const Vector &moves, double share);
 
+  /// Whether a point is inside of the outline, by the number of edges that a ray from it crosses.
+  bool encloses(const Point &x) const;
   /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].
   double distance_from(const Point &point, const Vector &normal) const;
 
