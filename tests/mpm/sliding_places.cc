@@ -113,6 +113,29 @@ public:
     }
   }
 
+  /// The disk on the left is stretched along its right side.
+  void stretch(const double by)
+  {
+    for (dealii::Point<2> &x : bodies[0].boundary.position)
+      x[1] = centers[0][1] + by * (x[1] - centers[0][1]);
+  }
+
+  /// The largest distance between neighbouring markers of it that look, where the two are near [cells].
+  double spacing() const
+  {
+    const ContactPairs pairs(scene);
+    std::vector<ContactRow<2>> found;
+    SurfaceContact().find({bodies, drive, walls, pairs, 1., cell, nullptr, 0., false, false}, found);
+    std::vector<double> heights;
+    for (const ContactRow<2> &row : found)
+      heights.push_back(row.place[1]);
+    std::sort(heights.begin(), heights.end());
+    double widest = 0.;
+    for (unsigned int r = 1; r < heights.size(); ++r)
+      widest = std::max(widest, heights[r] - heights[r - 1]);
+    return widest / cell;
+  }
+
   /// The largest overlap of the two at rest that rows know [m]. @param free whether places stand in space
   double overlap(const bool free) const
   {
@@ -211,6 +234,13 @@ int main()
   for (const ContactRow<2> &row : pair.rows(thin, false))
     apart = std::min(apart, row.gap_where_found);
   std::cout << "flattened, beside each other: least gap " << apart << '\n';
+  for (const double by : {1., 2., 3.})
+  {
+    pair.stretch(by);
+    std::cout << "stretched " << by << " times: markers that look are up to " << pair.spacing()
+              << " cells apart\n";
+    pair.stretch(1. / by);
+  }
   pair.dent();
   std::cout << "touching beside their centres: overlap " << pair.overlap(true) << ", by all markers "
             << pair.overlap(false) << '\n';

@@ -87,6 +87,7 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   const double step = context.settings.marker_spacing * context.lattice.cell_size();
   Boundary<2> &boundary = body.boundary;
   boundary.contact_stride = pieces;
+  boundary.spacing = step;
   boundary.loop_start.assign(1, 0);
   for (const Polygon &coarse : description.shape->outline(step))
   {

@@ -178,6 +178,8 @@ void MovedBoundary::move_markers(const ContactScene<2> &scene)
       x = center + grow * (x - center);
   }
   find_normals();
+  if (!is_free)
+    find_looking(scene);
 }
 
 void MovedBoundary::find_center(const ContactScene<2> &scene)
@@ -348,19 +350,5 @@ double MovedBoundary::distance_from(const Point &point, const Vector &normal) co
   // The corner of the box that lies furthest against the normal.
   const Point corner(normal[0] > 0. ? lower[0] : upper[0], normal[1] > 0. ? lower[1] : upper[1]);
   return (corner - point) * normal;
-}
-
-double MovedBoundary::tributary_length(const unsigned int m) const
-{
-  double length = 0.;
-  unsigned int forward = m, backward = m;
-  for (unsigned int k = 0; k < body->boundary.contact_stride; ++k)
-  {
-    const unsigned int f = body->boundary.next(forward), b = body->boundary.previous(backward);
-    length += 0.5 * (position[f].distance(position[forward]) + position[b].distance(position[backward]));
-    forward = f;
-    backward = b;
-  }
-  return length;
 }
 } // namespace softgrain::mpm

@@ -27,13 +27,13 @@ bool at_corner(const MovedBoundary &own, const Seeker &seeker)
 /// Half-way to the seeker before or after.
 MovedBoundary::Place end_of_row(const MovedBoundary &own, const Seeker &seeker, const bool after)
 {
-  const unsigned int stride = own.boundary().contact_stride;
   if (own.is_free)
-    return own.place(seeker.parameter + (after ? 0.5 : -0.5) * stride);
+    return own.place(seeker.parameter + (after ? 0.5 : -0.5) * own.boundary().contact_stride);
   unsigned int marker = seeker.number;
-  for (unsigned int k = 0; k < stride / 2; ++k)
+  const unsigned int markers = own.markers_to_next(marker, after);
+  for (unsigned int k = 0; k < markers / 2; ++k)
     marker = after ? own.boundary().next(marker) : own.boundary().previous(marker);
-  if (stride % 2 == 0)
+  if (markers % 2 == 0)
     return own.place(marker, 0.);
   return own.place(after ? marker : own.boundary().previous(marker), 0.5);
 }

@@ -25,7 +25,8 @@ namespace softgrain::mpm
  * @brief The boundary of a body: closed polylines of markers that move with the field.
  *
  * Every `contact_stride`-th marker is a place where contact is looked for; those between make the polyline
- * smooth, so that what touches this body meets its true shape.
+ * smooth, so that what touches this body meets its true shape. They look, too, where the outline is
+ * stretched.
  */
 template <int dim>
 struct Boundary
@@ -34,6 +35,7 @@ struct Boundary
   std::vector<dealii::Point<dim>> position;      ///< now [m]
   std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
   unsigned int contact_stride = 1;
+  double spacing = 0.;      ///< of places that look for contact, at rest [m]
   std::vector<char> corner; ///< of every marker: whether the outline at rest has a corner there
   bool smooth = false;      ///< no corners, holes excepted
   bool circular =

@@ -82,6 +82,10 @@ public:
   /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
   double facing(const Vector &direction) const;
 
+  /// Whether marker @p m looks for contact; not asked for places that stand in space.
+  bool looks(const unsigned int m) const { return looking[m] != 0; }
+  /// How many markers further the next one that looks is, @p after marker @p m or before it.
+  unsigned int markers_to_next(unsigned int m, bool after) const;
   /// Length of boundary that the contact marker @p m stands for: half the way to those on both sides [m].
   double tributary_length(unsigned int m) const;
 
@@ -138,10 +142,12 @@ private:
   void find_displacements(const ContactScene<2> &scene);
   void move_markers(const ContactScene<2> &scene);
   void find_normals();
+  void find_looking(const ContactScene<2> &scene);
 
   const Body<2> *body = nullptr;
   std::vector<Point> position;
   std::vector<Vector> displacement, normals;
+  std::vector<char> looking; ///< of every marker: whether it looks for contact
   Point lower, upper;
 };
 } // namespace softgrain::mpm

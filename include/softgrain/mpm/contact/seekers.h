@@ -41,8 +41,9 @@ void for_places(const MovedBoundary &own, const MovedBoundary::Vector &direction
   const int stride = own.boundary().contact_stride, n = own.n_markers();
   if (!own.is_free)
   {
-    for (int m = 0; m < n; m += stride)
-      work({own.place(m, 0.), static_cast<double>(m), static_cast<unsigned int>(m)});
+    for (int m = 0; m < n; ++m)
+      if (own.looks(m))
+        work({own.place(m, 0.), static_cast<double>(m), static_cast<unsigned int>(m)});
     return;
   }
   const double first = own.facing(direction);
