@@ -3,6 +3,8 @@
 // one is moved, turned, strained and waved by very little, and the change of every gap is compared with what
 // the rows say. Rows that do not count that their places slide along the outline miss a part of it. Last, one
 // disk is dented where it faces the other, and its sides touch: they are found as by a search at all markers.
+// What a row says goes over without a jump while its places pass a marker of outlines whose markers are not
+// equally far apart.
 // Two that are flattened side by side do not touch: the far side of one is not in contact with that of the
 // other.
 #include <softgrain/base/registry.h>
@@ -97,6 +99,35 @@ public:
         continue;
       worst = std::max(worst, std::abs(change.at(row.key) - said[r]));
       largest = std::max(largest, std::abs(change.at(row.key)));
+    }
+    return worst / largest;
+  }
+
+  /// The largest change from one to the next of what the first row between the two says of a change @p v,
+  /// over the largest that it says, while the disk on the left goes up by @p way in this many steps.
+  double jump(const Vectors &u, const Vectors &v, const double way, const unsigned int steps) const
+  {
+    std::map<std::uint64_t, double> before;
+    double worst = 0., largest = 0.;
+    for (unsigned int step = 0; step <= steps; ++step)
+    {
+      Vectors moved = u;
+      for (unsigned int i = 1; i < moved[0].size(); i += 2)
+        moved[0][i] += step * way / steps;
+      ContactSystem<2> system;
+      system.reinit(rows(moved, true), BodyShare(), false, bodies, 1., nullptr);
+      const std::vector<double> said = system.relative_velocity(BodyShare(), bodies, drive, v);
+      std::map<std::uint64_t, double> now;
+      for (unsigned int r = 0; r < said.size(); ++r)
+        if (system.contact_rows()[r].gap_where_found < 0.)
+        {
+          const std::uint64_t key = system.contact_rows()[r].key;
+          now[key] = said[r];
+          largest = std::max(largest, std::abs(said[r]));
+          if (before.count(key) > 0)
+            worst = std::max(worst, std::abs(said[r] - before[key]));
+        }
+      before = now;
     }
     return worst / largest;
   }
@@ -226,6 +257,14 @@ int main()
   for (const auto &[name, change] : changes)
     std::cout << name << ": error " << pair.error(pressed, change, true) << ", places taken to stay "
               << pair.error(pressed, change, false) << '\n';
+  const Vectors squeezed = pair.displacements(
+      [](const unsigned int b, const Vector &x)
+      {
+        const double side = b == 0 ? 1. : -1., out = side * x[0] / radius;
+        return Vector({side * (0.06 - 0.05 * out * out * out), 0.3 * std::sin(12. * x[1]) / 12.});
+      });
+  std::cout << "passing markers, in 400 steps: largest jump of a row "
+            << pair.jump(squeezed, changes[1].second, 0.1, 400) << '\n';
   const Vectors thin = pair.displacements(
       [](const unsigned int b, const Vector &x) {
         return Vector({(b == 0 ? 0.305 : -0.305) - 0.65 * x[0], 0.});

@@ -35,6 +35,19 @@ Vector way_of_marker(const Body<2> &body, const unsigned int marker, const doubl
   return body.velocity.size() > 0 ? dt * at_marker(body.field.marker_weights(marker), body.velocity)
                                   : Vector();
 }
+
+/// The cubic from 0 to 1 with these slopes at its ends, and its slope.
+double share_at(const double t, const double begin, const double end)
+{
+  const double rest = 1. - t;
+  return t * t * (3. - 2. * t) + begin * t * rest * rest - end * t * t * rest;
+}
+
+double rate_at(const double t, const double begin, const double end)
+{
+  const double rest = 1. - t;
+  return 6. * t * rest + begin * rest * (1. - 3. * t) - end * t * (2. - 3. * t);
+}
 } // namespace
 
 double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
@@ -274,44 +287,77 @@ MovedBoundary::Place MovedBoundary::place(const unsigned int m, const double sha
   return at;
 }
 
-std::pair<unsigned int, double> MovedBoundary::segment(const double parameter) const
-{
-  const double n = n_markers();
-  const double inside = parameter - n * std::floor(parameter / n);
-  const unsigned int m = std::min(static_cast<unsigned int>(inside), n_markers() - 1);
-  return {m, std::min(inside - m, 1.)};
-}
-
-MovedBoundary::Place MovedBoundary::place(const double parameter) const
-{
-  const auto [m, share] = segment(parameter);
-  return place(m, share);
-}
-
 NodeWeights MovedBoundary::weights(const unsigned int m, const double share) const
 {
   return body->driven ? NodeWeights() : weights_on_outline(*body, m, share);
 }
 
+std::pair<double, double> MovedBoundary::end_rates(const unsigned int m) const
+{
+  const unsigned int next = body->boundary.next(m);
+  const auto chord = [this](const unsigned int a, const unsigned int b)
+  { return position[a].distance(position[b]); };
+  const double length = chord(m, next);
+  if (length == 0.)
+    return {1., 1.};
+  // The mean length per marker of both sides; up to a rate of 3 the share grows all the way.
+  const auto rate = [length](const double beyond) { return std::min(3., 0.5 * (length + beyond) / length); };
+  return {rate(chord(body->boundary.previous(m), m)), rate(chord(next, body->boundary.next(next)))};
+}
+
+MovedBoundary::OnSegment MovedBoundary::segment(const double parameter) const
+{
+  const double n = n_markers();
+  const double inside = parameter - n * std::floor(parameter / n);
+  const unsigned int m = std::min(static_cast<unsigned int>(inside), n_markers() - 1);
+  const double t = std::min(inside - m, 1.);
+  const auto [begin, end] = end_rates(m);
+  return {m, share_at(t, begin, end), rate_at(t, begin, end)};
+}
+
+double MovedBoundary::parameter_of(const unsigned int m, const double share) const
+{
+  const auto [begin, end] = end_rates(m);
+  double t = share, below = 0., above = 1.;
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    const double off = share_at(t, begin, end) - share;
+    if (std::abs(off) < 1e-14)
+      break;
+    (off > 0. ? above : below) = t;
+    const double next = t - off / rate_at(t, begin, end);
+    t = next > below && next < above ? next : 0.5 * (below + above);
+  }
+  return m + t;
+}
+
+MovedBoundary::Place MovedBoundary::place(const double parameter) const
+{
+  const OnSegment at = segment(parameter);
+  Place result = place(at.marker, at.share);
+  result.speed *= at.rate;
+  return result;
+}
+
 NodeWeights MovedBoundary::weights(const double parameter) const
 {
-  const auto [m, share] = segment(parameter);
-  return weights(m, share);
+  const OnSegment at = segment(parameter);
+  return weights(at.marker, at.share);
 }
 
 MovedBoundary::Point MovedBoundary::position_at(const double parameter) const
 {
-  const auto [m, share] = segment(parameter);
-  const Arc curve = arc(m);
-  return position[m] + share * curve.chord + curve.height(share) * curve.normal;
+  const OnSegment at = segment(parameter);
+  const Arc curve = arc(at.marker);
+  return position[at.marker] + at.share * curve.chord + curve.height(at.share) * curve.normal;
 }
 
 std::pair<MovedBoundary::Point, MovedBoundary::Vector> MovedBoundary::on_grid(const double parameter) const
 {
-  const auto [m, share] = segment(parameter);
-  const Point &begin = body->boundary.grid_position[m],
-              &end = body->boundary.grid_position[body->boundary.next(m)];
-  return {begin + share * (end - begin), edge_normal(begin, end)};
+  const OnSegment at = segment(parameter);
+  const Point &begin = body->boundary.grid_position[at.marker],
+              &end = body->boundary.grid_position[body->boundary.next(at.marker)];
+  return {begin + at.share * (end - begin), edge_normal(begin, end)};
 }
 
 double MovedBoundary::facing(const Vector &direction) const
@@ -327,7 +373,7 @@ double MovedBoundary::facing(const Vector &direction) const
     const double after = side(body->boundary.next(m));
     // Markers run counterclockwise: the ray is crossed from right to left.
     if (before <= 0. && after > 0. && (position[m] - center) * direction > 0.)
-      return m + before / (before - after);
+      return parameter_of(m, before / (before - after));
     before = after;
   }
   return 0.; // only when the centre is outside of the outline

@@ -28,7 +28,10 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
  * Between two markers the curve is the cubic whose ends have the normals of the markers, so that bodies
  * touch where round outlines are and not where chords are, and normals are those of the curve; at a corner it
  * is straight. A place on a loop is
- * told by a parameter: the number of a marker plus the share of the way to the next one.
+ * told by a parameter: the number of a marker plus what grows with the way to the next one, such that the
+ * length of curve per parameter does not jump from one side of a marker to the other. With the share of the
+ * way itself it would, where markers have come closer on one side, and with it what a place that slides does
+ * to its gap: searches for contact rows then go to and fro between two sets of rows.
  */
 class MovedBoundary
 {
@@ -135,8 +138,18 @@ private:
     double height_change(double share) const; ///< per share [m]
   };
   Arc arc(unsigned int m) const;
-  /// The marker before a parameter on the only loop, and the share of the way to the next.
-  std::pair<unsigned int, double> segment(double parameter) const;
+  /// A parameter on the only loop in terms of its markers.
+  struct OnSegment
+  {
+    unsigned int marker; ///< the one before it
+    double share;        ///< of the way to the next one
+    double rate;         ///< of that per parameter
+  };
+  OnSegment segment(double parameter) const;
+  /// Rates of the share per parameter at both ends of the way from marker @p m to the next.
+  std::pair<double, double> end_rates(unsigned int m) const;
+  /// The parameter of a share of that way.
+  double parameter_of(unsigned int m, double share) const;
 
   void find_center(const ContactScene<2> &scene);
   void find_displacements(const ContactScene<2> &scene);
