@@ -3,8 +3,8 @@
 // one is moved, turned, strained and waved by very little, and the change of every gap is compared with what
 // the rows say. Rows that do not count that their places slide along the outline miss a part of it. Last, one
 // disk is dented where it faces the other, and its sides touch: they are found as by a search at all markers.
-// What a row says goes over without a jump while its places pass a marker of outlines whose markers are not
-// equally far apart.
+// The rate of a gap that a row tells does not jump while its place passes a marker, also where markers are
+// not equally far apart.
 // Two that are flattened side by side do not touch: the far side of one is not in contact with that of the
 // other.
 #include <softgrain/base/registry.h>
@@ -103,8 +103,9 @@ public:
     return worst / largest;
   }
 
-  /// The largest change from one to the next of what the first row between the two says of a change @p v,
-  /// over the largest that it says, while the disk on the left goes up by @p way in this many steps.
+  /// The disk on the left goes up by @p way in this many steps. Of all rows that overlap: the largest
+  /// difference, from one step to the next, of the rate of a gap that a row tells for velocities @p v, over
+  /// the largest such rate.
   double jump(const Vectors &u, const Vectors &v, const double way, const unsigned int steps) const
   {
     std::map<std::uint64_t, double> before;

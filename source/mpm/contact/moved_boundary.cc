@@ -36,17 +36,28 @@ Vector way_of_marker(const Body<2> &body, const unsigned int marker, const doubl
                                   : Vector();
 }
 
-/// The cubic from 0 to 1 with these slopes at its ends, and its slope.
-double share_at(const double t, const double begin, const double end)
+/// Times @p scale, the cubic of t that is 0 at 0 and at 1 and has these slopes there.
+double cubic(const double scale, const double t, const double begin, const double end)
 {
   const double rest = 1. - t;
-  return t * t * (3. - 2. * t) + begin * t * rest * rest - end * t * t * rest;
+  return scale * t * rest * (begin * rest - end * t);
+}
+
+/// Its slope, for a scale of 1.
+double cubic_slope(const double t, const double begin, const double end)
+{
+  return begin * (1. - t) * (1. - 3. * t) - end * t * (2. - 3. * t);
+}
+
+/// The cubic from 0 at 0 to 1 at 1 with these slopes there, and its slope.
+double share_at(const double t, const double begin, const double end)
+{
+  return t * t * (3. - 2. * t) + cubic(1., t, begin, end);
 }
 
 double rate_at(const double t, const double begin, const double end)
 {
-  const double rest = 1. - t;
-  return 6. * t * rest + begin * rest * (1. - 3. * t) - end * t * (2. - 3. * t);
+  return 6. * t * (1. - t) + cubic_slope(t, begin, end);
 }
 } // namespace
 
@@ -240,13 +251,12 @@ void MovedBoundary::shift(const Vector &way, const Vector &moves, const double s
 
 double MovedBoundary::Arc::height(const double share) const
 {
-  const double rest = 1. - share;
-  return length * share * rest * (start_slope * rest - end_slope * share);
+  return cubic(length, share, start_slope, end_slope);
 }
 
 double MovedBoundary::Arc::height_change(const double share) const
 {
-  return length * (start_slope * (1. - share) * (1. - 3. * share) - end_slope * share * (2. - 3. * share));
+  return length * cubic_slope(share, start_slope, end_slope);
 }
 
 MovedBoundary::Arc MovedBoundary::arc(const unsigned int m) const

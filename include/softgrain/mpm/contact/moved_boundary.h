@@ -28,10 +28,10 @@ double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
  * Between two markers the curve is the cubic whose ends have the normals of the markers, so that bodies
  * touch where round outlines are and not where chords are, and normals are those of the curve; at a corner it
  * is straight. A place on a loop is
- * told by a parameter: the number of a marker plus what grows with the way to the next one, such that the
- * length of curve per parameter does not jump from one side of a marker to the other. With the share of the
- * way itself it would, where markers have come closer on one side, and with it what a place that slides does
- * to its gap: searches for contact rows then go to and fro between two sets of rows.
+ * told by a parameter: the number of a marker plus a number that grows from 0 to 1 on the way to the next
+ * one. The length of curve per parameter does not jump at a marker, also where its two neighbours are not
+ * equally far from it. If it did, the gap of a place that slides past the marker would change at another rate
+ * from there on, and searches for contact rows would go to and fro between two sets of rows.
  */
 class MovedBoundary
 {
@@ -138,17 +138,17 @@ private:
     double height_change(double share) const; ///< per share [m]
   };
   Arc arc(unsigned int m) const;
-  /// A parameter on the only loop in terms of its markers.
+  /// Where on the only loop the place of a parameter is.
   struct OnSegment
   {
-    unsigned int marker; ///< the one before it
-    double share;        ///< of the way to the next one
-    double rate;         ///< of that per parameter
+    unsigned int marker; ///< the one before the place
+    double share;        ///< of the chord to the next marker
+    double rate;         ///< change of the share per parameter
   };
   OnSegment segment(double parameter) const;
-  /// Rates of the share per parameter at both ends of the way from marker @p m to the next.
+  /// Changes of the share per parameter at both ends of the chord from marker @p m to the next.
   std::pair<double, double> end_rates(unsigned int m) const;
-  /// The parameter of a share of that way.
+  /// The parameter of a share of that chord.
   double parameter_of(unsigned int m, double share) const;
 
   void find_center(const ContactScene<2> &scene);
