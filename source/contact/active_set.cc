@@ -114,6 +114,31 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
   return newton(W, problem, compliance, settings, true, impulses, report);
 }
 
+namespace
+{
+/// Whether Newton's method, of which @p impulses and @p residual are the outcome, ends in a circle that is
+/// good enough in the mean. It goes on until that is known.
+bool comes_back(const Matrix &W,
+                const Problem &problem,
+                const std::vector<double> &compliance,
+                const SolverSettings &settings,
+                std::vector<double> &impulses,
+                double &residual,
+                SolverReport &report)
+{
+  const auto passes = [&]
+  {
+    return mean_natural_residual(problem, compliance, impulses, velocities(W, problem, impulses)) <=
+           settings.passable_mean;
+  };
+  if (settings.passable_mean == 0. || !passes())
+    return false;
+  if (!report.came_back)
+    residual = newton_active_set(W, problem, compliance, settings, impulses, report);
+  return report.came_back && residual > settings.tolerance && passes();
+}
+} // namespace
+
 /// Sweeps between two rounds of Newton, doubled when a round did not help, after which Algorithm::active_set
 /// gives up: where Newton fails so often, more sweeps do not help.
 constexpr unsigned int most_between_rounds = 200;
@@ -178,7 +203,7 @@ SolverReport solve(Operator &op,
   for (;;)
   {
     SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
-    const double before = report.residual;
+    const double before = report.residual, lowest_before = lowest;
     trial = impulses;
     SolverSettings attempt = settings;
     // Newton ends soon or wanders: a few sweeps are then a better start than many more exchanges. In space
@@ -187,9 +212,11 @@ SolverReport solve(Operator &op,
       attempt.max_newton_iterations =
           std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
     double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
-    // In the plane at once: sweeps would lead away from impulses that may be close.
     const bool plane = problem.n_components == 2;
-    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 &&
+    const bool came_back = plane && after > std::max(settings.tolerance, settings.passable) &&
+                           comes_back(W, problem, compliance, settings, trial, after, newton);
+    // In the plane at once: sweeps would lead away from impulses that may be close.
+    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !came_back &&
         !started_again && (plane || rounds > 0 || !warm))
     {
       started_again = true; // a second time would end the same
@@ -211,11 +238,14 @@ SolverReport solve(Operator &op,
       evaluate();
       remember();
     }
-    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps ||
+    report.came_back = came_back;
+    const bool again = newton.came_back && rounds > 0 && after <= 1.001 * lowest_before;
+    if (report.converged || report.limited_by_rounding || came_back || report.sweeps >= settings.max_sweeps ||
         (settings.algorithm == Algorithm::active_set &&
-         (chunk > most_between_rounds || report.residual <= settings.passable)))
+         (chunk > most_between_rounds || again || report.residual <= settings.passable)))
       break;
-    if (!(after < 0.1 * before) && rounds > 0)
+    // Sweeps lead away from where Newton may come to again and again: what counts is the best so far.
+    if (!(lowest < 0.1 * lowest_before) && rounds > 0)
       chunk *= 2;
     ++rounds;
     // polishing, or a better start for the next round

@@ -14,6 +14,9 @@ namespace
 {
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+/// Residuals that differ by less, relatively, are the same.
+constexpr double same = 1e-3;
+
 std::vector<double> to_vector(const Eigen::VectorXd &x)
 {
   return std::vector<double>(x.data(), x.data() + x.size());
@@ -181,7 +184,7 @@ double frictional_newton(const Matrix &W,
   Eigen::VectorXd w = W * P + q;
   double here = residual(P, w), best = here, epsilon = 1e-10;
   const double speed = approach_speed(problem, compliance);
-  unsigned int uphill = 0;
+  unsigned int uphill = 0, since_best = 0;
   bool trusting = trust_impulses;
   while (best > settings.tolerance && report.newton_iterations < settings.max_newton_iterations)
   {
@@ -225,12 +228,18 @@ double frictional_newton(const Matrix &W,
     here = residual(P, w);
     if (!std::isfinite(here))
       break;
+    // As good as the best, and not next to it: the same sets of stick and slip come again.
+    if (since_best > 0 && std::abs(here - best) <= same * best)
+      report.came_back = true;
+    ++since_best;
     if (here < best)
     {
       best = here;
       impulses = to_vector(P);
-      uphill = 0;
+      uphill = since_best = 0;
     }
+    if (report.came_back)
+      break;
   }
   return best;
 }

@@ -35,6 +35,25 @@ double largest_natural_map(const Problem &problem,
 }
 
 template <unsigned int n>
+double mean_natural_map(const Problem &problem,
+                        const std::vector<double> &compliance,
+                        const std::vector<double> &impulses,
+                        const std::vector<double> &velocities)
+{
+  double sum = 0.;
+  std::size_t n_carry = 0;
+  for (std::size_t i = 0; i < compliance.size(); ++i)
+    if (compliance[i] > 0.)
+    {
+      const double here =
+          natural_map<n>(&impulses[i * n], &velocities[i * n], problem.friction_of(i), compliance[i]);
+      sum += here * here; // of open ones, too: they may overlap
+      n_carry += impulses[i * n] > 0.;
+    }
+  return std::sqrt(sum / std::max<std::size_t>(n_carry, 1));
+}
+
+template <unsigned int n>
 double squared_natural_map(const Problem &problem,
                            const std::vector<double> &impulses,
                            const std::vector<double> &velocities)
@@ -46,6 +65,15 @@ double squared_natural_map(const Problem &problem,
     sum += here * here;
   }
   return sum;
+}
+
+/// A velocity over the approach speed.
+double relative(const double error, const Problem &problem, const std::vector<double> &compliance)
+{
+  if (error == 0.)
+    return 0.;
+  const double speed = approach_speed(problem, compliance);
+  return speed > 0. ? error / speed : std::numeric_limits<double>::infinity();
 }
 
 double norm(const std::vector<double> &x)
@@ -102,11 +130,18 @@ double natural_residual(const Problem &problem,
   const auto map = problem.n_components == 1   ? largest_natural_map<1>
                    : problem.n_components == 2 ? largest_natural_map<2>
                                                : largest_natural_map<3>;
-  const double worst = map(problem, compliance, impulses, velocities);
-  const double speed = approach_speed(problem, compliance);
-  if (worst == 0.)
-    return 0.;
-  return speed > 0. ? worst / speed : std::numeric_limits<double>::infinity();
+  return relative(map(problem, compliance, impulses, velocities), problem, compliance);
+}
+
+double mean_natural_residual(const Problem &problem,
+                             const std::vector<double> &compliance,
+                             const std::vector<double> &impulses,
+                             const std::vector<double> &velocities)
+{
+  const auto map = problem.n_components == 1   ? mean_natural_map<1>
+                   : problem.n_components == 2 ? mean_natural_map<2>
+                                               : mean_natural_map<3>;
+  return relative(map(problem, compliance, impulses, velocities), problem, compliance);
 }
 
 double siconos_residual(const Problem &problem,

@@ -79,6 +79,9 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   if (problem.settings.rows_follow() && problem.settings.scheme.inertia && outcome.newton_iterations > 0)
     settings.tolerance =
         std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
+  const double allowed = 100. * problem.settings.contact_solver.tolerance;
+  if (problem.settings.rows_follow() && problem.settings.scheme.inertia)
+    settings.passable_mean = allowed;
   const contact::SolverReport report =
       work.contact.solve(row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt,
                                       theta == 1. || problem.settings.rows_follow(), relative),
@@ -87,9 +90,9 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   outcome.contact_residual = report.residual;
   // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a
   // little above the tolerance: the step is then right to five digits, its residual is reported, and
-  // cutting it would not help.
-  is_converged = report.converged || report.limited_by_rounding ||
-                 report.residual <= 100. * problem.settings.contact_solver.tolerance;
+  // cutting it would not help. The same goes for all contacts in the mean, where one of them finds no state.
+  is_converged =
+      report.converged || report.limited_by_rounding || report.came_back || report.residual <= allowed;
   if (is_converged || report.residual <= settings.passable)
     return "";
   if (!problem.settings.failed_problem_directory.empty())
