@@ -14,6 +14,9 @@ constexpr double weakest = 1e-3; ///< resistance, over what was set
 /// is too much costs as many more steps on the way to the bodies.
 constexpr double rise_at_rest = 10., rise_with_free_walls = 3.;
 
+/// Held steps that bring bodies no nearer to balance, after which going back and forth is a circle.
+constexpr unsigned int most_in_vain = 12;
+
 /// Of the nodes of all bodies [m].
 std::vector<Eigen::VectorXd> displacements(const State &state)
 {
@@ -103,9 +106,21 @@ void Relaxation::ease(const StepOutcome &step)
 
 void Relaxation::resist(const StepOutcome &step, const double before, const double after)
 {
+  if (after < 0.9 * lowest)
+  {
+    lowest = after;
+    since_lowest = 0;
+  }
+  else
+    ++since_lowest;
   // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
   if (turn < -0.3)
+  {
+    // Again and again, in a circle: what resistance falls to is too little.
+    if (since_lowest > most_in_vain)
+      least = std::max(least, std::min(3. * next.regularisation, 1.));
     next.regularisation = std::max(next.regularisation, std::min(10. * next.regularisation, 10.));
+  }
   else if (step.rows_follow && after > 0.3 * before)
     next.regularisation = std::max(0.1 * next.regularisation, least);
   least = std::max((step.newton_iterations <= 4 ? 0.5 : 0.8) * least, weakest * wanted);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace softgrain::mpm
@@ -52,6 +53,8 @@ private:
   double least;        ///< that has not just been too little
   double turn = 0;     ///< cosine of the angle between the last two ways
   double sequence = 1; ///< Nesterov's
+  double lowest = std::numeric_limits<double>::infinity(); ///< that bodies were out of balance
+  unsigned int since_lowest = 0;                           ///< held steps since then
   Vectors place, way;  ///< of the nodes of all bodies, and from the place before [m]
 };
 } // namespace softgrain::mpm
