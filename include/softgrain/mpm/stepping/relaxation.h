@@ -48,14 +48,14 @@ private:
   void resist(const StepOutcome &step, double before, double after);
 
   StepPlan next;
-  const double wanted; ///< resistance, as it was set
-  const double rise;   ///< factor of it after a refused step
-  double least;        ///< that has not just been too little
-  double turn = 0;     ///< cosine of the angle between the last two ways
-  double sequence = 1; ///< Nesterov's
+  const double wanted;                                     ///< resistance, as it was set
+  const double rise;                                       ///< factor of it after a refused step
+  double least;                                            ///< that has not just been too little
+  double turn = 0;                                         ///< cosine of the angle between the last two ways
+  double sequence = 1;                                     ///< Nesterov's
   double lowest = std::numeric_limits<double>::infinity(); ///< that bodies were out of balance
   unsigned int since_lowest = 0;                           ///< held steps since then
-  Vectors place, way;  ///< of the nodes of all bodies, and from the place before [m]
+  Vectors place, way; ///< of the nodes of all bodies, and from the place before [m]
 };
 } // namespace softgrain::mpm
 
