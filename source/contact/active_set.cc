@@ -116,8 +116,8 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
 
 namespace
 {
-/// Whether Newton's method, of which @p impulses and @p residual are the outcome, ends in a circle that is
-/// good enough in the mean. It goes on until that is known.
+/// Whether Newton's method, which has come to @p impulses, repeats its iterates there and they are good
+/// enough in the mean. It goes on until that is known.
 bool comes_back(const Matrix &W,
                 const Problem &problem,
                 const std::vector<double> &compliance,
@@ -133,8 +133,9 @@ bool comes_back(const Matrix &W,
   };
   if (settings.passable_mean == 0. || !passes())
     return false;
-  if (!report.came_back)
-    residual = newton_active_set(W, problem, compliance, settings, impulses, report);
+  if (report.came_back)
+    return true;
+  residual = newton_active_set(W, problem, compliance, settings, impulses, report);
   return report.came_back && residual > settings.tolerance && passes();
 }
 } // namespace
@@ -213,11 +214,12 @@ SolverReport solve(Operator &op,
           std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
     double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
     const bool plane = problem.n_components == 2;
-    const bool came_back = plane && after > std::max(settings.tolerance, settings.passable) &&
-                           comes_back(W, problem, compliance, settings, trial, after, newton);
+    const double good = std::max(settings.tolerance, settings.passable);
+    const bool came_back =
+        plane && after > good && comes_back(W, problem, compliance, settings, trial, after, newton);
     // In the plane at once: sweeps would lead away from impulses that may be close.
-    if (after > std::max(settings.tolerance, settings.passable) && problem.n_components > 1 && !came_back &&
-        !started_again && (plane || rounds > 0 || !warm))
+    if (after > good && problem.n_components > 1 && !came_back && !started_again &&
+        (plane || rounds > 0 || !warm))
     {
       started_again = true; // a second time would end the same
       std::vector<double> other = impulses;
@@ -244,7 +246,7 @@ SolverReport solve(Operator &op,
         (settings.algorithm == Algorithm::active_set &&
          (chunk > most_between_rounds || again || report.residual <= settings.passable)))
       break;
-    // Sweeps lead away from where Newton may come to again and again: what counts is the best so far.
+    // Sweeps may lead away from an iterate that Newton then finds again: progress is a better best residual.
     if (!(lowest < 0.1 * lowest_before) && rounds > 0)
       chunk *= 2;
     ++rounds;

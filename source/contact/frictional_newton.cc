@@ -14,7 +14,7 @@ namespace
 {
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Residuals that differ by less, relatively, are the same.
+/// Relative difference up to which two residuals count as the same.
 constexpr double same = 1e-3;
 
 std::vector<double> to_vector(const Eigen::VectorXd &x)
@@ -228,7 +228,7 @@ double frictional_newton(const Matrix &W,
     here = residual(P, w);
     if (!std::isfinite(here))
       break;
-    // As good as the best, and not next to it: the same sets of stick and slip come again.
+    // The best residual again, after others: Newton repeats the same sets of stick and slip.
     if (since_best > 0 && std::abs(here - best) <= same * best)
       report.came_back = true;
     ++since_best;

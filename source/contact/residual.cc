@@ -13,58 +13,32 @@ namespace softgrain::contact
 {
 namespace
 {
-template <unsigned int n>
-double largest_natural_map(const Problem &problem,
+template <unsigned int n, class Visit>
+void visit_natural_maps_of(const Problem &problem,
                            const std::vector<double> &compliance,
                            const std::vector<double> &impulses,
-                           const std::vector<double> &velocities)
+                           const std::vector<double> &velocities,
+                           const Visit &visit)
 {
-  double worst = 0.;
   for (std::size_t i = 0; i < compliance.size(); ++i)
     if (compliance[i] > 0.)
-    {
-      const double here =
-          natural_map<n>(&impulses[i * n], &velocities[i * n], problem.friction_of(i), compliance[i]);
-      // not max(): a NaN must be seen
-      if (!(here <= worst))
-        worst = here;
-      if (std::isnan(worst))
-        return worst;
-    }
-  return worst;
+      visit(i, natural_map<n>(&impulses[i * n], &velocities[i * n], problem.friction_of(i), compliance[i]));
 }
 
-template <unsigned int n>
-double mean_natural_map(const Problem &problem,
+/// Calls @p visit with the number and the natural_map() of every contact that has a compliance.
+template <class Visit>
+void visit_natural_maps(const Problem &problem,
                         const std::vector<double> &compliance,
                         const std::vector<double> &impulses,
-                        const std::vector<double> &velocities)
+                        const std::vector<double> &velocities,
+                        const Visit &visit)
 {
-  double sum = 0.;
-  std::size_t n_carry = 0;
-  for (std::size_t i = 0; i < compliance.size(); ++i)
-    if (compliance[i] > 0.)
-    {
-      const double here =
-          natural_map<n>(&impulses[i * n], &velocities[i * n], problem.friction_of(i), compliance[i]);
-      sum += here * here; // of open ones, too: they may overlap
-      n_carry += impulses[i * n] > 0.;
-    }
-  return std::sqrt(sum / std::max<std::size_t>(n_carry, 1));
-}
-
-template <unsigned int n>
-double squared_natural_map(const Problem &problem,
-                           const std::vector<double> &impulses,
-                           const std::vector<double> &velocities)
-{
-  double sum = 0.;
-  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
-  {
-    const double here = natural_map<n>(&impulses[i * n], &velocities[i * n], problem.friction_of(i), 1.);
-    sum += here * here;
-  }
-  return sum;
+  if (problem.n_components == 1)
+    visit_natural_maps_of<1>(problem, compliance, impulses, velocities, visit);
+  else if (problem.n_components == 2)
+    visit_natural_maps_of<2>(problem, compliance, impulses, velocities, visit);
+  else
+    visit_natural_maps_of<3>(problem, compliance, impulses, velocities, visit);
 }
 
 /// A velocity over the approach speed.
@@ -127,10 +101,15 @@ double natural_residual(const Problem &problem,
                         const std::vector<double> &impulses,
                         const std::vector<double> &velocities)
 {
-  const auto map = problem.n_components == 1   ? largest_natural_map<1>
-                   : problem.n_components == 2 ? largest_natural_map<2>
-                                               : largest_natural_map<3>;
-  return relative(map(problem, compliance, impulses, velocities), problem, compliance);
+  double worst = 0.;
+  visit_natural_maps(problem, compliance, impulses, velocities,
+                     [&](std::size_t, const double here)
+                     {
+                       // not max(): a NaN must be seen, and stay
+                       if (!(here <= worst) && !std::isnan(worst))
+                         worst = here;
+                     });
+  return relative(worst, problem, compliance);
 }
 
 double mean_natural_residual(const Problem &problem,
@@ -138,20 +117,25 @@ double mean_natural_residual(const Problem &problem,
                              const std::vector<double> &impulses,
                              const std::vector<double> &velocities)
 {
-  const auto map = problem.n_components == 1   ? mean_natural_map<1>
-                   : problem.n_components == 2 ? mean_natural_map<2>
-                                               : mean_natural_map<3>;
-  return relative(map(problem, compliance, impulses, velocities), problem, compliance);
+  double sum = 0.;
+  std::size_t n_carry = 0;
+  visit_natural_maps(problem, compliance, impulses, velocities,
+                     [&](const std::size_t i, const double here)
+                     {
+                       sum += here * here; // of open contacts, too: they may overlap
+                       n_carry += impulses[i * problem.n_components] > 0.;
+                     });
+  return relative(std::sqrt(sum / std::max<std::size_t>(n_carry, 1)), problem, compliance);
 }
 
 double siconos_residual(const Problem &problem,
                         const std::vector<double> &impulses,
                         const std::vector<double> &velocities)
 {
-  const auto map = problem.n_components == 1   ? squared_natural_map<1>
-                   : problem.n_components == 2 ? squared_natural_map<2>
-                                               : squared_natural_map<3>;
-  const double error = std::sqrt(map(problem, impulses, velocities));
+  double sum = 0.;
+  visit_natural_maps(problem, std::vector<double>(problem.n_contacts(), 1.), impulses, velocities,
+                     [&](std::size_t, const double here) { sum += here * here; });
+  const double error = std::sqrt(sum);
   const double scale = std::max({norm(impulses), norm(velocities), norm(problem.free_velocity)});
   return error == 0. ? 0. : error / scale;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Problems with friction in which Newton's method goes round in circles: one contact neither sticks nor
-// slides as the others are. What is good enough in the mean is taken where the caller says so, at the price
-// of a few iterations; else a path solves the problem.
+// Problems with friction in which Newton's method repeats a few iterates: one contact neither sticks nor
+// slides as the others are. With a large enough bound of the mean residual such an iterate is accepted after
+// a few iterations; without it a path solves the problem.
 #include "disk_lattice.h"
 #include "reference.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Held steps that go in a circle: bodies go on while they resist, and all the way back as soon as they resist
-// too little. What they resist falls when all goes well, so that they would go back every fourth step and
-// never arrive. It may fall less from one time to the next, until bodies come to balance. A body that comes
-// nearer to balance in every step goes on as it did: there resistance falls.
+// Held steps in a circle: a body goes on where its resistance is large, and back where it is too small.
+// Resistance falls after every good step, so that the body goes back every fourth step and never arrives.
+// After a dozen steps without a better balance resistance falls less far each time, until the body arrives. A
+// body that never goes back arrives in a few steps, with a resistance that falls all the way.
 #include <softgrain/mpm/model/problem.h>
 #include <softgrain/mpm/model/state.h>
 #include <softgrain/mpm/stepping/relaxation.h>

@@ -49,9 +49,9 @@ struct SolverSettings
   /// to it, it tries nothing dearer.
   double passable = 0.;
 
-  /// In the plane, a mean_natural_residual() above the tolerance with which the caller can go on where
-  /// Newton's method comes back to where it was: one or two contacts neither stick nor slide as the others
-  /// are, and Algorithm::active_set tries nothing dearer for their sake.
+  /// In the plane, a mean_natural_residual() with which the caller can go on where Newton's method repeats
+  /// its iterates, since one or two contacts neither stick nor slide as the others are: nothing dearer is
+  /// tried then. 0: never.
   double passable_mean = 0.;
 
   /// @throw InputError when a value is out of range.
@@ -70,8 +70,8 @@ struct SolverReport
   bool limited_by_rounding = false;
   /// Momentum was given up and plain sweeps went on.
   bool fell_back = false;
-  /// Newton came back to the solution returned, and so would again; its mean_natural_residual() is within
-  /// SolverSettings::passable_mean.
+  /// Not converged, but Newton repeats its iterates, and the mean_natural_residual() of the one returned is
+  /// within SolverSettings::passable_mean.
   bool came_back = false;
   /// Newton was used, and gave the solution that is returned or polished.
   bool accelerated = false;

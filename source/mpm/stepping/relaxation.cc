@@ -14,7 +14,7 @@ constexpr double weakest = 1e-3; ///< resistance, over what was set
 /// is too much costs as many more steps on the way to the bodies.
 constexpr double rise_at_rest = 10., rise_with_free_walls = 3.;
 
-/// Held steps that bring bodies no nearer to balance, after which going back and forth is a circle.
+/// Held steps without a better balance, after which bodies that go back and forth are in a circle.
 constexpr unsigned int most_in_vain = 12;
 
 /// Of the nodes of all bodies [m].
@@ -116,7 +116,7 @@ void Relaxation::resist(const StepOutcome &step, const double before, const doub
   // Back and forth: rows and bodies chase each other. On and on, or slow: what resists has no reason to.
   if (turn < -0.3)
   {
-    // Again and again, in a circle: what resistance falls to is too little.
+    // In a circle this resistance is too little: it must not fall as far again at once.
     if (since_lowest > most_in_vain)
       least = std::max(least, std::min(3. * next.regularisation, 1.));
     next.regularisation = std::max(next.regularisation, std::min(10. * next.regularisation, 10.));

@@ -75,13 +75,15 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   // The iterations that come bring other rows and other problems; the last one must be solved.
   if (problem.settings.rows_follow() && outcome.newton_iterations < rough_iterations)
     settings.passable = passable_residual;
-  // Every iteration has other rows: what one leaves open, the next does not mend.
-  if (problem.settings.rows_follow() && problem.settings.scheme.inertia && outcome.newton_iterations > 0)
-    settings.tolerance =
-        std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
   const double allowed = 100. * problem.settings.contact_solver.tolerance;
   if (problem.settings.rows_follow() && problem.settings.scheme.inertia)
+  {
     settings.passable_mean = allowed;
+    // Every iteration has other rows: what one leaves open, the next does not mend.
+    if (outcome.newton_iterations > 0)
+      settings.tolerance =
+          std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
+  }
   const contact::SolverReport report =
       work.contact.solve(row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt,
                                       theta == 1. || problem.settings.rows_follow(), relative),
@@ -90,7 +92,8 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   outcome.contact_residual = report.residual;
   // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a
   // little above the tolerance: the step is then right to five digits, its residual is reported, and
-  // cutting it would not help. The same goes for all contacts in the mean, where one of them finds no state.
+  // cutting it would not help. Likewise where all contacts are right to five digits in the mean, but one
+  // neither sticks nor slides.
   is_converged =
       report.converged || report.limited_by_rounding || report.came_back || report.residual <= allowed;
   if (is_converged || report.residual <= settings.passable)

@@ -53,8 +53,8 @@ private:
   double least;                                            ///< that has not just been too little
   double turn = 0;                                         ///< cosine of the angle between the last two ways
   double sequence = 1;                                     ///< Nesterov's
-  double lowest = std::numeric_limits<double>::infinity(); ///< that bodies were out of balance
-  unsigned int since_lowest = 0;                           ///< held steps since then
+  double lowest = std::numeric_limits<double>::infinity(); ///< imbalance so far
+  unsigned int since_lowest = 0;                           ///< held steps since it was lowered by a tenth
   Vectors place, way; ///< of the nodes of all bodies, and from the place before [m]
 };
 } // namespace softgrain::mpm
