@@ -109,6 +109,12 @@ def bonded(case):
     return "gallery/biaxial_thirty_grains_bpm.prm", changes
 
 
+def repeating(model):
+    """The box becomes a cell that repeats: its sides are driven as the walls are."""
+    changes = {"Packing/Periodic": "x, y", **{f"Walls/{side}/Type": "periodic" for side in ("bottom", "top", "left", "right")}}
+    return {**changes, "Mesh/Lower": "-3e-3, -3e-3"} if model == "mpm" else changes
+
+
 SCENES = {"mpm": material_points, "bpm": bonded}
 
 
@@ -123,6 +129,8 @@ def cases(arguments):
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
                     name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
                     scene, changes = SCENES[arguments.model](case)
+                    if case.periodic:
+                        name, changes = name + "-periodic", {**changes, **repeating(arguments.model)}
                     yield name + case.suffix, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed),
                                                       **further}
 
@@ -142,6 +150,7 @@ def main():
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm and --moving (default: %(default)s)")
     parser.add_argument("--moving", action="store_true", help="mpm: with inertia")
+    parser.add_argument("--periodic", action="store_true", help="a cell that repeats in place of walls")
     parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")

@@ -81,8 +81,8 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
     Runs a parameter file with some parameters changed and returns the finished run.
 
     @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). With again=False a run that
-    is finished in @output is only opened; restart=True goes on with one that is not, from its newest checkpoint, and
-    overwrite=True loses it. @timeout: seconds. @verbose prints the command first. What the program prints is kept in the
+    is finished in @output is only opened; restart=True goes on with one that is not, from its newest checkpoint, restart=FILE
+    with any run from that one, and overwrite=True loses it. @timeout: seconds. @verbose prints the command first. What the program prints is kept in the
     attribute `log` of the run. InputError and RunFailed tell what the program said.
 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
@@ -95,13 +95,13 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
     if not os.path.exists(scene):
         raise InputError(f"{scene}: there is no such file")
     if restart and overwrite:
-        raise InputError("restart=True and overwrite=True exclude each other")
+        raise InputError("restart and overwrite exclude each other")
     words = [find_program(program), "run", os.fspath(scene)]
     for name, value in (set or {}).items():
         words += ["--set", f"{name}={text_of(value)}"]
     words += ["--output", os.fspath(output)] if output is not None else []
     words += ["--threads", str(threads)] if threads is not None else []
-    words += ["--restart"] if restart else []
+    words += ["--restart", *([] if restart is True else [os.fspath(restart)])] if restart else []
     # A program without this option loses an unfinished run without being told to.
     words += ["--overwrite"] if overwrite and knows(words[0], "--overwrite") else []
     if verbose:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/restart_check.h>
+#include <softgrain/app/stage_path.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/state_file.h>
@@ -23,6 +24,8 @@ const char *const parameters_name = "driver/parameters", *const names_name = "dr
 
 /// More of them would hide the message.
 constexpr std::size_t max_changes_in_message = 4;
+
+const std::string not_there = "(not there)", stage_names = "Stages/Names", of_stages = "Stages/";
 
 using Parameters = std::map<std::string, std::string>;
 
@@ -77,6 +80,31 @@ bool matches(const std::string &path, const std::string &pattern)
     return false;
   return std::equal(wanted.begin(), wanted.end(), names.begin(),
                     [](const std::string &w, const std::string &name) { return w == "*" || w == name; });
+}
+
+std::string value_of(const Parameters &parameters, const std::string &path)
+{
+  const auto found = parameters.find(path);
+  return found == parameters.end() ? not_there : found->second;
+}
+
+/// What of the stages may be another, as changeable_in_every_model() says it: all of those that had not
+/// begun.
+std::vector<std::string>
+changeable_stages(const std::size_t n_begun, const Parameters &before, const Parameters &now)
+{
+  const auto names_in = [](const Parameters &parameters)
+  { return dealii::Utilities::split_string_list(value_of(parameters, stage_names), ","); };
+  const std::vector<std::string> old_names = names_in(before), new_names = names_in(now);
+  std::vector<std::string> patterns;
+  if (n_begun == 0 || new_names.size() < n_begun || old_names.size() < n_begun ||
+      !std::equal(old_names.begin(), old_names.begin() + n_begun, new_names.begin()))
+    return patterns;
+  patterns.push_back(stage_names);
+  for (const std::vector<std::string> &names : {old_names, new_names})
+    for (std::size_t n = n_begun; n < names.size(); ++n)
+      patterns.push_back("Stages/" + names[n] + "/");
+  return patterns;
 }
 
 /// Every number that places or shapes a body, in a row, and how many they are.
@@ -162,35 +190,39 @@ std::vector<std::string> changeable_in_every_model()
 std::vector<std::string> check_description(const StateReader &reader,
                                            const std::string &effective_parameters,
                                            const Scene<2> &scene,
-                                           const std::vector<std::string> &changeable)
+                                           std::vector<std::string> changeable)
 {
   const Parameters before = parameters_of(reader.read_text(parameters_name)),
                    now = parameters_of(effective_parameters);
-  const auto value = [](const Parameters &parameters, const std::string &path)
-  {
-    const auto found = parameters.find(path);
-    return found == parameters.end() ? std::string("(not there)") : found->second;
-  };
+  for (const std::string &pattern : changeable_stages(StagePath::number_begun(reader), before, now))
+    changeable.push_back(pattern);
   Parameters all = before;
   all.insert(now.begin(), now.end());
   std::vector<std::string> changes;
   std::string refused;
   std::size_t n_refused = 0;
+  bool of_stage = false;
   for (const auto &parameter : all)
   {
-    const std::string &path = parameter.first, was = value(before, path), is = value(now, path);
+    const std::string &path = parameter.first, was = value_of(before, path), is = value_of(now, path);
     if (same_value(was, is))
       continue;
     if (std::any_of(changeable.begin(), changeable.end(),
                     [&path = path](const std::string &pattern) { return matches(path, pattern); }))
-      changes.push_back("'" + path + "': " + was + " -> " + is);
-    else if (++n_refused <= max_changes_in_message)
+    {
+      // All parameters of a stage that is new or gone would hide the others.
+      if (path.compare(0, of_stages.size(), of_stages) != 0 || (was != not_there && is != not_there))
+        changes.push_back("'" + path + "': " + was + " -> " + is);
+    }
+    else if (of_stage = of_stage || path.compare(0, of_stages.size(), of_stages) == 0;
+             ++n_refused <= max_changes_in_message)
       refused += (refused.empty() ? "'" : ", '") + path + "' was '" + was + "' and is '" + is + "'";
   }
   if (n_refused > max_changes_in_message)
     refused += ", and " + std::to_string(n_refused - max_changes_in_message) + " more";
   if (n_refused > 0)
-    throw InputError(refused + ": a run that goes on may not change this");
+    throw InputError(refused + ": a run that goes on may not change this" +
+                     (of_stage ? "; of stages only those that had not begun, and 'Stop'" : ""));
   check_bodies(reader, scene.bodies);
   return changes;
 }

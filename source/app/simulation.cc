@@ -182,8 +182,10 @@ void Simulation::start_files()
       });
   write_summary("running");
   if (!restarted)
-  {
     path.begin();
+  // Another folder than that of the checkpoint begins with the state that the run goes on from.
+  if (!restarted || ranks.any(ranks.first() && history.is_new()))
+  {
     write_history(StepReport());
     write_pictures(field_schedule.active(), snapshot_schedule.active());
   }
@@ -192,6 +194,8 @@ void Simulation::start_files()
 std::string Simulation::loop()
 {
   progress.start();
+  if (path.was_at_end_of_stage() && !finished() && !path.is_last() && path.stage_is_done(planner.slack()))
+    begin_next_stage();
   auto last_checkpoint = std::chrono::steady_clock::now();
   StepReport report;
   while (!finished() && !interruption_requested())
@@ -209,7 +213,7 @@ std::string Simulation::loop()
     statistics.add_step(report);
     write_due_output(report);
     if (!path.is_last() && path.stage_is_done(planner.slack()))
-      enter_next_stage(report);
+      end_stage(report);
     progress.update(model.time(), model.step(), report, fraction_done());
     // The clock of the first rank counts.
     if (parameters.checkpoint_minutes > 0 &&
@@ -292,19 +296,24 @@ void Simulation::settle_if_written(StepReport &report)
     model.settle(report);
 }
 
-void Simulation::enter_next_stage(const StepReport &report)
+void Simulation::end_stage(const StepReport &report)
 {
   if (last_history_step != model.step())
     write_history(report);
   if (last_picture_step != model.step())
     write_pictures(field_schedule.active(), snapshot_schedule.active());
+  write_state(stage_path(parameters.output_directory, path.name()));
+  begin_next_stage();
+}
+
+void Simulation::begin_next_stage()
+{
   const std::string ended = path.name();
   path.next(run_done());
   progress.next_stage();
   log.both() << "stage " << ended << " ends at t = " << model.time() << " s, stage " << path.name()
              << " begins\n";
   write_checkpoint();
-  write_state(stage_path(parameters.output_directory, ended));
 }
 
 void Simulation::print_head()

@@ -107,12 +107,13 @@ void Simulation::write_state(const std::string &file)
   ranks.at_first([&]() { writer = std::make_unique<CheckpointWriter>(file); });
   FirstRankWriter of_all(writer.get());
   model.save(of_all);
+  const bool stage_ends = path.stage_is_done(planner.slack());
   ranks.at_first(
       [&]()
       {
         of_all.check();
         statistics.save(*writer);
-        path.save(*writer);
+        path.save(*writer, stage_ends);
         save(*writer, stop_seen_name, seen);
         writer->write("driver/natural_step", std::vector<double>{planner.natural_step()});
         save_description(*writer, effective_parameters, scene);

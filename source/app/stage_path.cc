@@ -13,7 +13,7 @@ namespace softgrain
 namespace
 {
 const char *const state_name = "driver/stage", *const seen_name = "driver/stage_seen",
-                  *const run_done_name = "driver/run_done_at_stage";
+                  *const run_done_name = "driver/run_done_at_stage", *const ended_name = "driver/stage_ended";
 }
 
 StagePath::StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity)
@@ -43,6 +43,7 @@ void StagePath::expect(const std::vector<double> &durations)
 void StagePath::next(const double run_done)
 {
   ++current;
+  loaded_at_end = false;
   begin_time = model.time();
   run_done_at_begin = run_done;
   walls_at_begin = model.walls();
@@ -82,7 +83,7 @@ double StagePath::end_time() const
   return length > 0. ? begin_time + length : 0.;
 }
 
-void StagePath::save(StateWriter &writer) const
+void StagePath::save(StateWriter &writer, const bool ends) const
 {
   if (stages.empty())
     return;
@@ -92,6 +93,14 @@ void StagePath::save(StateWriter &writer) const
   writer.write(state_name, numbers);
   softgrain::save(writer, seen_name, seen);
   writer.write(run_done_name, std::vector<double>{run_done_at_begin});
+  if (ends)
+    writer.write(ended_name, std::vector<double>{1.});
+}
+
+std::size_t StagePath::number_begun(const StateReader &reader)
+{
+  return reader.contains(state_name) ? static_cast<std::size_t>(reader.read_doubles(state_name).at(0)) + 1
+                                     : 0;
 }
 
 void StagePath::load(const StateReader &reader)
@@ -106,6 +115,7 @@ void StagePath::load(const StateReader &reader)
   seen = load_stop_memory(reader, seen_name);
   if (reader.contains(run_done_name))
     run_done_at_begin = reader.read_doubles(run_done_name).at(0);
+  loaded_at_end = reader.contains(ended_name);
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
     walls_at_begin[w].point = dealii::Point<2>(numbers[2 + 2 * w], numbers[3 + 2 * w]);
   for (unsigned int n = 0; n <= current; ++n)

@@ -40,37 +40,25 @@ subsection Walls
     set Point = 8e-3, 0
   end
 end
-subsection Stages
-  set Names = press, squeeze, release
-  subsection press
-    subsection Stop
-      set End time = 3e-4
-    end
-    subsection top
-      set Drive    = pressure
-      set Pressure = 1e9*t
-    end
-  end
-  subsection squeeze
-    subsection Stop
-      set Axial strain = 0.02
-    end
-    subsection top
-      set Drive    = position
-      set Position = 0.5*t
-    end
-  end
-  subsection release
-    subsection Stop
-      set End time = 2e-4
-    end
-    subsection top
-      set Drive    = pressure
-      set Pressure = 1e5
-    end
-  end
-end
 )";
+
+/// A stage that ends as one parameter says, in which the upper wall is driven as another says.
+std::string
+stage(const std::string &name, const std::string &end, const std::string &drive, const std::string &how)
+{
+  return "subsection " + name + "\n subsection Stop\n set " + end +
+         "\n end\n subsection top\n set Drive = " + drive + "\n set " + how + "\n end\n end\n";
+}
+
+const std::string press = stage("press", "End time = 3e-4", "pressure", "Pressure = 1e9*t"),
+                  squeeze = stage("squeeze", "Axial strain = 0.02", "position", "Position = 0.5*t"),
+                  release = stage("release", "End time = 2e-4", "pressure", "Pressure = 1e5"),
+                  back = stage("back", "End time = 2e-4", "velocity", "Velocity = -0.3");
+
+std::string path_of(const std::string &names, const std::string &stages)
+{
+  return scene + "subsection Stages\n set Names = " + names + "\n" + stages + "end\n";
+}
 
 std::string content(const std::string &path)
 {
@@ -113,7 +101,7 @@ int main(int argc, char **argv)
 {
   using namespace softgrain;
   const softgrain::MPISession mpi(argc, argv);
-  write_text("scene.prm", scene);
+  write_text("scene.prm", path_of("press, squeeze, release", press + squeeze + release));
   softgrain_command({"run", "scene.prm", "--output", "whole"});
   print("whole");
   // Stopped within the second stage, by a condition that changes no step.
@@ -124,6 +112,23 @@ int main(int argc, char **argv)
             << same("whole", "parts") << '\n';
   softgrain_command({"run", "scene.prm", "--output", "parts", "--restart", "parts/stage-press.h5"});
   std::cout << "from the end of a stage: history " << same("whole", "parts") << '\n';
+  // Once prepared, several ways on: what comes after a stage may be another than it was when that ended.
+  write_text("other.prm", path_of("press, back", press + back));
+  softgrain_command({"run", "other.prm", "--output", "straight"});
+  softgrain_command({"run", "other.prm", "--output", "parts", "--restart", "parts/stage-press.h5"});
+  std::cout << "another stage after the first: history " << same("straight", "parts") << '\n';
+  softgrain_command({"run", "other.prm", "--output", "branch", "--restart", "parts/stage-press.h5"});
+  std::cout << "in a folder of its own\n";
+  print("branch");
+  std::cout << "another first stage: exit code "
+            << softgrain_command({"run", "other.prm", "--output", "parts", "--restart",
+                                  "parts/stage-press.h5", "--set", "Stages/press/top/Pressure=2e9*t"})
+            << '\n';
+  // A run that has come to its end goes on with a stage that is put behind its last one.
+  write_text("two.prm", path_of("press, squeeze", press + squeeze));
+  softgrain_command({"run", "two.prm", "--output", "longer"});
+  softgrain_command({"run", "scene.prm", "--output", "longer", "--restart"});
+  std::cout << "one stage more after the end: history " << same("whole", "longer") << '\n';
   // Without inertia every step ends in balance, so a stage that waits for it is over after the first.
   softgrain_command({"run", "scene.prm", "--output", "balanced", "--set",
                      "Stages/press/Stop/Equilibrium=0.01", "--set", "Stop/End time=2e-4"});

@@ -42,9 +42,15 @@ class Programs(unittest.TestCase):
             self.assertEqual(softgrain.open("stopped").status, "interrupted")
 
         stopped()
+        checkpoint = max(glob.glob("stopped/state-*.h5"))
+        branch = softgrain.run(common.SCENE, output="branch", threads=1, restart=checkpoint, set={"Output/Fields every": 2e-5})
         done = softgrain.run(common.SCENE, output="stopped", threads=1, restart=True,
                              set={"Output/Fields every": 2e-5})
         self.assertTrue(done.finished)
+        begin = int(branch.history_table["step"][0])  # its own folder begins with the checkpoint
+        self.assertGreater(begin, 0)
+        self.assertEqual(branch.history_table["top_force_N_per_m"][1:].tolist(),
+                         done.history_table["top_force_N_per_m"][begin + 1:].tolist())
         self.assertEqual(list(done.history_table["step"]), list(range(len(done.history_table))))
         shutil.rmtree("stopped")
         stopped()

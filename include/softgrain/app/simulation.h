@@ -89,8 +89,11 @@ private:
   void write_checkpoint();
   /// The state in a file of this name.
   void write_state(const std::string &file);
-  /// Where a stage ends, and another begins: a row of the history, pictures, checkpoints, other drives.
-  void enter_next_stage(const StepReport &report);
+  /// Where a stage ends that is not the last: a row of the history, pictures, a checkpoint; the next one
+  /// begins.
+  void end_stage(const StepReport &report);
+  /// Other drives, and a checkpoint of them.
+  void begin_next_stage();
   void write_summary(const std::string &status);
   void print_end(const std::string &status);
 

@@ -51,9 +51,15 @@ public:
   /// The end of the present stage if it is known beforehand [s]; 0: it is not.
   double end_time() const;
 
-  void save(StateWriter &writer) const;
+  /// @param ends whether the present stage is done
+  void save(StateWriter &writer, bool ends) const;
   /// Before the model is loaded: its walls are driven as they were.
   void load(const StateReader &reader);
+  /// Whether the state that was loaded is the end of its stage, on record as such: the next one begins
+  /// without a step.
+  bool was_at_end_of_stage() const { return loaded_at_end; }
+  /// How many stages had begun where a checkpoint was written: those after them may still become other ones.
+  static std::size_t number_begun(const StateReader &reader);
 
 private:
   RunState state(double slack) const;
@@ -64,6 +70,7 @@ private:
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
   double run_done_at_begin = 0.;
+  bool loaded_at_end = false;
   std::vector<double> expected; ///< durations of all stages
   std::vector<WallState<2>> walls_at_begin;
   StopMemory seen; ///< by the stop conditions of the present stage

@@ -31,6 +31,9 @@ public:
    */
   void resume(std::uint64_t step, const std::vector<std::string> &columns = {});
 
+  /// Nothing is written yet, and no file is continued.
+  bool is_new() const { return header.empty(); }
+
   /// @throw InputError when the columns are not those of the file that is continued,
   /// ComputationError when the disk refuses.
   void write(const HistoryRow &row);
