@@ -86,14 +86,15 @@ def stiffness_of(parameters):
 
 
 def stages_of(output):
-    """Names of the stages and their times [(name, begin, end)], as far as the run has come."""
+    """Names of the stages and their times [(name, begin, end)], as far as the run has come. Of a run that goes on from another folder the
+    stage that ended there begins and ends where the history does."""
     names, history = output.parameters.names("Stages"), output.history_table
     if not names or "stage" not in history:
         raise InputError(f"{output.directory} has no stages: see doc/walls.md")
     number, times = history["stage"].astype(int), history["time_s"]
     ends = [times[number == k + 1][-1] if (number == k + 1).any() else None for k in range(len(names))]
-    begins = [0., *ends[:-1]]
-    return [(name, begin, end) for name, begin, end in zip(names, begins, ends) if end is not None and begin is not None]
+    begins = [times[0], *(times[0] if end is None else end for end in ends[:-1])]
+    return [(name, begin, end) for name, begin, end in zip(names, begins, ends) if end is not None]
 
 
 def is_driven(output, stage, wall, drives=("velocity", "position")):

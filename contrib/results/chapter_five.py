@@ -116,6 +116,7 @@ def repeating(model):
 
 
 SCENES = {"mpm": material_points, "bpm": bonded}
+COMPACTED = {"mpm": "stage-compress.h5", "bpm": "stage-compact.h5"}
 
 
 def cases(arguments):
@@ -124,15 +125,16 @@ def cases(arguments):
     for pressure in arguments.pressures:
         for friction in arguments.friction:
             for seed in arguments.seeds:
-                for unload in [0., *arguments.unload]:
+                for unload in (arguments.prepared and arguments.unload) or [0., *arguments.unload]:
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
                     name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
+                    prepared = arguments.prepared and arguments.prepared / name / COMPACTED[arguments.model]
                     name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
                     scene, changes = SCENES[arguments.model](case)
                     if case.periodic:
                         name, changes = name + "-periodic", {**changes, **repeating(arguments.model)}
-                    yield name + case.suffix, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed),
-                                                      **further}
+                    changes = {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
+                    yield name + case.suffix, scene, changes, prepared
 
 
 def main():
@@ -150,6 +152,8 @@ def main():
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm and --moving (default: %(default)s)")
     parser.add_argument("--moving", action="store_true", help="mpm: with inertia")
+    parser.add_argument("--prepared", type=pathlib.Path, metavar="FOLDER",
+                        help="go on from the compacted state of the run with this model, number, friction, pressure and seed there")
     parser.add_argument("--periodic", action="store_true", help="a cell that repeats in place of walls")
     parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")

@@ -28,12 +28,13 @@ def as_rows(table):
     return [dict(zip(table, row)) for row in zip(*(table[name].tolist() for name in table))]
 
 
-def run(program, scene, folder, changes, threads=0, limit=None, again=True):
+def run(program, scene, folder, changes, threads=0, limit=None, again=True, prepared=None):
     """Runs @scene (below parameters/) with @changes {"Section/Name": value} into @folder; summary and history as
-    read_run(). With again=False a finished run that is there already is only read. @limit: seconds it may take."""
+    read_run(). With again=False a finished run that is there already is only read. @limit: seconds it may take. @prepared: a checkpoint
+    to go on from."""
     try:
         done = softgrain.run(PARAMETERS / scene, set=changes, output=str(folder), threads=threads, program=str(program),
-                             timeout=limit, again=again, overwrite=True, verbose=True)
+                             timeout=limit, again=again, restart=prepared or False, overwrite=prepared is None, verbose=True)
     except softgrain.InputError as error:
         raise RunFailed(str(error)) from error
     if done.log is not None:
@@ -42,11 +43,11 @@ def run(program, scene, folder, changes, threads=0, limit=None, again=True):
 
 
 def run_all(program, folder, cases, threads=0):
-    """Runs @cases (name, scene, changes) into folders of these names, and gives (name, changes, summary, rows) of each. One that is there
-    already is only read; one that fails is named and left out."""
-    for name, scene, changes in cases:
+    """Runs @cases (name, scene, changes, a checkpoint to go on from or nothing) into folders of these names, and gives (name, changes,
+    summary, rows) of each. One that is there already is only read; one that fails is named and left out."""
+    for name, scene, changes, *prepared in cases:
         try:
-            summary, rows = run(program, scene, pathlib.Path(folder) / name, changes, threads, again=False)
+            summary, rows = run(program, scene, pathlib.Path(folder) / name, changes, threads, again=False, prepared=next(iter(prepared), None))
         except RunFailed as trouble:
             print(f"{name}: {trouble}", file=sys.stderr, flush=True)
             continue
