@@ -35,7 +35,7 @@ void OutputSchedule::skip_to(const double time, const double slack)
 double StepPlanner::limit(const double time, const double target)
 {
   const double rest = target - time;
-  last_limit = natural * (1 + sliver) < rest && rest < 2 * natural ? rest / 2 : rest;
+  last_limit = rest < shared_by * natural ? rest / std::max(1., std::ceil(rest / natural - sliver)) : rest;
   return last_limit;
 }
 

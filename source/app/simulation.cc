@@ -49,6 +49,7 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
+    , planner(model.equal_steps())
     , path(input.stages(), model, scene.gravity)
 {
 }

@@ -42,8 +42,11 @@ public:
   /// Part of a step that counts as nothing: closer than this is there.
   static constexpr double sliver = 1e-6;
 
-  /// The longest step allowed: the rest of the way to @p target, or half of it when a natural step would
-  /// leave less than itself [s].
+  /// @param shared_by Model::equal_steps()
+  explicit StepPlanner(unsigned int shared_by) : shared_by(shared_by) {}
+
+  /// The longest step allowed: the rest of the way to @p target, or its part when so few natural steps are
+  /// left that they share it [s].
   double limit(double time, double target);
 
   /// What the model made of the last limit() [s].
@@ -57,6 +60,7 @@ public:
   double slack() const { return sliver * natural; }
 
 private:
+  unsigned int shared_by;
   double natural = 0;
   double last_limit = 0;
 };

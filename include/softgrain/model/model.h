@@ -71,6 +71,11 @@ public:
    */
   virtual std::string share_out_anew() { return {}; }
 
+  /// The rest of the way to a time that is to be met exactly is shared by at most so many equal steps. Two
+  /// leave no sliver; more also leave no step that is much shorter than the others, where what is written
+  /// depends on the length of the step.
+  virtual unsigned int equal_steps() const { return 2; }
+
   /// Drives the walls as @p drives say from now on, one per wall; null: as before.
   virtual void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) = 0;
 
