@@ -122,18 +122,19 @@ COMPACTED = {"mpm": "stage-compress.h5", "bpm": "stage-compact.h5"}
 def cases(arguments):
     """Name, scene and changes of every run."""
     further = dict(text.split("=", 1) for text in arguments.set)
+    # Of a packing that is prepared the path that does not turn round is there already.
+    turns = arguments.unload if arguments.prepared and arguments.unload else [0., *arguments.unload]
     for pressure in arguments.pressures:
         for friction in arguments.friction:
             for seed in arguments.seeds:
-                for unload in (arguments.prepared and arguments.unload) or [0., *arguments.unload]:
+                for unload in turns:
                     case = argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6, "unload": unload})
-                    name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}"
+                    name = f"{arguments.model}-{arguments.number}-mu{friction:g}-p{pressure:g}-seed{seed}" + ("-periodic" if case.periodic else "")
                     prepared = arguments.prepared and arguments.prepared / name / COMPACTED[arguments.model]
                     name += (f"-unload{unload:g}" if unload else "") + (f"-cycles{case.cycles}" if case.cycles else "")
                     scene, changes = SCENES[arguments.model](case)
-                    if case.periodic:
-                        name, changes = name + "-periodic", {**changes, **repeating(arguments.model)}
-                    changes = {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
+                    changes = {**WORDS, **changes, **(repeating(arguments.model) if case.periodic else {}),
+                               "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
                     yield name + case.suffix, scene, changes, prepared
 
 
@@ -153,7 +154,7 @@ def main():
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm and --moving (default: %(default)s)")
     parser.add_argument("--moving", action="store_true", help="mpm: with inertia")
     parser.add_argument("--prepared", type=pathlib.Path, metavar="FOLDER",
-                        help="go on from the compacted state of the run with this model, number, friction, pressure and seed there")
+                        help="go on from the compacted state of the run of the same name, without turning round, in this folder")
     parser.add_argument("--periodic", action="store_true", help="a cell that repeats in place of walls")
     parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")

@@ -30,11 +30,11 @@ def as_rows(table):
 
 def run(program, scene, folder, changes, threads=0, limit=None, again=True, prepared=None):
     """Runs @scene (below parameters/) with @changes {"Section/Name": value} into @folder; summary and history as
-    read_run(). With again=False a finished run that is there already is only read. @limit: seconds it may take. @prepared: a checkpoint
-    to go on from."""
+    read_run(). With again=False a finished run that is there already is only read. @limit: seconds it may take. @prepared: the
+    checkpoint it goes on from."""
     try:
         done = softgrain.run(PARAMETERS / scene, set=changes, output=str(folder), threads=threads, program=str(program),
-                             timeout=limit, again=again, restart=prepared or False, overwrite=prepared is None, verbose=True)
+                             timeout=limit, again=again, restart=prepared, overwrite=prepared is None, verbose=True)
     except softgrain.InputError as error:
         raise RunFailed(str(error)) from error
     if done.log is not None:
@@ -43,11 +43,11 @@ def run(program, scene, folder, changes, threads=0, limit=None, again=True, prep
 
 
 def run_all(program, folder, cases, threads=0):
-    """Runs @cases (name, scene, changes, a checkpoint to go on from or nothing) into folders of these names, and gives (name, changes,
+    """Runs @cases (name, scene, changes, the checkpoint it goes on from or None) into folders of these names, and gives (name, changes,
     summary, rows) of each. One that is there already is only read; one that fails is named and left out."""
-    for name, scene, changes, *prepared in cases:
+    for name, scene, changes, prepared in cases:
         try:
-            summary, rows = run(program, scene, pathlib.Path(folder) / name, changes, threads, again=False, prepared=next(iter(prepared), None))
+            summary, rows = run(program, scene, pathlib.Path(folder) / name, changes, threads, again=False, prepared=prepared)
         except RunFailed as trouble:
             print(f"{name}: {trouble}", file=sys.stderr, flush=True)
             continue

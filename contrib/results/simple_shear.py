@@ -49,7 +49,7 @@ def cases(arguments):
             for seed in arguments.seeds:
                 name = f"simple-{arguments.model}-{GRAINS}-mu{friction:g}-p{pressure:g}-seed{seed}{arguments.suffix}"
                 scene, changes = SCENES[arguments.model](argparse.Namespace(**{**vars(arguments), "pressure": pressure * 1e6}))
-                yield name, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
+                yield name, scene, {**WORDS, **changes, "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}, None
 
 
 def main():

@@ -81,9 +81,9 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
     Runs a parameter file with some parameters changed and returns the finished run.
 
     @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). With again=False a run that
-    is finished in @output is only opened; restart=True goes on with one that is not, from its newest checkpoint, restart=FILE
-    with any run from that one, and overwrite=True loses it. @timeout: seconds. @verbose prints the command first. What the program prints is kept in the
-    attribute `log` of the run. InputError and RunFailed tell what the program said.
+    is finished in @output is only opened; restart=True goes on with one that is not, from its newest checkpoint, and
+    overwrite=True loses it. restart=FILE goes on from that checkpoint. @timeout: seconds. @verbose prints the command first.
+    What the program prints is kept in the attribute `log` of the run. InputError and RunFailed tell what the program said.
 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
     True
@@ -101,7 +101,8 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
         words += ["--set", f"{name}={text_of(value)}"]
     words += ["--output", os.fspath(output)] if output is not None else []
     words += ["--threads", str(threads)] if threads is not None else []
-    words += ["--restart", *([] if restart is True else [os.fspath(restart)])] if restart else []
+    if restart:
+        words += ["--restart"] if restart is True else ["--restart", os.fspath(restart)]
     # A program without this option loses an unfinished run without being told to.
     words += ["--overwrite"] if overwrite and knows(words[0], "--overwrite") else []
     if verbose:

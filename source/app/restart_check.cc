@@ -25,7 +25,7 @@ const char *const parameters_name = "driver/parameters", *const names_name = "dr
 /// More of them would hide the message.
 constexpr std::size_t max_changes_in_message = 4;
 
-const std::string not_there = "(not there)", stage_names = "Stages/Names", of_stages = "Stages/";
+const std::string not_there = "(not there)", stage_names = "Stages/Names", all_stages = "Stages/";
 
 using Parameters = std::map<std::string, std::string>;
 
@@ -88,8 +88,8 @@ std::string value_of(const Parameters &parameters, const std::string &path)
   return found == parameters.end() ? not_there : found->second;
 }
 
-/// What of the stages may be another, as changeable_in_every_model() says it: all of those that had not
-/// begun.
+/// The parameters of all stages that had not begun, written as in changeable_in_every_model(); none when the
+/// first @p n_begun names differ.
 std::vector<std::string>
 changeable_stages(const std::size_t n_begun, const Parameters &before, const Parameters &now)
 {
@@ -199,9 +199,8 @@ std::vector<std::string> check_description(const StateReader &reader,
   Parameters all = before;
   all.insert(now.begin(), now.end());
   std::vector<std::string> changes;
-  std::string refused;
+  std::string refused, hint;
   std::size_t n_refused = 0;
-  bool of_stage = false;
   for (const auto &parameter : all)
   {
     const std::string &path = parameter.first, was = value_of(before, path), is = value_of(now, path);
@@ -210,19 +209,21 @@ std::vector<std::string> check_description(const StateReader &reader,
     if (std::any_of(changeable.begin(), changeable.end(),
                     [&path = path](const std::string &pattern) { return matches(path, pattern); }))
     {
-      // All parameters of a stage that is new or gone would hide the others.
-      if (path.compare(0, of_stages.size(), of_stages) != 0 || (was != not_there && is != not_there))
+      // A stage that is new or gone is seen in 'Stages/Names'; its many parameters would hide other changes.
+      const bool new_or_gone = was == not_there || is == not_there;
+      if (!(new_or_gone && matches(path, all_stages)))
         changes.push_back("'" + path + "': " + was + " -> " + is);
+      continue;
     }
-    else if (of_stage = of_stage || path.compare(0, of_stages.size(), of_stages) == 0;
-             ++n_refused <= max_changes_in_message)
+    if (++n_refused <= max_changes_in_message)
       refused += (refused.empty() ? "'" : ", '") + path + "' was '" + was + "' and is '" + is + "'";
+    if (matches(path, all_stages))
+      hint = "; of stages only those that had not begun, and 'Stop'";
   }
   if (n_refused > max_changes_in_message)
     refused += ", and " + std::to_string(n_refused - max_changes_in_message) + " more";
   if (n_refused > 0)
-    throw InputError(refused + ": a run that goes on may not change this" +
-                     (of_stage ? "; of stages only those that had not begun, and 'Stop'" : ""));
+    throw InputError(refused + ": a run that goes on may not change this" + hint);
   check_bodies(reader, scene.bodies);
   return changes;
 }

@@ -195,7 +195,7 @@ void Simulation::start_files()
 std::string Simulation::loop()
 {
   progress.start();
-  if (path.was_at_end_of_stage() && !finished() && !path.is_last() && path.stage_is_done(planner.slack()))
+  if (path.was_at_end_of_stage() && !finished() && next_stage_is_due())
     begin_next_stage();
   auto last_checkpoint = std::chrono::steady_clock::now();
   StepReport report;
@@ -213,7 +213,7 @@ std::string Simulation::loop()
     }
     statistics.add_step(report);
     write_due_output(report);
-    if (!path.is_last() && path.stage_is_done(planner.slack()))
+    if (next_stage_is_due())
       end_stage(report);
     progress.update(model.time(), model.step(), report, fraction_done());
     // The clock of the first rank counts.
@@ -292,9 +292,13 @@ RunState Simulation::run_state() const
 void Simulation::settle_if_written(StepReport &report)
 {
   if (model.step() % parameters.history_every == 0 || field_schedule.due(model.time(), planner.slack()) ||
-      snapshot_schedule.due(model.time(), planner.slack()) || finished() ||
-      (!path.is_last() && path.stage_is_done(planner.slack())))
+      snapshot_schedule.due(model.time(), planner.slack()) || finished() || next_stage_is_due())
     model.settle(report);
+}
+
+bool Simulation::next_stage_is_due() const
+{
+  return !path.is_last() && path.stage_is_done(planner.slack());
 }
 
 void Simulation::end_stage(const StepReport &report)

@@ -43,7 +43,6 @@ void StagePath::expect(const std::vector<double> &durations)
 void StagePath::next(const double run_done)
 {
   ++current;
-  loaded_at_end = false;
   begin_time = model.time();
   run_done_at_begin = run_done;
   walls_at_begin = model.walls();

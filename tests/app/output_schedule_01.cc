@@ -14,14 +14,15 @@ void meet(const double interval, const double dt, const unsigned int shared_by)
   using namespace softgrain;
   OutputSchedule schedule(interval);
   StepPlanner planner(shared_by);
-  double time = 0, shortest = dt, error = 0;
+  double time = 0, shortest = dt, shortest_later = dt, error = 0;
   unsigned int n_steps = 0, n_outputs = 0;
   while (n_outputs < 1000)
   {
     const double step = std::min(dt, planner.limit(time, schedule.next()));
     planner.taken(step);
+    shortest = std::min(shortest, step);
     if (n_outputs > 0) // before that the natural step is not known
-      shortest = std::min(shortest, step);
+      shortest_later = std::min(shortest_later, step);
     const double due = schedule.next();
     time += step;
     ++n_steps;
@@ -31,13 +32,11 @@ void meet(const double interval, const double dt, const unsigned int shared_by)
       error = std::max(error, std::abs(time - due) / interval);
     }
   }
-  const double least = (shared_by - 1.) / shared_by - 0.01;
-  std::cout << time / interval << ' ' << n_steps << ' '
-            << (shortest > std::min(least, interval / dt / std::ceil(interval / dt) - 0.01) *
-                               std::min(dt, interval)
-                    ? "no slivers"
-                    : "slivers")
-            << ' ' << (error < 2e-6 ? "exact" : "missed") << '\n';
+  const double equal = interval < shared_by * dt ? interval / std::ceil(interval / dt - 1e-6)
+                                                 : (shared_by - 1) * dt / shared_by;
+  const bool none = shortest > 0.49 * std::min(dt, interval) && shortest_later > 0.99 * equal;
+  std::cout << time / interval << ' ' << n_steps << ' ' << (none ? "no slivers" : "slivers") << ' '
+            << (error < 2e-6 ? "exact" : "missed") << '\n';
 }
 } // namespace
 

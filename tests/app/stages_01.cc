@@ -120,10 +120,9 @@ int main(int argc, char **argv)
   softgrain_command({"run", "other.prm", "--output", "branch", "--restart", "parts/stage-press.h5"});
   std::cout << "in a folder of its own\n";
   print("branch");
-  std::cout << "another first stage: exit code "
-            << softgrain_command({"run", "other.prm", "--output", "parts", "--restart",
-                                  "parts/stage-press.h5", "--set", "Stages/press/top/Pressure=2e9*t"})
-            << '\n';
+  const int code = softgrain_command({"run", "other.prm", "--output", "parts", "--restart",
+                                      "parts/stage-press.h5", "--set", "Stages/press/top/Pressure=2e9*t"});
+  std::cout << "another first stage: exit code " << code << '\n';
   // A run that has come to its end goes on with a stage that is put behind its last one.
   write_text("two.prm", path_of("press, squeeze", press + squeeze));
   softgrain_command({"run", "two.prm", "--output", "longer"});

@@ -42,11 +42,12 @@ public:
   /// Part of a step that counts as nothing: closer than this is there.
   static constexpr double sliver = 1e-6;
 
-  /// @param shared_by Model::equal_steps()
+  /// @param shared_by number of natural steps from which on the rest of the way is divided,
+  /// Model::equal_steps()
   explicit StepPlanner(unsigned int shared_by) : shared_by(shared_by) {}
 
-  /// The longest step allowed: the rest of the way to @p target, or its part when so few natural steps are
-  /// left that they share it [s].
+  /// The longest step allowed [s]: the rest of the way to @p target, or an equal part of it when fewer
+  /// natural steps are left than share it.
   double limit(double time, double target);
 
   /// What the model made of the last limit() [s].

@@ -24,8 +24,8 @@ std::vector<std::string> changeable_in_every_model();
 /**
  * @brief Compares a run with the checkpoint it goes on from, parameter by parameter.
  *
- * @param changeable what may be another, as changeable_in_every_model() says it; stages that had not begun
- * may be in any case
+ * @param changeable what may be another, as changeable_in_every_model() says it; beside these, all parameters
+ * of stages that had not begun
  * @return a line for each parameter that is another and may be: "'Stop/End time': 1 -> 2"
  * @throw InputError that names those that may not be, with the old and the new value
  */

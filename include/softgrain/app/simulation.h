@@ -92,8 +92,10 @@ private:
   /// Where a stage ends that is not the last: a row of the history, pictures, a checkpoint; the next one
   /// begins.
   void end_stage(const StepReport &report);
-  /// Other drives, and a checkpoint of them.
+  /// Walls are driven as the next stage says; a checkpoint.
   void begin_next_stage();
+  /// Whether the present stage is done and another one follows.
+  bool next_stage_is_due() const;
   void write_summary(const std::string &status);
   void print_end(const std::string &status);
 

@@ -55,10 +55,10 @@ public:
   void save(StateWriter &writer, bool ends) const;
   /// Before the model is loaded: its walls are driven as they were.
   void load(const StateReader &reader);
-  /// Whether the state that was loaded is the end of its stage, on record as such: the next one begins
-  /// without a step.
+  /// Whether the loaded state was written as the end of its stage, after its row of the history. The next
+  /// stage then begins before the first step.
   bool was_at_end_of_stage() const { return loaded_at_end; }
-  /// How many stages had begun where a checkpoint was written: those after them may still become other ones.
+  /// How many stages had begun in the state of a checkpoint; the parameters of the others may still change.
   static std::size_t number_begun(const StateReader &reader);
 
 private:

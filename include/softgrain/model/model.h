@@ -71,9 +71,9 @@ public:
    */
   virtual std::string share_out_anew() { return {}; }
 
-  /// The rest of the way to a time that is to be met exactly is shared by at most so many equal steps. Two
-  /// leave no sliver; more also leave no step that is much shorter than the others, where what is written
-  /// depends on the length of the step.
+  /// Output times and ends of stages are met exactly. Once fewer than this number of natural steps are left,
+  /// the time left is divided into equal steps. With 2 no sliver remains before such a time; a larger number
+  /// keeps all steps near the natural length, for models whose stress depends on the length of a step.
   virtual unsigned int equal_steps() const { return 2; }
 
   /// Drives the walls as @p drives say from now on, one per wall; null: as before.

@@ -50,9 +50,9 @@ public:
 
   std::string name() const override { return "bpm"; }
   StepReport advance(double dt_limit) override;
-  /// Overlaps that an approximate contact solution leaves are pushed out in the next step, however short it
-  /// is: in one of 0.8 times the length stress is up to a sixth too high, and too low in those after it
-  /// (doc/results/cost-of-paths.md).
+  /// An approximate contact solution leaves overlaps, which the next step pushes out, however short it is.
+  /// With two equal steps, of 0.8 natural ones in the mean, stress before a snapshot was up to a sixth too
+  /// high (doc/results/cost-of-paths.md).
   unsigned int equal_steps() const override { return 8; }
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
   double time() const override { return now; }
