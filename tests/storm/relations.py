@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+Relations between runs: what must come out the same, or nearly so, when a scene is asked in another way.
+
+Each relation is a class with `applies(scene)` and `ask(case)`, which runs what it needs and answers with a Verdict. Differences
+that are larger than tolerated are compared with those of a control, the same scene with a body moved by 1e-9 cells: where
+the control parts as far, the scene has come to a bifurcation, and the relation has nothing to say.
+"""
+import dataclasses
+import re
+import shutil
+
+import changes
+from changes import Change
+from compare import difference, same_bits
+from checks import spacing_of
+from scene import number
+
+
+@dataclasses.dataclass
+class Verdict:
+    relation: str
+    verdict: str  # "holds", "fails" or "bifurcation"
+    kind: str = ""
+    seen: str = ""
+
+
+class Case:
+    """A scene, its run, and runs of it in other ways, each in a folder of its own."""
+
+    def __init__(self, scene, program, folder):
+        self.scene, self.program, self.folder = scene, program, folder
+        self.controls = {}
+        # Checkpoints of all steps, for the restart: they change nothing.
+        self.base = program.run(with_library(scene), folder / "base", more=[
+            "--set", "Output/Checkpoint every=1e-9", "--set", "Output/Checkpoints kept=100000"])
+
+    def run(self, scene, name, **options):
+        return self.program.run(scene, self.folder / name, **options)
+
+    def control(self, which):
+        """The base with a body moved by 1e-9 cells."""
+        if which not in self.controls:
+            self.controls[which] = self.run(nudged(with_library(self.scene), which), f"control{which}")
+        return self.controls[which]
+
+    def library(self):
+        """The aggregates that the base has made."""
+        path = self.base.folder / "library.csv"
+        return path.read_text() if path.exists() else None
+
+
+def with_library(scene):
+    if scene.get("Model") != "bpm":
+        return scene
+    result = scene.copy()
+    result.set("Primaries/Library", "library.csv")
+    return result
+
+
+def nudged(scene, which):
+    """The scene with its first or its last body moved by 1e-9 cells, another way for each."""
+    result, by = scene.copy(), 1e-9 * spacing_of(scene)
+    way = ((by, 0.6 * by), (-0.7 * by, by))[which]
+    names = scene.names("Bodies")
+    if names:
+        name = names[-which]
+        for key in ("Center", "Vertices"):
+            path = f"Bodies/{name}/{key}"
+            if path in result.values:
+                result.values[path] = changes.value_of(path, result.values[path], Change(shift=way), "mpm")
+        if f"Bodies/{name}/Vertices" not in result.values:
+            result.set(f"Bodies/{name}/Center", Change(shift=way).point(scene.point(f"Bodies/{name}/Center")))
+    elif scene.files.get("grains.csv"):
+        lines = scene.files["grains.csv"].splitlines()
+        x, y, *rest = lines[1 if which == 0 else -1].split(",")
+        lines[1 if which == 0 else -1] = ",".join([number(float(x) + way[0]), number(float(y) + way[1]), *rest])
+        result.files["grains.csv"] = "\n".join(lines) + "\n"
+    else:
+        for key in ("Packing/Lower", "Packing/Upper"):
+            result.set(key, Change(shift=way).point(scene.point(key)))
+    return result
+
+
+def tolerances(scene):
+    """What is tolerated between two frames: cells, share of the largest speed, share of the largest force."""
+    if scene.get("Model") == "bpm":
+        return 1e-5, 1e-3, float("inf")  # the forces of rigid primaries are not unique
+    if scene.get("Time/Scheme") == "quasi_static":
+        return 1e-3, float("inf"), 1e-2
+    return 1e-6, 1e-4, 1e-3
+
+
+def disks_only(scene):
+    return all(scene.get(f"Bodies/{name}/Shape", "disk") == "disk" for name in scene.names("Bodies"))
+
+
+def near(case, name, other, change=Change(), renamed=None, limits=None):
+    """The verdict on a run that must be near to the base."""
+    limits = limits or tolerances(case.scene)
+    if other.code != case.base.code:
+        if any(case.control(which).code != case.base.code for which in (0, 1)):
+            return Verdict(name, "bifurcation", "", f"exit code {other.code}")
+        return Verdict(name, "fails", "ends differently", f"exit code {other.code}: {other.message[-200:]}")
+    found = difference(case.scene, case.base, other, change, renamed)
+    if found.over(limits) <= 1:
+        return Verdict(name, "holds", "", str(found))
+    for which in (0, 1):
+        if case.control(which).code != case.base.code:
+            return Verdict(name, "bifurcation", "", f"{found}; the control ends differently")
+        control = difference(case.scene, case.base, case.control(which))
+        if control.over(limits) >= 0.1 * found.over(limits):
+            return Verdict(name, "bifurcation", "", f"{found}; control: {control}")
+    return Verdict(name, "fails", "differs", str(found))
+
+
+class Relation:
+    name = ""
+    exact = False  # asked also of runs that end early, and of scenes with loose tolerances
+
+    def applies(self, scene):
+        return True
+
+    def ask(self, case):
+        raise NotImplementedError
+
+
+class InFrame(Relation):
+    """The scene in another frame."""
+
+    def __init__(self, name, change):
+        self.name, self.change = name, change
+
+    def applies(self, scene):
+        if "Packing/Number" in scene.values and self.name != "shift":
+            return False  # a random packing has no mirror image
+        if scene.get("Model") == "bpm" and not disks_only(scene):
+            return False  # aggregates of other shapes are made in the frame, and rounding there makes other ones
+        sheared = any(path.endswith("Tangential velocity") for path in scene.values) and "periodic" in scene.values.values()
+        return not (self.name == "turn" and (sheared or "Stop/Axial strain" in scene.values))
+
+    def ask(self, case):
+        cell = spacing_of(case.scene)
+        change = dataclasses.replace(self.change, shift=tuple(cell * n for n in self.change.shift))
+        scene = case.scene
+        if case.library() is not None:
+            scene = with_library(scene).copy()
+            scene.files["library.csv"] = case.library()
+        return near(case, self.name, case.run(changes.change_scene(scene, change), self.name), change)
+
+
+class Units(Relation):
+    name, exact = "units", True
+    change = Change(scale=(3, -5, 2))
+
+    def ask(self, case):
+        differs = same_bits(case.base, case.run(changes.change_scene(case.scene, self.change), self.name), self.change)
+        return Verdict(self.name, "fails", "other bits", differs) if differs else Verdict(self.name, "holds")
+
+
+class Threads(Relation):
+    name, exact = "threads", True
+
+    def ask(self, case):
+        differs = same_bits(case.base, case.run(case.scene, self.name, threads=2))
+        return Verdict(self.name, "fails", "other bits", differs) if differs else Verdict(self.name, "holds")
+
+
+class Restart(Relation):
+    """Goes on from the checkpoint in the middle, in a copy of the folder."""
+    name = "restart"
+
+    def ask(self, case):
+        states = sorted((case.base.out).glob("state-*.h5"))
+        folder = case.folder / self.name
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(case.base.folder, folder)
+        middle = states[len(states) // 2].name
+        # what comes behind it must not be found
+        for state in states[len(states) // 2 + 1:]:
+            (folder / "out" / state.name).unlink()
+        done = case.run(case.scene, self.name, more=["--restart", f"out/{middle}"], keep=True)
+        differs = same_bits(case.base, done)
+        return Verdict(self.name, "fails", "other bits", f"from {middle}: {differs}") if differs else \
+            Verdict(self.name, "holds")
+
+
+class Order(Relation):
+    """Bodies are named in the reverse order."""
+    name = "order"
+
+    def applies(self, scene):
+        bonded = scene.get("Model") == "bpm"
+        return "Packing/Number" not in scene.values and not (bonded and (
+            scene.get("Primaries/Variants") != "1" or "Primaries/Strength spread" in scene.values))
+
+    def ask(self, case):
+        scene, renamed = with_library(case.scene).copy(), {}
+        if case.library() is not None:
+            scene.files["library.csv"] = case.library()
+        if scene.names("Bodies"):
+            scene.set("Bodies/Names", ", ".join(reversed(scene.names("Bodies"))))
+        else:
+            head, *rows = scene.files["grains.csv"].splitlines()
+            scene.files["grains.csv"] = "\n".join([head, *reversed(rows)]) + "\n"
+            renamed = {f"grain_{i + 1}": f"grain_{len(rows) - i}" for i in range(len(rows))}
+        return near(case, self.name, case.run(scene, self.name), renamed=renamed)
+
+
+class LargerMesh(Relation):
+    name = "larger mesh"
+
+    def applies(self, scene):
+        return scene.get("Model") == "mpm" and "material points" not in scene.values.values()
+
+    def ask(self, case):
+        scene, cell = case.scene.copy(), spacing_of(case.scene)
+        for key, by in (("Mesh/Lower", (-3 * cell, -2 * cell)), ("Mesh/Upper", (2 * cell, 5 * cell))):
+            scene.set(key, Change(shift=by).point(scene.point(key)))
+        return near(case, self.name, case.run(scene, "larger"))
+
+
+class LittleFriction(Relation):
+    """Friction of 1e-9 does what none does."""
+    name = "little friction"
+
+    def applies(self, scene):
+        return not any(path.endswith(("/Friction", "Friction of pairs", "olling resistance")) for path in scene.values) and \
+            scene.get("Contact/Law", "coulomb") == "coulomb"
+
+    def ask(self, case):
+        scene = case.scene.copy()
+        scene.set("Contact/Friction", 1e-9)
+        for section in ("Walls", "Obstacles"):
+            for name in scene.names(section):
+                if scene.get(f"{section}/{name}/Type") != "periodic":
+                    scene.set(f"{section}/{name}/Friction", 1e-9)
+        limits = tolerances(scene)
+        return near(case, self.name, case.run(scene, "friction"), limits=(max(1e-4, limits[0]), max(1e-3, limits[1]),
+                                                                         max(1e-2, limits[2])))
+
+
+class Drive(Relation):
+    """A wall that is told its velocity goes as one that is told its place."""
+    name = "drive"
+    plain = re.compile(r"[-+.0-9e]+")
+    way = re.compile(r"([-+.0-9e]+)\*t")
+
+    def walls(self, scene):
+        for name in scene.names("Walls"):
+            where = f"Walls/{name}"
+            if scene.get(f"{where}/Drive") == "velocity" and self.plain.fullmatch(scene.get(f"{where}/Velocity", "")):
+                yield where, "position", "Velocity", "Position", f"{scene.get(where + '/Velocity')}*t"
+            elif scene.get(f"{where}/Drive") == "position" and self.way.fullmatch(scene.get(f"{where}/Position", "")):
+                yield where, "velocity", "Position", "Velocity", self.way.fullmatch(scene.get(where + "/Position"))[1]
+
+    def applies(self, scene):
+        return any(True for _ in self.walls(scene))
+
+    def ask(self, case):
+        scene = case.scene.copy()
+        for where, drive, old, new, value in self.walls(case.scene):
+            scene.set(f"{where}/Drive", drive)
+            del scene.values[f"{where}/{old}"]
+            scene.set(f"{where}/{new}", value)
+        return near(case, self.name, case.run(scene, self.name))
+
+
+class Pieces(Relation):
+    """A straight obstacle of one piece and of many."""
+    name = "pieces"
+
+    def lines(self, scene):
+        return [f"Obstacles/{name}/Points" for name in scene.names("Obstacles") if f"Obstacles/{name}/Points" in scene.values]
+
+    def applies(self, scene):
+        return bool(self.lines(scene))
+
+    def ask(self, case):
+        scene = case.scene.copy()
+        for path in self.lines(scene):
+            corners = [tuple(map(float, pair.split(","))) for pair in scene.get(path).split(";")]
+            places = [corners[0]]
+            for a, b in zip(corners[:-1], corners[1:]):
+                places += [tuple(a[i] + (b[i] - a[i]) * k / 8 for i in range(2)) for k in range(1, 8)] + [b]
+            scene.set(path, places)
+        return near(case, self.name, case.run(scene, self.name))
+
+
+class HalfStep(Relation):
+    """With half the step little changes, or less with every halving."""
+    name = "half step"
+    small, shrinks = 0.02, 0.8  # cells; the second difference over the first
+
+    def ask(self, case):
+        runs = [case.base]
+        for name, share in (("half", 0.5), ("quarter", 0.25)):
+            scene = case.scene.copy()
+            scene.set("Time/Time step", share * scene.number("Time/Time step"))
+            runs.append(case.run(scene, name))
+            if runs[-1].code != case.base.code:
+                return Verdict(self.name, "fails", "ends differently", f"{name}: {runs[-1].message[-200:]}")
+            found = difference(case.scene, runs[-2], runs[-1])
+            if name == "half":
+                first = found
+                if found.place <= self.small:
+                    return Verdict(self.name, "holds", "", str(found))
+        seen = f"by {first.place:.2g} cells, with half of that by {found.place:.2g}"
+        if found.place <= self.shrinks * first.place:
+            return Verdict(self.name, "holds", "", seen)
+        for which in (0, 1):
+            control = case.control(which)
+            if control.code != case.base.code or difference(case.scene, case.base, control).place >= 0.1 * found.place:
+                return Verdict(self.name, "bifurcation", "", seen)
+        return Verdict(self.name, "fails", "does not converge", f"{seen} ({found.where})")
+
+
+RELATIONS = [InFrame("mirror", changes.MIRROR), InFrame("turn", changes.TURN), InFrame("shift", Change(shift=(7, -4))),
+             Units(), Order(), Threads(), Restart(), HalfStep(), LittleFriction(), Drive(), Pieces(), LargerMesh()]
+BY_NAME = {relation.name: relation for relation in RELATIONS}
+
+
+def that_apply(scene):
+    """Relations that a scene is asked for. Those between frames need small tolerances."""
+    exact = ("units", "threads", "restart")
+    return [relation for relation in RELATIONS
+            if relation.applies(scene) and (scene.note("tight") == "yes" or relation.name in exact)]
