@@ -75,6 +75,14 @@ public:
     return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts);
   }
 
+  std::unique_ptr<Model<2>> create_to_look(const Scene<2> &scene,
+                                           dealii::ParameterHandler &prm) const override
+  {
+    Read read_in = read(scene, prm);
+    read_in.settings.primaries.keep_aggregates = false;
+    return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts);
+  }
+
   std::unique_ptr<Model<2>>
   create_again(const Scene<2> &scene, dealii::ParameterHandler &prm, const StateReader &state) const override
   {

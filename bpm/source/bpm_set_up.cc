@@ -209,7 +209,8 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   }
   first_of_body.push_back(disks.size());
   grade(disks);
-  ranks.at_first([&]() { library.save(); });
+  if (settings.primaries.keep_aggregates)
+    ranks.at_first([&]() { library.save(); });
   return disks;
 }
 

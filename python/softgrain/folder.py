@@ -123,11 +123,14 @@ class Run:
         """summary.json, None without it."""
         try:
             with open(self.path("summary.json"), encoding="utf-8") as file:
-                return json.load(file)
+                found = json.load(file)
         except FileNotFoundError:
             return None
         except ValueError as error:
             raise InputError(f"{self.path('summary.json')} is damaged: {error}") from error
+        if not isinstance(found, dict):
+            raise InputError(f"{self.path('summary.json')} is damaged: it holds no object")
+        return found
 
     @property
     def status(self):

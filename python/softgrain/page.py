@@ -12,6 +12,7 @@ import math
 import mimetypes
 import os
 import pathlib
+import re
 
 from .errors import InputError
 
@@ -32,8 +33,47 @@ def library():
     raise InputError(f"{LIBRARY} is missing: it is installed with the program, in share/softgrain/third-party")
 
 
+class Markup(str):
+    """
+    Text that is HTML already. Whatever becomes part of a page and is not of this kind is escaped, so that nothing that a run
+    or a study says can become an element.
+    """
+
+
 def escape(text):
-    return html.escape(str(text))
+    """
+    Text as HTML shows it; Markup as it is.
+
+    >>> escape("a < b"), escape(Markup("<b>"))
+    ('a &lt; b', '<b>')
+    """
+    return text if isinstance(text, Markup) else Markup(html.escape(str(text)))
+
+
+def tag(name, *content, **attributes):
+    """
+    An element; `class_` stands for class, as no name of Python's may be that.
+
+    >>> tag("b", "a < b", tag("i", "c"), class_='"')
+    '<b class="&quot;">a &lt; b<i>c</i></b>'
+    """
+    words = "".join(f' {key.rstrip("_").replace("_", "-")}="{escape(value)}"' for key, value in attributes.items())
+    return Markup(f"<{name}{words}>{''.join(map(escape, content))}</{name}>")
+
+
+def joined(parts, between=""):
+    """Parts of a page, one after the other."""
+    return Markup(escape(between).join(map(escape, parts)))
+
+
+def slug(text):
+    """
+    A name for an address within the page.
+
+    >>> slug("Error against cost"), slug('"><script>')
+    ('error-against-cost', 'script')
+    """
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
 
 
 def data_address(path):
@@ -66,8 +106,11 @@ def plain(value):
 
 
 def json_within_page(data):
-    """JSON that no browser takes for the end of the script that holds it."""
-    return json.dumps(plain(data), ensure_ascii=False, allow_nan=False, separators=(",", ":")).replace("</", "<\\/")
+    """JSON without a sign that means something to HTML: no browser sees an end of the script, or a comment, in it."""
+    text = json.dumps(plain(data), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    for sign in "<>&\u2028\u2029":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return text
 
 
 class Section:
@@ -75,41 +118,38 @@ class Section:
 
     def __init__(self, page, heading):
         self.page, self.heading, self.parts = page, heading, []
-        self.name = heading.lower().replace(" ", "-")
+        self.name = slug(heading)
 
     def add(self, code):
-        """HTML as it is."""
-        self.parts.append(code)
+        """An element as tag() makes it; plain text is escaped."""
+        self.parts.append(escape(code))
 
     def text(self, words):
-        self.add(f"<p>{escape(words)}</p>")
+        self.add(tag("p", words))
 
     def warnings(self, lines):
         """Lines (colour, name, text) that nobody is to overlook."""
         if lines:
-            self.add('<ul class="warnings">' + "".join(f"<li>{chip(colour, name)} {escape(text)}</li>"
-                                                       for colour, name, text in lines) + "</ul>")
+            self.add(tag("ul", *(tag("li", chip(colour, name), " ", text) for colour, name, text in lines), class_="warnings"))
 
     def table(self, head, rows, classes="", search=False):
         """
-        @head: HTML of the columns; @rows: (name, cells, classes), or (name,) for a line between groups. With @search a
+        @head: names of the columns, or elements; @rows: (name, cells, classes), or (name,) for a line between groups. With @search a
         field above it shows the rows that have what is typed.
         """
-        cells = "".join(f"<th>{cell}</th>" for cell in head)
         lines = []
         for row in rows:
             if len(row) == 1:
-                lines.append(f'<tr class="group"><th colspan="{len(head)}">{escape(row[0])}</th></tr>')
+                lines.append(tag("tr", tag("th", row[0], colspan=len(head)), class_="group"))
             else:
-                values = "".join(f"<td>{escape(cell)}</td>" for cell in row[1])
-                lines.append(f'<tr class="{row[2]}"><th>{escape(row[0])}</th>{values}</tr>')
-        tools = '<input type="search" placeholder="find" aria-label="find in this table">' if search else ""
-        self.add(f'<div class="table {classes}">{tools}<div class="scroll"><table><thead><tr>{cells}</tr></thead>'
-                 f'<tbody>{"".join(lines)}</tbody></table></div></div>')
+                lines.append(tag("tr", tag("th", row[0]), *(tag("td", cell) for cell in row[1]), class_=row[2]))
+        tools = Markup('<input type="search" placeholder="find" aria-label="find in this table">' if search else "")
+        top = tag("thead", tag("tr", *(tag("th", cell) for cell in head)))
+        self.add(tag("div", tools, tag("div", tag("table", top, tag("tbody", *lines)), class_="scroll"), class_=f"table {classes}"))
 
     def figures(self, items):
         """Pictures and films side by side: (address, caption), the address from data_address()."""
-        self.add('<div class="figures">' + "".join(figure(address, caption) for address, caption in items) + "</div>")
+        self.add(tag("div", *(figure(address, caption) for address, caption in items), class_="figures"))
 
     def curves(self, heading, series, x, y, **options):
         """
@@ -127,10 +167,10 @@ class Section:
     def chart(self, chart):
         number = len(self.page.charts)
         self.page.charts.append(chart)
-        wide = " wide" if chart.get("wide") else ""
-        height = f' style="height:{chart["height"]}px"' if "height" in chart else ""
-        self.add(f'<figure class="chart{wide}"><h3>{chart["heading"]}</h3><div class="tools" id="tools-{number}"></div>'
-                 f'<div class="plot" id="chart-{number}"{height}></div></figure>')
+        height = {"style": f"height:{chart['height']:g}px"} if "height" in chart else {}
+        self.add(tag("figure", tag("h3", chart["heading"]), tag("div", class_="tools", id=f"tools-{number}"),
+                     tag("div", class_="plot", id=f"chart-{number}", **height),
+                     class_="chart wide" if chart.get("wide") else "chart"))
 
     def html(self):
         # Charts that follow each other share a grid.
@@ -141,18 +181,18 @@ class Section:
                 code.append('<div class="charts">' if chart else "</div>")
                 inside = chart
             code.append(part)
-        return f'<section id="{self.name}"><h2>{escape(self.heading)}</h2>{"".join(code)}{"</div>" if inside else ""}</section>'
+        return tag("section", tag("h2", self.heading), Markup("".join(code) + ("</div>" if inside else "")), id=self.name)
 
 
 def chip(colour, name):
     """A name with the colour that its curves have."""
-    return f'<span class="chip"><i style="background:{escape(colour)}"></i>{escape(name)}</span>'
+    return tag("span", tag("i", style=f"background:{colour}"), name, class_="chip")
 
 
 def figure(address, caption):
-    shown = f'<video controls loop muted playsinline preload="metadata" src="{address}"></video>' \
-        if address.startswith("data:video/") else f'<img src="{address}" alt="{escape(caption)}">'
-    return f"<figure>{shown}<figcaption>{escape(caption)}</figcaption></figure>"
+    shown = f'<video controls loop muted playsinline preload="metadata" src="{escape(address)}"></video>' \
+        if address.startswith("data:video/") else f'<img src="{escape(address)}" alt="{escape(caption)}">'
+    return tag("figure", Markup(shown), tag("figcaption", caption))
 
 
 class Page:
@@ -178,13 +218,13 @@ class Page:
     def html(self):
         """The whole page."""
         data = {"tables": self.tables, "columns": self.columns, "charts": self.charts}
-        links = "".join(f'<a href="#{one.name}">{escape(one.heading)}</a>' for one in self.sections)
+        links = joined(tag("a", one.heading, href="#" + one.name) for one in self.sections)
         style, program = ((HERE / f"page.{ending}").read_text(encoding="utf-8") for ending in ("css", "js"))
         return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
                 f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
                 f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{escape(self.title)}</title>'
                 f"<style>\n{style}</style></head>\n<body><header><h1>{escape(self.title)}</h1>"
-                f'<div class="lead">{self.lead}</div></header><nav>{links}</nav><main><div id="problem" hidden></div>\n' +
+                f'{tag("div", self.lead, class_="lead")}</header><nav>{links}</nav><main><div id="problem" hidden></div>\n' +
                 "\n".join(one.html() for one in self.sections) +
                 f"\n</main><footer>{escape(self.foot)}</footer>\n"
                 f'<script type="application/json" id="data">{json_within_page(data)}</script>\n'

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from .errors import InputError
 
 WORDS = ("set", "subsection", "end", "include")
-MOST_SECTIONS = 16  # within each other, as in the program
+# As in the program: sections within each other; files on the way of includes, the first counted; includes altogether.
+MOST_SECTIONS, DEEPEST_INCLUDE, MOST_INCLUDES = 16, 16, 200
 
 
 @dataclass
@@ -30,16 +31,18 @@ def read_text(path):
         raise InputError(f"'{path}' is no text: {error}") from error
 
 
-def read_prm(path, including=()):
+def read_prm(path, including=(), counter=None):
     """
-    {(section, ..., name): Item} of a file and of those that it includes; what an included file sets can be set again.
+    {(section, ..., name): Item} of a file and of those that it includes. What a file sets itself counts more than what it includes,
+    wherever the include stands; of two includes the later counts.
 
     >>> with open("small.prm", "w") as file:
     ...     _ = file.write("subsection Mesh  # cells\\n  set Cell size = 1e-3\\nend\\n")
     >>> read_prm("small.prm")
     {('Mesh', 'Cell size'): Item(text='1e-3', where='small.prm:2')}
     """
-    items, own, sections, opened, continued = {}, {}, [], [], ""
+    counter = counter if counter is not None else []
+    included, items, own, sections, opened, continued = {}, {}, {}, [], [], ""
     number = 0
 
     def fail(text):
@@ -86,7 +89,13 @@ def read_prm(path, including=()):
                 fail(f"'{rest}' includes itself")
             if not rest or not os.path.isfile(other):
                 fail(f"there is no file '{other}' to include")
-            items.update(read_prm(other, (*including, os.path.realpath(path))))
+            if len(including) + 1 == DEEPEST_INCLUDE:
+                fail(f"more than {DEEPEST_INCLUDE} files that include each other")
+            counter.append(other)
+            if len(counter) > MOST_INCLUDES:
+                fail(f"this is include number {len(counter)}, and {MOST_INCLUDES} are allowed; a file that is included twice "
+                     "counts twice")
+            included.update(read_prm(other, (*including, os.path.realpath(path)), counter))
         else:
             near = difflib.get_close_matches(word, WORDS, 1)
             fail(f"'{line}' is not understood: a line starts with set, subsection, end or include" +
@@ -95,4 +104,4 @@ def read_prm(path, including=()):
         fail("the file ends within a line continued by '\\'")
     if sections:
         raise InputError(f"{path}:{opened[-1]}: subsection '{sections[-1]}' has no 'end'")
-    return items
+    return {**included, **items}

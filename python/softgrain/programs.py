@@ -16,6 +16,7 @@ from .errors import InputError, RunFailed
 from .folder import Run
 from .tables import Table, as_frame
 
+ERROR = "softgrain: error: "  # before every message of the program
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -57,6 +58,21 @@ def text_of(value):
     return str(value)
 
 
+def last_errors(text):
+    """
+    What the program said when it ended, in one line; of a wrong input it may be several, one for each mistake.
+
+    >>> last_errors("step 1\\nsoftgrain: error: a.prm:1: no\\nsoftgrain: error: a.prm:2: nor that\\n")
+    'a.prm:1: no; a.prm:2: nor that'
+    """
+    found = []
+    for line in reversed(text.strip().splitlines()):
+        if not line.startswith(ERROR):
+            break
+        found.append(line.strip().removeprefix(ERROR))
+    return "; ".join(reversed(found))
+
+
 def call(words, timeout=None):
     """Starts the program; returns what it printed."""
     try:
@@ -64,8 +80,8 @@ def call(words, timeout=None):
     except subprocess.TimeoutExpired as error:
         raise RunFailed(f"over {timeout} s") from error
     if done.returncode != 0:
-        lines = done.stderr.strip().splitlines() or [f"ended with status {done.returncode}"]
-        raise (InputError if done.returncode == 2 else RunFailed)(lines[-1].removeprefix("softgrain: error: "))
+        said = last_errors(done.stderr) or (done.stderr.strip().splitlines() or [f"ended with status {done.returncode}"])[-1]
+        raise (InputError if done.returncode == 2 else RunFailed)(said)
     return done.stdout
 
 

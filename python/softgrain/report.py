@@ -8,7 +8,7 @@ import time
 import numpy as np
 
 from .curves import COLOURS, moves, run_labels
-from .page import Page, escape
+from .page import Page, escape, joined, tag
 from .report_contacts import add_contacts
 from .report_curves import add_curves
 from .report_entry import Choices, Entry, heads, in_words, with_prefix
@@ -32,8 +32,8 @@ def report(runs, choices=None):
     labels = choices.labels or run_labels([run.directory for run in runs])
     entries = [Entry(run, label, COLOURS[number % len(COLOURS)]) for number, (run, label) in enumerate(zip(runs, labels))]
     title = choices.title or (labels[0] if len(labels) == 1 else f"{len(labels)} runs")
-    page = Page(title, " ".join(f'<span>{entry.chip if len(entries) > 1 else ""} <span class="status {entry.status}">'
-                                f"{entry.status}</span></span>" for entry in entries))
+    page = Page(title, joined((tag("span", entry.chip if len(entries) > 1 else "", " ", tag(
+        "span", entry.status, class_=f"status {entry.kind}")) for entry in entries), " "))
     problems = []
     overview = page.section("Overview")
     add_pictures(page, entries, choices, problems)
@@ -118,9 +118,9 @@ def add_phases(page, entries):
             totals[name] = totals.get(name, 0) + seconds
     names = sorted(totals, key=totals.get, reverse=True)
     palette = [*COLOURS, "#999933", "#882255", "#44AA99", "#DDCC77", "#332288", "#AA4499", "#117733", "#88CCEE", "#CC6677"]
-    traces = [{"type": "bar", "orientation": "h", "name": name, "y": [escape(entry.label) for entry in found],
+    traces = [{"type": "bar", "orientation": "h", "name": escape(name), "y": [escape(entry.label) for entry in found],
                "x": [entry.summary["phases"].get(name, 0) for entry in found],
-               "marker": {"color": palette[number % len(palette)]}, "hovertemplate": "%{x:.3g} s<extra>" + name + "</extra>"}
+               "marker": {"color": palette[number % len(palette)]}, "hovertemplate": f"%{{x:.3g}} s<extra>{escape(name)}</extra>"}
               for number, name in enumerate(names)]
     section.traces("", traces, {"barmode": "stack", "xaxis": {"title": {"text": "time [s]"}},
                                 "yaxis": {"autorange": "reversed"}, "hovermode": "closest"}, wide=True,
@@ -160,6 +160,6 @@ def add_logs(page, entries, most=40):
         with open(entry.run.path("run.log"), encoding="utf-8", errors="replace") as file:
             lines = file.read().splitlines()
         if len(found) > 1:
-            section.add(f'<div class="run">{entry.chip}</div>')
+            section.add(tag("div", entry.chip, class_="run"))
         shown = lines if len(lines) <= most else [f"… {len(lines) - most} lines before", *lines[-most:]]
-        section.add("<pre>" + escape("\n".join(shown)) + "</pre>")
+        section.add(tag("pre", "\n".join(shown)))

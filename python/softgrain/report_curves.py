@@ -51,7 +51,7 @@ def add_tables(page, entries):
                 largest[column] = max(largest.get(column, 0), np.abs(finite).max(initial=0))
     for column, most in largest.items():
         divisor, unit = scaled_unit(split_unit(column)[1], most)
-        label = "Mean pressure" if column == "mean_pressure_Pa" else html_of(describe(column))  # of the box, not of a grain
+        label = "Mean pressure" if column == "mean_pressure_Pa" else html_of(escape(describe(column)))  # of the box, not of a grain
         page.columns[column] = {"label": label, "unit": unit, "divisor": divisor}
     return result
 

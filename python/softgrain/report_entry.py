@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A run as an entry of a page, and how a page tells numbers."""
 
+import math
 import os
 from dataclasses import dataclass
 
@@ -9,6 +10,9 @@ from .units import scaled_unit
 
 FROM_STEPS = ("wall_seconds", "microseconds_per_point_step", "energy_balance_error", "momentum_error", "max_contact_residual",
               "max_penetration_m", "peak_memory_bytes")  # of summary.json; nothing at the start of a run
+
+STATUSES = ("running", "completed", "interrupted", "failed")
+TEXTS = ("status", "model", "version")  # of summary.json; all else are numbers, but for the phases
 
 
 @dataclass
@@ -28,7 +32,7 @@ class Entry:
         summary.json. While the run goes on it is of the last checkpoint: then steps and time are those of history.csv, and what
         was not known at the start is left out.
         """
-        found = dict(self.run.summary or {})
+        found = proper(self.run.summary or {})
         if found.get("status") == "running" and os.path.exists(self.run.path("history.csv")):
             if not found.get("steps"):
                 found = {key: found[key] for key in found if key not in FROM_STEPS}
@@ -39,7 +43,32 @@ class Entry:
 
     @property
     def status(self):
-        return self.run.status or "unknown"
+        return self.summary.get("status") or "unknown"
+
+    @property
+    def kind(self):
+        """The status as the style of a page knows it."""
+        return self.status if self.status in STATUSES else "unknown"
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def proper(summary):
+    """
+    What a page can show of summary.json: of another kind than the program writes it, it is left out.
+
+    >>> proper({"status": "completed", "steps": "many", "threads": 2, "phases": {"output": 0.1, "contact": None}})
+    {'status': 'completed', 'threads': 2, 'phases': {'output': 0.1}}
+    """
+    found = {}
+    for key, value in summary.items():
+        if key == "phases" and isinstance(value, dict):
+            found[key] = {name: seconds for name, seconds in value.items() if is_number(seconds) and seconds >= 0}
+        elif isinstance(value, str) if key in TEXTS else is_number(value):
+            found[key] = value
+    return found
 
 
 @dataclass

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import film
 from .errors import InputError
-from .page import data_address
+from .page import data_address, tag
 from .picture import Options, Picture
 from .report_entry import with_prefix
 
@@ -37,7 +37,7 @@ def add_pictures(page, entries, choices, problems):
             problems.append((entry.colour, entry.label, str(error)))
             continue
         if len(entries) > 1:
-            section.add(f'<div class="run">{entry.chip}</div>')
+            section.add(tag("div", entry.chip, class_="run"))
         section.figures(items)
     if len(found) > 1:
         section.text("One scale of colours and one of forces for all runs." if common else

@@ -12,7 +12,7 @@ import subprocess
 import time
 
 from .errors import InputError
-from .programs import call, find_program
+from .programs import call, find_program, last_errors
 from .study_file import read_study
 from .study_points import points_of
 from .study_results import evaluate
@@ -41,7 +41,7 @@ def check_points(study, tasks, program):
             words += ["--set", f"{name}={value}"]
         done = subprocess.run(words, capture_output=True, text=True, check=False)
         if done.returncode == 2:
-            raise InputError(explain(study, task, done.stderr.strip().removeprefix("softgrain: error: ")))
+            raise InputError(explain(study, task, last_errors(done.stderr) or done.stderr.strip()))
         seen |= set(task.values.items()) or {None}
         if time.monotonic() - begin > MOST_CHECKS:
             return

@@ -10,14 +10,14 @@ import numpy as np
 
 from .curves import COLOURS
 from .errors import InputError
-from .page import Page, data_address, escape
+from .page import Page, data_address, escape, joined, tag
 from .picture import Options, Picture
 from .report import add_parameters
 from .report_curves import thinned
 from .report_entry import Entry, in_words
 from .study_picture import COST_TEXTS, groups_of, standard_errors, usable
 from .study_quantities import curve_of, exact_curve
-from .study_text import cost_in_words, percent, told_error
+from .study_text import cost_in_words, in_doubt, percent, place_rows, told_error
 from .units import describe, html_of, scaled_unit, split_unit
 
 PICTURES = 24  # most on a page
@@ -29,8 +29,7 @@ def study_page(findings, pictures=True):
     """The page about a study."""
     study = findings.study
     states = [record["status"] for one in findings.results for record in one.records]
-    page = Page(study.title, " ".join(f"<span>{states.count(state)} runs {escape(state)}</span>" for state in
-                                      dict.fromkeys(states)))
+    page = Page(study.title, joined((tag("span", f"{states.count(state)} runs {state}") for state in dict.fromkeys(states)), " "))
     entries = entries_of(findings)
     overview = page.section("Overview")
     overview.warnings(warnings_of(findings, entries))
@@ -75,12 +74,20 @@ def add_levels(section, findings):
     rows = []
     for quantity in study.quantities:
         for level in study.levels:
-            one = findings.cheapest(quantity.name, level)
-            cells = [f"≤ {percent(level)}", one.point.label if one else "no point of this study",
+            found = findings.verdict(quantity, level)
+            one = found.result
+            doubt = "" if found.sure else f"{in_doubt(findings, quantity)}; it would say: "
+            cells = [f"≤ {percent(level)}", doubt + (one.point.label if one else "no point of this study"),
                      told_error(one, quantity) if one else "",
                      cost_in_words(study.cost, one.cost(study.cost)) if one else ""]
             rows.append((quantity.name, cells, ""))
     section.table(["quantity", "error", "cheapest point", "its error", COST_TEXTS[study.cost][0]], rows)
+    for quantity in study.quantities:
+        if places := place_rows(findings, quantity):
+            section.text(f"One packing: grains that rearrange a little earlier or later change {quantity.name} at one place. ± is how "
+                         "much the error of a point, or of one that costs more, changes when single places are left out. Another packing may have other errors: several of "
+                         "them tell more. Errors place by place:")
+            section.table(places[0], [(row[0], row[1:], "") for row in places[1:]])
     exact = [quantity.name for quantity in study.quantities if not quantity.needs_run]
     told = "An error is relative: to the reference at each place, or in a window to the largest value of the reference there."
     if exact:
@@ -103,7 +110,7 @@ def add_trade(page, findings):
             section.text(f"{quantity.name}: no point has an error and a cost.")
             continue
         front = sorted(shown[id(one)] for one in findings.results if id(one) in shown and one.front[quantity.name])
-        traces = [{"type": "scatter", "mode": "lines", "name": "best points", "x": [a for a, _ in front],
+        traces = [{"type": "scatter", "mode": "lines", "name": "best points" if findings.is_front_sure(quantity) else "perhaps the best points", "x": [a for a, _ in front],
                    "y": [b for _, b in front], "line": {"color": FRONT_COLOUR, "dash": "dash", "width": 1.5, "shape": "hv"},
                    "hoverinfo": "skip"}]
         for number, (others, group) in enumerate(groups.items()):
@@ -120,7 +127,7 @@ def add_trade(page, findings):
             if (bars := standard_errors(points, quantity)) is not None:
                 trace["error_y"] = {"type": "data", "visible": True, "thickness": 1, "array": bars}
             traces.append(trace)
-        section.traces(escape(quantity.name.replace("_", " ")), traces, {
+        section.traces(quantity.name.replace("_", " "), traces, {
             "xaxis": {**logarithmic([cost for cost, _ in shown.values()]), "title": {"text": f"{text} [{unit}]"}},
             "yaxis": error_axis([error for _, error in shown.values()]), "hovermode": "closest"},
             wide=len(study.quantities) == 1)
@@ -152,7 +159,7 @@ def add_orders(page, findings):
             told = f"order {order.order:.2g}" if order.good else "no order"
             traces.append({"type": "scatter", "mode": "lines+markers", "name": escape(f"{others}: {told}" if others else told),
                            "x": order.values, "y": order.errors, "line": {"color": COLOURS[number % len(COLOURS)], "width": 2}})
-        section.traces(escape(f"{quantity.replace('_', ' ')} over {knob}"), traces, {
+        section.traces(f"{quantity.replace('_', ' ')} over {knob}", traces, {
             "xaxis": {**logarithmic([value for order in group for value in order.values]), "title": {"text": escape(knob)}},
             "yaxis": error_axis([error for order in group for error in order.errors]), "hovermode": "closest",
             "showlegend": True})
@@ -187,7 +194,7 @@ def add_curves(page, findings, entries):
                            "y": y})
         divisor, unit = scaled_unit(unit_of(quantity.y), largest)
         page.columns[y] = {"label": escape(quantity.name.replace("_", " ")), "unit": unit, "divisor": divisor}
-        section.curves(escape(quantity.name.replace("_", " ")), series, [x], [y], wide=True)
+        section.curves(quantity.name.replace("_", " "), series, [x], [y], wide=True)
 
 
 def unit_of(formula):
@@ -197,7 +204,7 @@ def unit_of(formula):
 
 
 def column_of(name):
-    return {"label": html_of(describe(name)), "unit": split_unit(name)[1], "divisor": 1}
+    return {"label": html_of(escape(describe(name))), "unit": split_unit(name)[1], "divisor": 1}
 
 
 def add_pictures(page, findings, entries):
@@ -235,9 +242,10 @@ def add_points(page, findings):
     study = findings.study
     section = page.section("Points")
     averaged = any(knob.average for knob in study.knobs)
+    sure = {quantity.name: findings.is_front_sure(quantity) for quantity in study.quantities}
     head = ["point"]
     for quantity in study.quantities:
-        head += [f"error of {escape(quantity.name)}"] + (["scatter of a run"] if averaged else [])
+        head += [f"error of {quantity.name}"] + (["scatter of a run"] if averaged else [])
     head += ["processor", "time", "memory", "steps", "Newton / step", "sweeps / step", "status"]
     rows = []
     for one in findings.results:
@@ -252,7 +260,7 @@ def add_points(page, findings):
         cells += [f"{one.steps:.0f}" if np.isfinite(one.steps) else ""]
         cells += [f"{value:.3g}" if np.isfinite(value) else "" for value in
                   (one.per_step("newton_iterations"), one.per_step("contact_sweeps"))]
-        best = " and ".join(name.replace("_", " ") for name, is_best in one.front.items() if is_best)
+        best = " and ".join(name.replace("_", " ") + ("" if sure[name] else " (perhaps)") for name, is_best in one.front.items() if is_best)
         cells += [one.status + (f"; best for {best}" if best else "")]
         rows.append((one.point.label, cells, "differs" if best else ""))
     section.table(head, rows, search=True)

@@ -45,6 +45,16 @@ def groups_of(findings):
     return many, groups
 
 
+def literal(text):
+    """
+    A text that matplotlib draws as it is, and does not take for a formula.
+
+    >>> literal("from 3 $ to 5 $")
+    'from 3 \\\\$ to 5 \\\\$'
+    """
+    return text.replace("$", r"\$")
+
+
 def draw_study(findings):
     """A figure with a panel for every quantity."""
     study = findings.study
@@ -62,7 +72,7 @@ def draw_study(findings):
             draw_panel(axes, findings, quantity, many, groups)
             axes.set_xlabel(f"{text}  [{unit}]")
             axes.set_ylabel(f"error of {quantity.name.replace('_', ' ')}")
-        figure.suptitle(study.title, fontsize="medium")
+        figure.suptitle(literal(study.title), fontsize="medium")
     return figure
 
 
@@ -82,7 +92,7 @@ def draw_panel(axes, findings, quantity, many, groups):
     front = sorted(shown[id(one)] for one in findings.results if id(one) in shown and one.front[quantity.name])
     if front:
         axes.step(*zip(*front), where="post", color="#8a949e", linewidth=1.2, linestyle=(0, (4, 2)), zorder=2,
-                  label="best points")
+                  label="best points" if findings.is_front_sure(quantity) else "perhaps the best points")
     for number, (others, group) in enumerate(groups.items()):
         points = [one for one in group if id(one) in shown]
         if not points:
@@ -93,10 +103,10 @@ def draw_panel(axes, findings, quantity, many, groups):
             # On a logarithmic axis a bar may not reach 0.
             axes.errorbar(x, y, yerr=[np.minimum(bars, 0.9 * np.array(y)), bars], fmt="none", ecolor=colour,
                           elinewidth=1, alpha=0.6, zorder=3)
-        axes.plot(x, y, MARKERS[number % len(MARKERS)], color=colour, markersize=6.5, label=others or None, zorder=4,
+        axes.plot(x, y, MARKERS[number % len(MARKERS)], color=colour, markersize=6.5, label=literal(others) or None, zorder=4,
                   markeredgecolor="white", markeredgewidth=0.6)
         for one, a, b in zip(points, x, y):
-            axes.annotate(one.point.values[many.name], (a, b), (5, 4), textcoords="offset points", fontsize=8,
+            axes.annotate(literal(one.point.values[many.name]), (a, b), (5, 4), textcoords="offset points", fontsize=8,
                           color="#3c4650", zorder=5)
     errors, costs = [error for _, error in shown.values()], [cost for cost, _ in shown.values()]
     axes.set_yscale("log")

@@ -8,9 +8,11 @@ import numpy as np
 
 from .fits import smallest
 from .folder import Run
+from .report_entry import is_number
 from .study_points import folder_of
 from .study_quantities import Difference, check_columns, difference, reference_values, values_of
 from .study_runs import COMPLETED, FAILED, NOT_RUN, TOO_LONG, read_record
+from .study_verdict import is_front_sure, judge_uncertainty, verdict
 
 FEWEST = 3  # values of a knob from which an order is fitted
 ALIKE = 0.02  # relative difference of errors that count as equal
@@ -26,6 +28,8 @@ class Result:
     records: list
     differences: dict = field(default_factory=dict)  # {quantity: Difference}
     front: dict = field(default_factory=dict)  # {quantity: whether no other point is better in error and cost}
+    uncertainty: dict = field(default_factory=dict)  # {quantity: what its error may be off by}
+    of_one_packing: dict = field(default_factory=dict)  # {quantity: whether that is judged from the places of one packing}
 
     @property
     def status(self):
@@ -43,7 +47,7 @@ class Result:
 
     def mean(self, function):
         values = [function(run, record) for run, record in zip(self.runs, self.records) if run is not None]
-        values = [value for value in values if value is not None and np.isfinite(value)]
+        values = [value for value in values if is_number(value)]
         return float(np.mean(values)) if values else np.nan
 
     def cost(self, name):
@@ -91,11 +95,17 @@ class Findings:
         """How many runs have failed or took too long."""
         return sum(record["status"] in (FAILED, TOO_LONG) for one in self.results for record in one.records)
 
-    def cheapest(self, quantity, level):
-        """The cheapest point whose error is at most @level; None when there is none."""
-        fine = [(cost, number) for number, one in enumerate(self.results)
-                if one.differences[quantity].error <= level and np.isfinite(cost := one.cost(self.study.cost))]
-        return self.results[min(fine)[1]] if fine else None
+    def verdict(self, quantity, level):
+        """The cheapest point whose error is at most @level, and whether that is sure."""
+        return verdict(self.results, quantity, level, self.study.cost)
+
+    def is_front_sure(self, quantity):
+        """Whether no best point could be none, and no other one a best, for all that is uncertain."""
+        return is_front_sure(self.results, quantity.name, self.study.cost)
+
+    def has_one_packing(self, quantity):
+        """Whether errors of a quantity are those of one packing."""
+        return any(one.of_one_packing.get(quantity.name) for one in self.results)
 
 
 def open_results(study, points, output):
@@ -125,6 +135,7 @@ def evaluate(study, points, output):
         other = found[place] if place is not None else None
         for one, values in zip(results, found):
             one.differences[quantity.name] = compare(quantity, one, values, other)
+        judge_uncertainty(results, quantity, study.cost)
     for quantity in study.quantities:
         mark_front(results, quantity.name, study.cost)
     return Findings(study, results, orders_of(study, results))

@@ -16,6 +16,7 @@ import time
 
 from .errors import InputError
 from .folder import Run
+from .programs import ERROR, last_errors
 from .study_points import folder_of
 from .study_quantities import check_columns
 
@@ -185,5 +186,5 @@ def error_of(path, code):
     """The program's own line."""
     with open(path, encoding="utf-8", errors="replace") as file:
         lines = [line.strip() for line in file if line.strip()]
-    own = [line.removeprefix("softgrain: error: ") for line in lines if line.startswith("softgrain: error: ")]
-    return own[-1] if own else f"ended by signal {-code}" if code < 0 else f"ended with status {code}"
+    own = [number for number, line in enumerate(lines) if line.startswith(ERROR)]
+    return last_errors("\n".join(lines[:own[-1] + 1])) if own else f"ended by signal {-code}" if code < 0 else f"ended with status {code}"

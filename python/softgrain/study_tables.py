@@ -51,16 +51,19 @@ def write_json(findings, path, output):
     for row, one in zip(rows_of(findings), findings.results):
         row["signed_differences"] = {name: found.signed for name, found in one.differences.items()
                                      if found.signed is not None and len(found.signed) <= 50}
+        row["uncertainties"] = one.uncertainty
         row["tasks"] = [{"values": task.values, "changes": task.changes, "folder": os.path.relpath(folder_of(output, task), output),
                          **{name: value for name, value in record.items() if name != "changes"}}
                         for task, record in zip(one.point.tasks, one.records)]
         points.append(row)
-    cheapest = {quantity.name: {f"{level:g}": getattr(findings.cheapest(quantity.name, level), "point", None)
-                                for level in study.levels} for quantity in study.quantities}
+    found = {quantity.name: {f"{level:g}": findings.verdict(quantity, level) for level in study.levels}
+             for quantity in study.quantities}
+    cheapest = {name: {level: one.result and one.result.point.label for level, one in of.items()} for name, of in found.items()}
     data = {"title": study.title, "scene": study.scene, "study": study.path, "reference": study.reference, "cost": study.cost,
             "points": points, "orders": [{**vars(order), "good": order.good} for order in findings.orders],
-            "cheapest": {name: {level: point and point.label for level, point in found.items()}
-                         for name, found in cheapest.items()}}
+            "cheapest": cheapest,
+            "cheapest_is_sure": {name: {level: one.sure for level, one in of.items()} for name, of in found.items()},
+            "front_is_sure": {quantity.name: findings.is_front_sure(quantity) for quantity in study.quantities}}
     with open(path + ".part", "w", encoding="utf-8") as file:
         json.dump(plain(data), file, indent=1, ensure_ascii=False, allow_nan=False)
     os.replace(path + ".part", path)

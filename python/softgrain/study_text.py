@@ -4,7 +4,8 @@
 import numpy as np
 
 from .report_entry import in_words
-from .study_picture import COST_TEXTS, standard_errors
+from .study_picture import COST_TEXTS
+from .study_verdict import by_place
 
 
 def percent(value):
@@ -25,10 +26,31 @@ def cost_in_words(name, value):
 
 
 def told_error(result, quantity):
-    """An error, with the standard error where it is one of a mean: what is smaller than that cannot be told from 0."""
-    own = percent(result.differences[quantity.name].error)
-    bars = standard_errors([result], quantity)
-    return f"{own} ± {percent(bars[0])}" if bars else own
+    """An error with what it may be off by: a smaller one cannot be told from 0."""
+    own, off = percent(result.differences[quantity.name].error), result.uncertainty[quantity.name]
+    return own if off == 0 else f"{own} ± {percent(off)}" if np.isfinite(off) else f"{own} at one place"
+
+
+def in_doubt(findings, quantity):
+    """Who cannot decide, as words."""
+    return "one packing cannot decide" if findings.has_one_packing(quantity) else "the runs cannot decide"
+
+
+def told_verdict(findings, quantity, level):
+    """The cheapest point within a level of the error, or that it is not known which."""
+    found = findings.verdict(quantity, level)
+    own = f"{found.result.point.label}, {told_error(found.result, quantity)}, " \
+          f"{cost_in_words(findings.study.cost, found.result.cost(findings.study.cost))}" if found.result else "no point"
+    return own if found.sure else f"{in_doubt(findings, quantity)} (it would say: {own})"
+
+
+def place_rows(findings, quantity):
+    """The errors of one packing place by place, as rows of cells with a head; nothing where they are not of one packing."""
+    rows = [(one.point.label, by_place(quantity, one.differences[quantity.name].signed)) for one in findings.results
+            if one.of_one_packing[quantity.name] and one.differences[quantity.name].signed is not None]
+    rows = [(label, found) for label, found in rows if len(found) > 1]
+    return [[f"{quantity.name} at {quantity.x.text} =", *rows[0][1]],
+            *([label, *map(percent, found.values())] for label, found in rows)] if rows else []
 
 
 def table(rows):
@@ -41,6 +63,7 @@ def print_findings(findings):
     """Errors and costs of the points, orders, and the cheapest point for every level of the error."""
     study = findings.study
     names = [quantity.name for quantity in study.quantities]
+    stars = {quantity.name: "*" if findings.is_front_sure(quantity) else "(*)" for quantity in study.quantities}
     rows = [["point", *names, COST_TEXTS[study.cost][0], "status"]]
     for one in findings.results:
         errors = []
@@ -50,10 +73,17 @@ def print_findings(findings):
                 percent(found.error)
             if np.isfinite(found.scatter):
                 own += f" (one run ± {percent(found.scatter)})"
-            errors.append(own + ("  *" if one.front[name] else ""))
+            elif one.of_one_packing[name] and np.isfinite(one.uncertainty[name]):
+                own += f" ± {percent(one.uncertainty[name])}"
+            errors.append(own + (f"  {stars[name]}" if one.front[name] else ""))
         rows.append([one.point.label, *errors, cost_in_words(study.cost, one.cost(study.cost)),
                      "; ".join([one.status, *one.notes])])
-    print("\n" + "\n".join(table(rows)) + "\n* no other point is both cheaper and nearer to the reference")
+    print("\n" + "\n".join(table(rows)) + "\n* no other point is both cheaper and nearer to the reference" +
+          ("; (*) perhaps: what errors may be off by decides it" if "(*)" in stars.values() else ""))
+    for quantity in study.quantities:
+        if rows := place_rows(findings, quantity):
+            print(f"errors of one packing, place by place: another packing may have others; give {quantity.name} several "
+                  "packings (a knob with 'Average = true')\n" + "\n".join(table(rows)))
     for order in findings.orders:
         others = ", ".join(f"{name} = {value}" for name, value in order.others.items())
         if order.good:
@@ -61,7 +91,4 @@ def print_findings(findings):
                   f"(R² {order.quality:.3f})")
     for quantity in study.quantities:
         for level in study.levels:
-            one = findings.cheapest(quantity.name, level)
-            print(f"{quantity.name} within {percent(level)}: " +
-                  (f"{one.point.label}, {told_error(one, quantity)}, {cost_in_words(study.cost, one.cost(study.cost))}"
-                   if one else "no point"))
+            print(f"{quantity.name} within {percent(level)}: {told_verdict(findings, quantity, level)}")

@@ -71,7 +71,7 @@ def describe(name):
         text = f"{match.group(1)} wall {match.group(2)} ${'F' if match.group(2) == 'force' else 'y'}$"
     else:
         text = base.replace("_", " ")
-    return text[0].upper() + text[1:] if not text.startswith("von") else text
+    return text[:1].upper() + text[1:] if not text.startswith("von") else text
 
 
 def with_unit(text, unit):

@@ -71,6 +71,17 @@ SizeReport cost_of_rank(const Forecast &one, const unsigned int n, const double 
 }
 } // namespace
 
+void print_left_out(std::ostream &out, const Input &input)
+{
+  for (const std::string &library : input.left_out())
+    out << "library left out: " << library << '\n';
+  for (const std::string &name : input.unknown_names())
+    out << "unknown without the libraries: " << name << '\n';
+  if (!input.unknown_names().empty())
+    out << "all else has the right form; sizes, and whether the parts of the scene fit together, are unknown "
+           "without the libraries\n";
+}
+
 void print_check_report(std::ostream &out,
                         const Input &input,
                         const std::optional<RunOutline> &outline,
@@ -127,6 +138,7 @@ void print_check_report(std::ostream &out,
     }
   }
   print_size_report(out, report);
+  print_left_out(out, input);
   if (!forecast)
     return;
   if (start_memory + forecast->memory > 0.9 * memory_of_machine())

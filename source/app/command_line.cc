@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/check_report.h>
 #include <softgrain/app/command_line.h>
+#include <softgrain/app/error_lines.h>
 #include <softgrain/app/input.h>
 #include <softgrain/app/machine_speed.h>
 #include <softgrain/app/measure_table.h>
@@ -13,6 +14,7 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/base/ranks.h>
 #include <softgrain/model/model_factory.h>
@@ -36,33 +38,6 @@ constexpr int interrupted = 3;
 const char *const exit_codes =
     "Exit codes: 0 done, 1 the computation failed (the last good state is saved), 2 bad input (nothing is "
     "touched), 3 interrupted by a signal (the state is saved; --restart goes on).";
-
-/// One line, whatever the message holds; of several ranks that come here the first says it.
-int report_error(std::string message, const int exit_code)
-{
-  const Ranks ranks;
-  ranks.fail_alike(message);
-  if (!ranks.first())
-    return exit_code;
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  // What a file holds may be quoted; a terminal would obey some of it.
-  std::replace_if(
-      message.begin(), message.end(), [](const unsigned char c) { return c < ' ' || c == 127; }, '?');
-  std::cout << std::flush;
-  std::cerr << "softgrain: error: " << message << std::endl;
-  return exit_code;
-}
-
-/// deal.II's exceptions carry a banner and a stack; what a user needs is the additional information.
-std::string short_message(const std::exception &error)
-{
-  const std::string message = error.what(), mark = "Additional information:";
-  const auto begin = message.find(mark);
-  if (begin == std::string::npos)
-    return message;
-  const auto end = message.find("\n\n", begin);
-  return message.substr(begin + mark.size(), end == std::string::npos ? end : end - begin - mark.size());
-}
 } // namespace
 
 std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
@@ -103,6 +78,9 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   add_input(check_command);
   check_command->add_flag("--build", build,
                           "make the packing and the model, which may take long, to say exact sizes");
+  check_command->add_flag(
+      "--no-libraries", no_libraries,
+      "load no code that the file names; what only its libraries know is listed, not refused");
   check_command->add_option("--ranks", n_ranks, "say also what falls to one rank of so many, under mpirun")
       ->check(CLI::Range(1u, 1000000u));
   CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
@@ -211,6 +189,10 @@ int CommandLine::execute()
     }
     return 0;
   }
+  catch (const InputErrors &errors)
+  {
+    return report_errors(errors.lines(), bad_input);
+  }
   catch (const InputError &error)
   {
     return report_error(error.what(), bad_input);
@@ -243,7 +225,8 @@ std::unique_ptr<Input> CommandLine::read_input() const
   ranks.together(
       [&]()
       {
-        input = std::make_unique<Input>(parameter_file, assignments);
+        input = std::make_unique<Input>(parameter_file, assignments,
+                                        no_libraries ? Input::Libraries::leave_out : Input::Libraries::load);
         if (!ranks.alone())
           check_works_on_ranks(input->run().model, ranks.number());
       });
@@ -289,6 +272,9 @@ bool CommandLine::run() const
   const std::optional<RunOutline> outline = outline_of(input);
   const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
   ranks.together([&]() { input.complete_scene(); });
+  // A run that goes on has written its packing when it began.
+  if (!restart)
+    ranks.at_first([&]() { input.save_packing(overwrite); });
   const std::unique_ptr<Model<2>> created = input.create_model(state.get());
   std::ostream silence(nullptr);
   Simulation simulation(input, *created, lock, ranks.first() ? std::cout : silence);
@@ -312,12 +298,18 @@ void CommandLine::check() const
   Input &input = *read;
   if (n_ranks > 1)
     check_works_on_ranks(input.run().model, n_ranks);
+  if (!input.unknown_names().empty())
+  {
+    if (Ranks().first())
+      print_left_out(std::cout, input);
+    return;
+  }
   const std::optional<RunOutline> outline = outline_of(input);
   const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
   std::unique_ptr<Model<2>> model;
   // What is built in a moment is built: that finds more mistakes.
   if (build || !forecast || forecast->is_soon_built())
-    model = input.create_model();
+    model = input.model_to_look_at();
   if (Ranks().first())
     print_check_report(std::cout, input, outline, forecast, model.get(), n_ranks);
 }

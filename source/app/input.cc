@@ -3,6 +3,7 @@
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/restart_check.h>
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/constitutive/load_libraries.h>
 #include <softgrain/model/model_factory.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace softgrain
 {
@@ -39,39 +41,109 @@ std::string model_of(const ParameterFile &file)
 }
 } // namespace
 
-Input::Input(const std::string &file_name, const std::vector<std::string> &assignments) : file(file_name)
+namespace
+{
+/// The lists that say what else the file may contain; without them nothing more can be read.
+SceneNames names_of(const ParameterFile &file, Mistakes &mistakes)
+{
+  const auto names = [&](const std::string &section)
+  {
+    std::vector<std::string> found;
+    if (!mistakes.attempt([&]() { found = file.names(section); }))
+      mistakes.end();
+    return found;
+  };
+  return {names("Materials"), names("Bodies"), names("Walls"), names("Stages"), names("Obstacles")};
+}
+} // namespace
+
+Input::Input(const std::string &file_name,
+             const std::vector<std::string> &assignments,
+             const Libraries libraries)
+    : Input(file_name, assignments, libraries, Mistakes())
+{
+}
+
+Input::Input(const std::string &file_name,
+             const std::vector<std::string> &assignments,
+             const Libraries libraries,
+             Mistakes mistakes)
+    : file(file_name, mistakes)
 {
   for (const std::string &assignment : assignments)
-    file.set(assignment);
+    mistakes.attempt([&]() { file.set(assignment); });
 
-  constitutive::load_libraries(
-      dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", "")));
-  const SceneNames names{file.names("Materials"), file.names("Bodies"), file.names("Walls"),
-                         file.names("Stages"), file.names("Obstacles")};
-  const std::string model = model_of(file);
+  const std::vector<std::string> named =
+      dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", ""));
+  std::string model;
+  SceneNames names;
+  const bool known = mistakes.attempt(
+      [&]()
+      {
+        if (libraries == Libraries::load)
+          constitutive::load_libraries(named);
+        else
+          libraries_left_out = named;
+        names = names_of(file, mistakes);
+        model = model_of(file);
+      });
+  if (!known)
+    mistakes.end();
   declare_all_parameters(prm, model, names);
-  file.apply(prm);
+  file.apply(prm, mistakes, libraries_left_out.empty() ? nullptr : &unknown);
+  const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
+  parse_sections(names, *factory, mistakes);
+  mistakes.end();
+  if (unknown.empty())
+    check_all(*factory);
+}
 
+void Input::parse_sections(const SceneNames &names, const ModelFactory &factory, Mistakes &mistakes)
+{
+  Mistakes found;
+  found.attempt([&]() { described_scene = SceneParameters(names, factory.laws()).parse_parameters(prm); });
+  // A file with other mistakes need not have got as far as its end.
+  const bool may_have_no_end = !names.stages.empty() || !mistakes.empty() || !found.empty();
+  const bool ends =
+      found.attempt([&]() { stop_conditions.parse_parameters(prm, may_have_no_end); }) &&
+      found.attempt([&]()
+                    { described_stages.parse_parameters(prm, names.stages, names.walls, stop_conditions); });
+  described_scene.end_time = end_time();
+  // Without an end because of another mistake: any time will do, so that there is no complaint about it.
+  const double end = ends ? described_scene.end_time : 1.;
+  found.attempt([&]() { run_parameters.parse_parameters(prm, file.file_name(), end); });
+  for (const std::string &line : found.lines())
+    if (!mistakes.concern(line))
+      mistakes.add(file.located(line));
+}
+
+void Input::check_all(const ModelFactory &factory)
+{
   try
   {
-    const LawCatalogue laws = Registry<ModelFactory>::instance().create(model)->laws();
-    described_scene = SceneParameters(names, laws).parse_parameters(prm);
-    stop_conditions.parse_parameters(prm, !names.stages.empty());
-    described_stages.parse_parameters(prm, names.stages, names.walls, stop_conditions);
-    described_scene.end_time = end_time();
-    run_parameters.parse_parameters(prm, file_name, described_scene.end_time);
-    check_scene(described_scene);
-    stop_conditions.check(described_scene);
-    const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
-    apply_fidelity(*factory);
-    factory->check(described_scene, prm);
-    described_stages.check(described_scene, [&](const Scene<2> &scene) { factory->check(scene, prm); });
-    check_output_folder(run_parameters.output_directory);
+    Mistakes mistakes;
+    mistakes.attempt([&]() { check_scene(described_scene); });
+    mistakes.attempt([&]() { stop_conditions.check(described_scene); });
+    mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
+    mistakes.end();
+    apply_fidelity(factory);
+    factory.check(described_scene, prm);
+    described_stages.check(described_scene, [&](const Scene<2> &scene) { factory.check(scene, prm); });
   }
   catch (const InputError &error)
   {
-    throw InputError(file.located(error.what()));
+    throw_located(error);
   }
+}
+
+void Input::throw_located(const InputError &error) const
+{
+  Mistakes found, located;
+  found.add(error);
+  for (const std::string &line : found.lines())
+    located.add(file.located(line));
+  located.end();
+  throw std::logic_error("an error without a message");
 }
 
 void Input::apply_fidelity(const ModelFactory &factory)
@@ -114,7 +186,7 @@ std::optional<Forecast> Input::forecast(const RunOutline &run)
   }
   catch (const InputError &error)
   {
-    throw InputError(file.located(error.what()));
+    throw_located(error);
   }
 }
 
@@ -132,14 +204,14 @@ void Input::complete_scene()
   {
     if (described_scene.packing.method)
     {
-      add_packing(described_scene);
+      packing = add_packing(described_scene);
       check_scene(described_scene);
     }
     stop_conditions.check_start(described_scene);
   }
   catch (const InputError &error)
   {
-    throw InputError(file.located(error.what()));
+    throw_located(error);
   }
   is_complete = true;
 }
@@ -156,7 +228,34 @@ std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
   }
   catch (const InputError &error)
   {
-    throw InputError(file.located(error.what()));
+    throw_located(error);
+  }
+}
+
+std::unique_ptr<Model<2>> Input::model_to_look_at()
+{
+  complete_scene();
+  try
+  {
+    return Registry<ModelFactory>::instance()
+        .create(run_parameters.model)
+        ->create_to_look(described_scene, prm);
+  }
+  catch (const InputError &error)
+  {
+    throw_located(error);
+  }
+}
+
+void Input::save_packing(const bool overwrite) const
+{
+  try
+  {
+    softgrain::save_packing(described_scene.packing, packing, overwrite);
+  }
+  catch (const InputError &error)
+  {
+    throw_located(error);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/parameters/within_section.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -84,7 +85,7 @@ void RunParameters::parse_parameters(dealii::ParameterHandler &prm,
   libraries = dealii::Utilities::split_string_list(prm.get("Additional shared libraries"));
   threads = prm.get_integer("Threads");
 
-  prm.enter_subsection("Output");
+  const WithinSection section(prm, "Output");
   fields_every = prm.get_double("Fields every");
   const unsigned int n_field_outputs = prm.get_integer("Number of field outputs");
   const std::vector<std::string> parts = dealii::Utilities::split_string_list(prm.get("Field parts"));
@@ -98,7 +99,6 @@ void RunParameters::parse_parameters(dealii::ParameterHandler &prm,
   history_every = prm.get_integer("History every");
   checkpoint_minutes = prm.get_double("Checkpoint every");
   checkpoints_kept = prm.get_integer("Checkpoints kept");
-  prm.leave_subsection();
 
   const auto shows = [&parts](const std::string &part)
   { return std::find(parts.begin(), parts.end(), part) != parts.end(); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/ranks.h>
 #include <softgrain/base/scattered_numbers.h>
 
@@ -15,6 +16,7 @@
 #include <limits>
 #include <new>
 #include <numeric>
+#include <sstream>
 #include <thread>
 
 namespace softgrain
@@ -26,6 +28,7 @@ enum class Failure
 {
   none,
   input,
+  inputs, ///< several mistakes, a line each
   computation,
   interrupted,
   memory,
@@ -39,6 +42,11 @@ Failure kind_of(const std::exception_ptr &failure, std::string &text)
   try
   {
     std::rethrow_exception(failure);
+  }
+  catch (const InputErrors &errors)
+  {
+    text = errors.what();
+    return Failure::inputs;
   }
   catch (const InputError &error)
   {
@@ -71,6 +79,14 @@ Failure kind_of(const std::exception_ptr &failure, std::string &text)
   {
   case Failure::input:
     throw InputError(text);
+  case Failure::inputs:
+  {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+      lines.push_back(line);
+    throw InputErrors(lines);
+  }
   case Failure::computation:
     throw ComputationError(text);
   case Failure::interrupted:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/driving/stages.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/wall_drive.h>
 #include <softgrain/scene/wall_parameters.h>
 
@@ -38,10 +40,9 @@ void Stages::parse_parameters(dealii::ParameterHandler &prm,
                               const std::vector<std::string> &walls,
                               const StopConditions &run)
 {
-  prm.enter_subsection("Stages");
-  for (const std::string &name : names)
+  const auto parse_one = [&](const std::string &name)
   {
-    prm.enter_subsection(name);
+    const WithinSection section(prm, name);
     Stage stage;
     stage.name = name;
     stage.stop.parse_parameters(prm, true);
@@ -49,15 +50,17 @@ void Stages::parse_parameters(dealii::ParameterHandler &prm,
       throw InputError("'Stages/" + name + "/Stop': the stage would never end: set one of its parameters");
     for (const std::string &wall : walls)
     {
-      prm.enter_subsection(wall);
+      const WithinSection of_wall(prm, wall);
       stage.drive_names.push_back(prm.get("Drive"));
       stage.drives.push_back(WallParameters::parse_drive(prm, "Stages/" + name + "/" + wall));
-      prm.leave_subsection();
     }
     list.push_back(stage);
-    prm.leave_subsection();
-  }
-  prm.leave_subsection();
+  };
+  Mistakes mistakes;
+  const WithinSection section(prm, "Stages");
+  for (const std::string &name : names)
+    mistakes.attempt([&]() { parse_one(name); });
+  mistakes.end();
 }
 
 std::string Stages::as_said_in(const Stage &stage, const Scene<2> &scene, std::string message)

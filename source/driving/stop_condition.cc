@@ -4,6 +4,7 @@
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/geometry/box.h>
 #include <softgrain/model/state_file.h>
+#include <softgrain/parameters/within_section.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -45,7 +46,7 @@ void StopConditions::declare_parameters(dealii::ParameterHandler &prm)
 
 void StopConditions::parse_parameters(dealii::ParameterHandler &prm, const bool may_be_empty)
 {
-  prm.enter_subsection("Stop");
+  const WithinSection section(prm, "Stop");
   for (const std::string &name : known().names())
   {
     std::shared_ptr<StopCondition> condition = known().create(name);
@@ -54,7 +55,6 @@ void StopConditions::parse_parameters(dealii::ParameterHandler &prm, const bool 
     if (limit > 0.)
       asked.push_back({condition, limit});
   }
-  prm.leave_subsection();
   if (asked.empty() && !may_be_empty)
     throw InputError("the run would never end: set " + all_keys() + " greater than 0");
 }

@@ -144,10 +144,11 @@ Packing<2> read_packing(const std::string &file)
   return packing;
 }
 
-void write_packing(const std::string &file, const Packing<2> &packing)
+namespace
 {
-  const std::string unfinished = file + ".part";
-  std::ofstream out(unfinished);
+std::string text_of(const Packing<2> &packing)
+{
+  std::ostringstream out;
   const bool materials = !packing.materials.empty(), grains = !packing.forms.empty();
   out << (grains ? of_grains : of_disks) << (materials ? with_material : "") << '\n' << std::setprecision(17);
   for (std::size_t i = 0; i < packing.balls.size(); ++i)
@@ -164,11 +165,30 @@ void write_packing(const std::string &file, const Packing<2> &packing)
           << ',' << packing.forms[i].corners << ',' << packing.forms[i].angle;
     out << (materials ? "," + packing.materials[i] : "") << '\n';
   }
+  return out.str();
+}
+} // namespace
+
+void write_packing(const std::string &file, const Packing<2> &packing)
+{
+  const std::string unfinished = file + ".part";
+  std::ofstream out(unfinished);
+  out << text_of(packing);
   out.close();
-  std::error_code error;
+  std::error_code error, ignored;
   if (out)
     std::filesystem::rename(unfinished, file, error);
   if (!out || error)
+    std::filesystem::remove(unfinished, ignored);
+  if (!out || error)
     throw InputError("the packing cannot be written to '" + file + "'");
+}
+
+bool holds_packing(const std::string &file, const Packing<2> &packing)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return in && text.str() == text_of(packing);
 }
 } // namespace softgrain

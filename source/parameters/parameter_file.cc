@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/parameters/parameter_tree.h>
@@ -18,11 +19,21 @@ namespace softgrain
 {
 namespace
 {
+/// Longer ones would be too long for the names of files that they become a part of.
+constexpr std::size_t longest_name = 100;
+
 /// Lists longer than this would hide the message.
 constexpr unsigned int max_names_in_message = 16;
 
 /// Editors of Windows begin a text with it.
 const std::string byte_order_mark = "\xEF\xBB\xBF";
+
+/// A section, parameter or word of a choice that nobody has declared; a library might.
+class UnknownName : public InputError
+{
+public:
+  using InputError::InputError;
+};
 
 std::string
 suggestion(const std::string &word, const std::vector<std::string> &names, const std::string &what)
@@ -61,8 +72,8 @@ const ParameterSection &find_section(const ParameterSection &top, const Paramete
     const ParameterSection *next = here->section(name);
     path += (path.empty() ? "" : "/") + name;
     if (next == nullptr)
-      throw InputError(assignment.where + ": unknown section '" + path + "'" +
-                       suggestion(name, here->section_names(), "sections"));
+      throw UnknownName(assignment.where + ": unknown section '" + path + "'" +
+                        suggestion(name, here->section_names(), "sections"));
     here = next;
   }
   return *here;
@@ -107,9 +118,9 @@ const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAss
   const std::vector<std::string> names = section.entry_names();
   const std::string home =
       nearest_name(assignment.key, names).empty() ? home_of(top, assignment.key, "") : "";
-  throw InputError(assignment.where + ": unknown parameter '" + path + "'" +
-                   (home.empty() ? suggestion(assignment.key, names, "parameters")
-                                 : "; it belongs in section '" + home + "'"));
+  throw UnknownName(assignment.where + ": unknown parameter '" + path + "'" +
+                    (home.empty() ? suggestion(assignment.key, names, "parameters")
+                                  : "; it belongs in section '" + home + "'"));
 }
 
 /// The first number of a value whose pattern asks for numbers that no double holds: 1e-308 loses digits,
@@ -141,6 +152,10 @@ void check_names(const std::vector<std::string> &names, const std::string &secti
                      [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
       throw InputError(where + ": " + path + ": '" + *name +
                        "' cannot be a name: use letters, digits, '_' and '-'");
+    if (name->size() > longest_name)
+      throw InputError(where + ": " + path + ": '" + name->substr(0, 20) + "...' cannot be a name: it has " +
+                       std::to_string(name->size()) + " letters, " + std::to_string(longest_name) +
+                       " are allowed");
     if (std::find(names.begin(), name, *name) != name)
       throw InputError(where + ": " + path + " has '" + *name + "' twice");
   }
@@ -168,11 +183,19 @@ std::string read_text_file(const std::string &file_name)
   return content;
 }
 
-ParameterFile::ParameterFile(const std::string &file_name)
+ParameterFile::ParameterFile(const std::string &file_name, Mistakes &mistakes)
     : name(file_name)
-    , assignments(std::filesystem::path(file_name).extension() == ".json" ? read_json_file(file_name)
-                                                                          : read_prm_file(file_name))
+    , assignments(std::filesystem::path(file_name).extension() == ".json"
+                      ? read_json_file(file_name, mistakes)
+                      : read_prm_file(file_name, mistakes))
 {
+}
+
+ParameterFile::ParameterFile(const std::string &file_name) : name(file_name)
+{
+  Mistakes mistakes;
+  *this = ParameterFile(file_name, mistakes);
+  mistakes.end();
 }
 
 std::string ParameterFile::located(const std::string &message) const
@@ -245,42 +268,91 @@ std::vector<std::string> ParameterFile::names(const std::string &section) const
   return names;
 }
 
+namespace
+{
+/// Sets one parameter. @throw InputError when it is not declared or its value is not allowed
+void apply_one(dealii::ParameterHandler &prm,
+               const ParameterSection &top,
+               const ParameterAssignment &assignment)
+{
+  const ParameterEntry &entry = find_entry(top, assignment);
+  const std::string is = assignment.where + ": '" + parameter_path(assignment.sections, assignment.key) +
+                         "' = '" + assignment.value + "' is not allowed: ";
+  const std::string bad_number = number_out_of_range(entry.pattern, assignment.value);
+  if (!bad_number.empty())
+    throw InputError(is + bad_number +
+                     " is not between 2.3e-308 and 1.7e308 in size, where numbers have all their digits");
+  bool allowed = true;
+  for (const std::string &section : assignment.sections)
+    prm.enter_subsection(section);
+  try
+  {
+    prm.set(assignment.key, assignment.value);
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    allowed = false;
+  }
+  for (std::size_t i = 0; i < assignment.sections.size(); ++i)
+    prm.leave_subsection();
+  if (allowed)
+    return;
+  const std::vector<std::string> words = choices(entry.pattern);
+  const std::string near = nearest_name(assignment.value, words);
+  const std::string message = is + "it must be " + allowed_in_words(entry.pattern) +
+                              (near.empty() ? "" : " (did you mean '" + near + "'?)");
+  if (!words.empty())
+    throw UnknownName(message);
+  throw InputError(message);
+}
+} // namespace
+
 void ParameterFile::apply(dealii::ParameterHandler &prm) const
 {
+  Mistakes mistakes;
+  apply(prm, mistakes);
+  mistakes.end();
+}
+
+void ParameterFile::apply(dealii::ParameterHandler &prm,
+                          Mistakes &mistakes,
+                          std::vector<std::string> *const unknown) const
+{
   const ParameterSection top = parameter_tree(prm);
+  std::vector<std::string> unknown_sections;
   for (const ParameterAssignment &assignment : assignments)
   {
-    if (assignment.key.empty())
-    {
-      find_section(top, assignment);
+    const bool of_section = assignment.key.empty();
+    const std::string path = parameter_path(assignment.sections, assignment.key);
+    // One word about an unknown section is enough for all that is in it.
+    if (std::any_of(unknown_sections.begin(), unknown_sections.end(),
+                    [&](const std::string &section)
+                    { return path.compare(0, section.size(), section) == 0; }))
       continue;
-    }
-    const ParameterEntry &entry = find_entry(top, assignment);
-    for (const std::string &section : assignment.sections)
-      prm.enter_subsection(section);
-    bool allowed = true;
-    const std::string bad_number = number_out_of_range(entry.pattern, assignment.value);
-    if (!bad_number.empty())
-      throw InputError(assignment.where + ": '" + parameter_path(assignment.sections, assignment.key) +
-                       "' = '" + assignment.value + "' is not allowed: " + bad_number +
-                       " is not between 2.3e-308 and 1.7e308 in size, where numbers have all their digits");
     try
     {
-      prm.set(assignment.key, assignment.value);
+      if (of_section)
+        find_section(top, assignment);
+      else
+        apply_one(prm, top, assignment);
     }
-    catch (const dealii::ExceptionBase &)
+    catch (const UnknownName &error)
     {
-      allowed = false;
+      if (unknown == nullptr)
+        mistakes.add(error.what(), path);
+      else
+      {
+        mistakes.doubt(path);
+        unknown->push_back(
+            assignment.where + ": '" +
+            (of_section ? path.substr(0, path.size() - 1) + "'" : path + "' = '" + assignment.value + "'"));
+      }
+      if (of_section)
+        unknown_sections.push_back(path);
     }
-    for (std::size_t i = 0; i < assignment.sections.size(); ++i)
-      prm.leave_subsection();
-    if (!allowed)
+    catch (const InputError &error)
     {
-      const std::string near = nearest_name(assignment.value, choices(entry.pattern));
-      throw InputError(assignment.where + ": '" + parameter_path(assignment.sections, assignment.key) +
-                       "' = '" + assignment.value + "' is not allowed: it must be " +
-                       allowed_in_words(entry.pattern) +
-                       (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+      mistakes.add(error.what(), path);
     }
   }
 }

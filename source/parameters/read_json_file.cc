@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/parameters/parameter_tree.h>
 
@@ -45,7 +46,10 @@ private:
 class JsonReader : public nlohmann::json_sax<nlohmann::json>
 {
 public:
-  JsonReader(const std::string &file_name, const std::string &text) : file_name(file_name), text(text) {}
+  JsonReader(const std::string &file_name, const std::string &text, Mistakes &mistakes)
+      : file_name(file_name), text(text), mistakes(mistakes)
+  {
+  }
 
   std::vector<ParameterAssignment> read()
   {
@@ -55,7 +59,13 @@ public:
     return assignments;
   }
 
-  bool null() override { fail("null is not a value"); }
+  bool null() override
+  {
+    if (!started)
+      fail("the file must hold one object { ... }");
+    complain("'" + parameter_path(sections, current_key) + "' = null: null is not a value");
+    return true;
+  }
   bool boolean(const bool value) override { return scalar(value ? "true" : "false"); }
   bool number_integer(const number_integer_t value) override { return scalar(std::to_string(value)); }
   bool number_unsigned(const number_unsigned_t value) override { return scalar(std::to_string(value)); }
@@ -88,7 +98,7 @@ public:
     const std::string path = parameter_path(sections, name);
     const auto [first, is_new] = set_at.emplace(path, line);
     if (!is_new)
-      fail("'" + path + "' is set twice, first on line " + std::to_string(first->second));
+      complain("'" + path + "' is set twice, first on line " + std::to_string(first->second));
     return true;
   }
 
@@ -148,6 +158,12 @@ public:
 private:
   [[noreturn]] void fail(const std::string &message) const { throw InputError(where(line) + ": " + message); }
 
+  /// What is wrong but does not change what the rest means.
+  void complain(const std::string &message)
+  {
+    mistakes.add(where(line) + ": " + message, parameter_path(sections, current_key));
+  }
+
   std::string where(const unsigned int at) const { return file_name + ":" + std::to_string(at); }
 
   bool scalar(const std::string &value)
@@ -191,6 +207,7 @@ private:
 
   const std::string file_name;
   const std::string text;
+  Mistakes &mistakes;
   unsigned int line = 1;
   unsigned int key_line = 1;
   bool started = false;
@@ -205,8 +222,12 @@ private:
 };
 } // namespace
 
-std::vector<ParameterAssignment> read_json_file(const std::string &file_name)
+std::vector<ParameterAssignment> read_json_file(const std::string &file_name, Mistakes &mistakes)
 {
-  return JsonReader(file_name, read_text_file(file_name)).read();
+  std::vector<ParameterAssignment> assignments;
+  if (!mistakes.attempt([&]()
+                        { assignments = JsonReader(file_name, read_text_file(file_name), mistakes).read(); }))
+    mistakes.end();
+  return assignments;
 }
 } // namespace softgrain

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/parameters/parameter_tree.h>
@@ -15,19 +16,33 @@ namespace softgrain
 {
 namespace
 {
+/// The files on the way to the one that is read, and what all of them have in common.
+struct Includes
+{
+  std::vector<std::string> way;
+  unsigned int number = 0; ///< files that were included
+  bool lost = false;       ///< whether it is unknown what the rest means
+};
+
+/// Nothing that follows can be read; the mistake has been kept.
+struct Lost
+{
+};
+
 /// Reads one file line by line; a line may be continued by a backslash at its end.
 class PrmReader
 {
 public:
-  PrmReader(const std::string &file_name, const std::vector<std::string> &including)
-      : file_name(file_name), including(including)
+  PrmReader(const std::string &file_name, Includes &includes, Mistakes &mistakes)
+      : file_name(file_name), includes(includes), mistakes(mistakes)
   {
-    this->including.push_back(std::filesystem::weakly_canonical(file_name).string());
   }
 
+  /// What the included files set, in their order, then what this one sets itself: the last counts.
   std::vector<ParameterAssignment> read()
   {
     std::istringstream stream(read_text_file(file_name));
+    includes.way.push_back(std::filesystem::weakly_canonical(file_name).string());
     std::string line, continued;
     for (line_number = 1; std::getline(stream, line); ++line_number)
     {
@@ -39,15 +54,30 @@ public:
         read_line(line);
     }
     if (!continued.empty())
-      fail("the file ends within a line continued by '\\'");
+      lose("the file ends within a line continued by '\\'");
     if (!sections.empty())
-      throw InputError(file_name + ":" + std::to_string(opened_at.back()) + ": subsection '" +
-                       sections.back() + "' has no 'end'");
-    return assignments;
+    {
+      line_number = opened_at.back();
+      lose("subsection '" + sections.back() + "' has no 'end'");
+    }
+    includes.way.pop_back();
+    included.insert(included.end(), assignments.begin(), assignments.end());
+    return included;
   }
 
 private:
-  [[noreturn]] void fail(const std::string &message) const { throw InputError(where() + ": " + message); }
+  /// A line that says nothing; the others still mean what they say.
+  void complain(const std::string &message)
+  {
+    mistakes.add(where() + ": " + message, parameter_path(sections, ""));
+  }
+
+  /// After this nobody knows what belongs to which section, or something is missing as a whole.
+  void lose(const std::string &message)
+  {
+    complain(message);
+    includes.lost = true;
+  }
 
   std::string where() const { return file_name + ":" + std::to_string(line_number); }
 
@@ -67,8 +97,17 @@ private:
     else
     {
       const std::string near = nearest_name(word, {"set", "subsection", "end", "include"});
-      fail("'" + line + "' is not understood: a line starts with set, subsection, end or include" +
-           (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+      complain("'" + line + "' is not understood: a line starts with set, subsection, end or include" +
+               (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+      // So that the lines that follow are not taken for others than they are.
+      if (near == "subsection" && !rest.empty())
+        open_section(rest);
+      else if (near == "end" && rest.empty())
+        close_section();
+      else if (near == "set" && rest.find('=') != std::string::npos)
+        read_assignment(rest);
+      else if (near == "include")
+        includes.lost = true;
     }
   }
 
@@ -76,24 +115,24 @@ private:
   {
     const auto equals = text.find('=');
     if (equals == std::string::npos)
-      fail("'set " + text + "' has no '='");
+      return complain("'set " + text + "' has no '='");
     ParameterAssignment assignment{sections, dealii::Utilities::trim(text.substr(0, equals)),
                                    dealii::Utilities::trim(text.substr(equals + 1)), where()};
     if (assignment.key.empty())
-      fail("'set " + text + "' names no parameter");
+      return complain("'set " + text + "' names no parameter");
     const std::string path = parameter_path(sections, assignment.key);
     const auto [first, is_new] = set_at.emplace(path, line_number);
     if (!is_new)
-      fail("'" + path + "' is set twice, first on line " + std::to_string(first->second));
+      return complain("'" + path + "' is set twice, first on line " + std::to_string(first->second));
     assignments.push_back(assignment);
   }
 
   void open_section(const std::string &name)
   {
     if (name.empty())
-      fail("'subsection' needs a name");
+      lose("'subsection' needs a name");
     if (sections.size() == max_section_depth)
-      fail("more than " + std::to_string(max_section_depth) + " subsections within each other");
+      throw_lost("more than " + std::to_string(max_section_depth) + " subsections within each other");
     sections.push_back(name);
     opened_at.push_back(line_number);
     assignments.push_back({sections, "", "", where()});
@@ -102,41 +141,62 @@ private:
   void close_section()
   {
     if (sections.empty())
-      fail("'end' closes no subsection");
+      return lose("'end' closes no subsection");
     sections.pop_back();
     opened_at.pop_back();
   }
 
-  /// What an included file sets can be set again by the file that includes it.
   void include(const std::string &included_name)
   {
     if (included_name.empty())
-      fail("'include' needs the name of a file");
+      return lose("'include' needs the name of a file");
     if (!sections.empty())
-      fail("'include' must stand outside of subsections");
+      return lose("'include' must stand outside of subsections");
     const std::filesystem::path path = std::filesystem::path(file_name).parent_path() / included_name;
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
-    if (std::find(including.begin(), including.end(), canonical) != including.end())
-      fail("'" + included_name + "' includes itself");
+    if (std::find(includes.way.begin(), includes.way.end(), canonical) != includes.way.end())
+      return lose("'" + included_name + "' includes itself");
     if (!std::filesystem::is_regular_file(path))
-      fail("there is no file '" + path.string() + "' to include");
-    const std::vector<ParameterAssignment> included = read_prm_file(path.string(), including);
-    assignments.insert(assignments.end(), included.begin(), included.end());
+      return lose("there is no file '" + path.string() + "' to include");
+    if (includes.way.size() == max_include_depth)
+      throw_lost("more than " + std::to_string(max_include_depth) + " files that include each other");
+    if (++includes.number > max_includes)
+      throw_lost("this is include number " + std::to_string(includes.number) + ", and " +
+                 std::to_string(max_includes) + " are allowed; a file that is included twice counts twice");
+    const std::vector<ParameterAssignment> found = PrmReader(path.string(), includes, mistakes).read();
+    included.insert(included.end(), found.begin(), found.end());
+  }
+
+  [[noreturn]] void throw_lost(const std::string &message)
+  {
+    lose(message);
+    throw Lost();
   }
 
   const std::string file_name;
-  std::vector<std::string> including;
+  Includes &includes;
+  Mistakes &mistakes;
   unsigned int line_number = 0;
   std::vector<std::string> sections;
   std::vector<unsigned int> opened_at;
   std::map<std::string, unsigned int> set_at;
-  std::vector<ParameterAssignment> assignments;
+  std::vector<ParameterAssignment> included, assignments;
 };
 } // namespace
 
-std::vector<ParameterAssignment> read_prm_file(const std::string &file_name,
-                                               const std::vector<std::string> &including)
+std::vector<ParameterAssignment> read_prm_file(const std::string &file_name, Mistakes &mistakes)
 {
-  return PrmReader(file_name, including).read();
+  Includes includes;
+  std::vector<ParameterAssignment> assignments;
+  try
+  {
+    assignments = PrmReader(file_name, includes, mistakes).read();
+  }
+  catch (const Lost &)
+  {
+  }
+  if (includes.lost)
+    mistakes.end();
+  return assignments;
 }
 } // namespace softgrain

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/body_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -86,15 +88,13 @@ BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
     material_names.push_back(material.name);
 
   std::vector<BodyDescription<2>> bodies;
-  prm.enter_subsection("Bodies");
-  for (const std::string &name : names)
+  const auto parse_one = [&](const std::string &name)
   {
-    prm.enter_subsection(name);
+    const WithinSection section(prm, name);
     bodies.push_back(parse_body(name, prm));
     const std::string material = prm.get("Material");
-    prm.leave_subsection();
     if (material.empty() && materials.size() == 1)
-      continue;
+      return;
     const auto found = std::find(material_names.begin(), material_names.end(), material);
     if (found == material_names.end())
     {
@@ -104,8 +104,12 @@ BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
                        (near.empty() ? "" : " (did you mean '" + near + "'?)"));
     }
     bodies.back().material = found - material_names.begin();
-  }
-  prm.leave_subsection();
+  };
+  Mistakes mistakes;
+  const WithinSection section(prm, "Bodies");
+  for (const std::string &name : names)
+    mistakes.attempt([&]() { parse_one(name); });
+  mistakes.end();
   return bodies;
 }
 } // namespace softgrain

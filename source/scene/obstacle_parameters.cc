@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/obstacle_parameters.h>
 
 #include <deal.II/base/numbers.h>
@@ -123,10 +125,9 @@ void ObstacleParameters::declare_parameters(dealii::ParameterHandler &prm) const
 std::vector<ObstacleDescription<2>> ObstacleParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
   std::vector<ObstacleDescription<2>> obstacles;
-  prm.enter_subsection("Obstacles");
-  for (const std::string &name : names)
+  const auto parse_one = [&](const std::string &name)
   {
-    prm.enter_subsection(name);
+    const WithinSection section(prm, name);
     const std::string where = "Obstacles/" + name;
     ObstacleDescription<2> obstacle;
     obstacle.name = name;
@@ -136,9 +137,12 @@ std::vector<ObstacleDescription<2>> ObstacleParameters::parse_parameters(dealii:
     obstacle.motion.push_back(formula_of_time(prm.get("Angle"), where + "/Angle"));
     obstacle.friction = prm.get_double("Friction");
     obstacles.push_back(obstacle);
-    prm.leave_subsection();
-  }
-  prm.leave_subsection();
+  };
+  Mistakes mistakes;
+  const WithinSection section(prm, "Obstacles");
+  for (const std::string &name : names)
+    mistakes.attempt([&]() { parse_one(name); });
+  mistakes.end();
   return obstacles;
 }
 

@@ -4,6 +4,7 @@
 #include <softgrain/geometry/ellipse.h>
 #include <softgrain/geometry/shapes_2d.h>
 #include <softgrain/packing/packing_method.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/packing_parameters.h>
 
 #include <deal.II/base/numbers.h>
@@ -11,6 +12,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace softgrain
 {
@@ -97,8 +99,10 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
       "Where the grains come from, as bodies grain_1, grain_2, …; automatic: random with 'Number', "
       "file with 'File', else there are none; " +
           methods.choice_in_words());
-  prm.declare_entry("Save to", "", Anything(),
-                    "File to which the packed grains are written, CSV as 'File' reads it; empty: none.");
+  prm.declare_entry(
+      "Save to", "", Anything(),
+      "File to which a run writes the packed grains, CSV as 'File' reads it; empty: none. One that is "
+      "there with other contents is refused unless --overwrite is given.");
   prm.declare_entry("Material", "", Anything(),
                     "Material of the grains; may be left out when there is only one or the file names them.");
   for (const std::string &method : methods.names())
@@ -110,7 +114,7 @@ PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandl
                                                           const std::vector<MaterialDescription> &materials)
 {
   PackingDescription<2> packing;
-  prm.enter_subsection("Packing");
+  const WithinSection section(prm, "Packing");
   packing.save_to = prm.get("Save to");
   const std::shared_ptr<PackingMethod<2>> method = chosen_method(prm);
   if (method)
@@ -124,17 +128,14 @@ PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandl
   }
   else if (!packing.save_to.empty())
     throw InputError("'Packing/Save to' = '" + packing.save_to + "' has no effect without 'Packing/Number'");
-  prm.leave_subsection();
   return packing;
 }
 
-void add_packing(Scene<2> &scene)
+Packing<2> add_packing(Scene<2> &scene)
 {
   if (!scene.packing.method)
-    return;
-  const Packing<2> packing = scene.packing.method->make();
-  if (!scene.packing.save_to.empty())
-    write_packing(scene.packing.save_to, packing);
+    return {};
+  Packing<2> packing = scene.packing.method->make();
   const std::vector<unsigned int> material_of =
       materials_of(packing, scene.packing.material, scene.materials);
   unsigned int number = 0;
@@ -148,5 +149,20 @@ void add_packing(Scene<2> &scene)
     body.velocity = body.body_force = "0; 0";
     scene.bodies.push_back(body);
   }
+  return packing;
+}
+
+void save_packing(const PackingDescription<2> &described, const Packing<2> &packing, const bool overwrite)
+{
+  const std::string &file = described.save_to;
+  if (file.empty() || holds_packing(file, packing))
+    return;
+  std::error_code ignored;
+  if (!overwrite && std::filesystem::exists(file, ignored))
+    throw InputError(
+        "'Packing/Save to' = '" + file +
+        "' is not allowed: there is a file of that name with other contents; choose another name, "
+        "or run with --overwrite");
+  write_packing(file, packing);
 }
 } // namespace softgrain

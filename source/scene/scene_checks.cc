@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/obstacle_parameters.h>
@@ -205,22 +206,36 @@ void check_scene(const Scene<2> &scene)
 {
   if (scene.bodies.empty() && !scene.packing.method)
     throw InputError("there is nothing to compute: 'Bodies/Names' is empty");
+  // Each step needs the ones before it: a body that has no shape does not lie anywhere.
+  Mistakes mistakes;
   for (const BodyDescription<2> &body : scene.bodies)
   {
-    body.shape->check("Bodies/" + body.name);
-    check_formulas(body);
+    if (mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); }))
+      mistakes.attempt([&]() { check_formulas(body); });
   }
-  check_walls(scene.walls);
-  (void) ContactPairs(scene); // whether its tables agree with themselves
-  check_sides(scene.walls);
+  mistakes.attempt([&]() { check_walls(scene.walls); });
+  mistakes.attempt([&]() { (void) ContactPairs(scene); }); // whether its tables agree with themselves
+  mistakes.attempt([&]() { check_sides(scene.walls); });
+  mistakes.end();
+  // Of each wall and each obstacle the first body: often one place is wrong, and many bodies lie beyond it.
   for (const WallDescription<2> &wall : scene.walls)
-    for (const BodyDescription<2> &body : scene.bodies)
-      if (wall.type != WallDescription<2>::Type::periodic)
-        check_inside(body, wall);
+    if (!repeats(wall))
+      mistakes.attempt(
+          [&]()
+          {
+            for (const BodyDescription<2> &body : scene.bodies)
+              check_inside(body, wall);
+          });
+  mistakes.end();
   check_cell(scene);
   for (const ObstacleDescription<2> &obstacle : scene.obstacles)
-    for (const BodyDescription<2> &body : scene.bodies)
-      check_outside(body, obstacle);
+    mistakes.attempt(
+        [&]()
+        {
+          for (const BodyDescription<2> &body : scene.bodies)
+            check_outside(body, obstacle);
+        });
+  mistakes.end();
   check_bodies_apart(scene.bodies);
 }
 } // namespace softgrain

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/contact_law.h>
 #include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_parameters.h>
@@ -49,7 +51,7 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
 
 void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const
 {
-  prm.enter_subsection("Contact");
+  const WithinSection section(prm, "Contact");
   scene.friction = prm.get_double("Friction");
   scene.friction_pairs = parse_pairs("Contact/Friction of pairs", prm.get("Friction of pairs"), names);
   scene.contact_law = parse_contact_law(prm);
@@ -62,18 +64,19 @@ void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &sce
     throw InputError("'Contact/" + name + "' = '" + prm.get(name) + "' has no effect with 'Contact/Law' = '" +
                      prm.get("Law") + "': leave it out, or choose a law that adheres");
   }
-  prm.leave_subsection();
 }
 
 Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
   Scene<2> scene;
   scene.materials = materials.parse_parameters(prm);
-  scene.bodies = bodies.parse_parameters(prm, scene.materials);
-  scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
-  scene.walls = walls.parse_parameters(prm);
-  parse_contact(prm, scene);
-  scene.obstacles = obstacles.parse_parameters(prm);
+  Mistakes mistakes;
+  mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.walls = walls.parse_parameters(prm); });
+  mistakes.attempt([&]() { parse_contact(prm, scene); });
+  mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
+  mistakes.end();
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/parameters/parameter_values.h>
+#include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/wall_drive.h>
 #include <softgrain/scene/wall_parameters.h>
 
@@ -134,10 +136,9 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
 std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
   std::vector<WallDescription<2>> walls;
-  prm.enter_subsection("Walls");
-  for (const std::string &name : names)
+  const auto parse_one = [&](const std::string &name)
   {
-    prm.enter_subsection(name);
+    const WithinSection section(prm, name);
     WallDescription<2> wall;
     wall.name = name;
     const std::string type = prm.get("Type");
@@ -161,9 +162,12 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
     wall.drive_name = prm.get("Drive");
     wall.drive = parse_drive(prm, "Walls/" + name);
     walls.push_back(wall);
-    prm.leave_subsection();
-  }
-  prm.leave_subsection();
+  };
+  Mistakes mistakes;
+  const WithinSection section(prm, "Walls");
+  for (const std::string &name : names)
+    mistakes.attempt([&]() { parse_one(name); });
+  mistakes.end();
   return walls;
 }
 } // namespace softgrain

@@ -79,7 +79,7 @@ class ManualPage(unittest.TestCase):
         described = page.partition(".SH COMMANDS")[2].partition(".SH OPTIONS")[0]
         names = [name for name in commands() if name != "figures"] + [f"figures {name}" for name in commands("figures")]
         self.assertEqual(re.findall(r"^\.TP\n\.B[IR]? \"?([a-z]+(?: thesis-\d)?)", described, re.M), names)
-        mentioned = set(re.findall(r"--[a-z]+", page.partition(".SH OPTIONS")[2].partition(".SH EXIT")[0]))
+        mentioned = set(re.findall(r"--[a-z-]+", page.partition(".SH OPTIONS")[2].partition(".SH EXIT")[0]))
         known = {"--version"}.union(*(options(name) for name in OWN_COMMANDS))
         self.assertEqual(mentioned, known)
 

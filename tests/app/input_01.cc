@@ -41,6 +41,15 @@ void look(std::vector<std::string> changes)
     input.complete_scene();
     std::cout << "completed: " << input.scene().bodies.size() << " bodies, file "
               << (std::filesystem::exists("packing.csv") ? "written" : "not there") << '\n';
+    input.save_packing(false);
+    input.save_packing(false); // the same contents
+    std::cout << "saved: file " << (std::filesystem::exists("packing.csv") ? "written" : "not there") << '\n';
+    std::ofstream("packing.csv") << "precious";
+    input.save_packing(true);
+    std::cout << "bytes: " << (std::filesystem::file_size("packing.csv") > 100 ? "of a packing" : "others")
+              << '\n';
+    std::ofstream("packing.csv") << "precious";
+    input.save_packing(false);
   }
   catch (const InputError &error)
   {

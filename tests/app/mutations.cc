@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of every kind that softgrain reads, with random damage: each is read, or refused by an InputError of
-// one line; nothing else is thrown, nothing crashes or hangs (most to say under sanitizers). An argument
-// gives the number of inputs.
+// one line, or of some that are one mistake each; nothing else is thrown, nothing crashes or hangs (most to
+// say under sanitizers). An argument gives the number of inputs.
 #include <softgrain/app/input.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/base/mistakes.h>
 #include <softgrain/base/registry.h>
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/contact/problem_io.h>
@@ -143,6 +144,14 @@ public:
       try
       {
         kind.read(kind.file);
+      }
+      catch (const InputErrors &errors)
+      {
+        ++kind.refused;
+        for (const std::string &line : errors.lines())
+          complaint += unclear(line);
+        if (errors.lines().empty() || errors.lines().size() > 11)
+          complaint = std::to_string(errors.lines().size()) + " lines";
       }
       catch (const InputError &error)
       {

@@ -43,6 +43,10 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/command_line.py $<TARGET_FILE:softgrain_executable>
       ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/app/command_line.run)
   set_tests_properties(app/command_line PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+  add_test(NAME app/careful_inputs
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/careful_inputs.py $<TARGET_FILE:softgrain_executable>
+      ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/app/careful_inputs.run)
+  set_tests_properties(app/careful_inputs PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 endif()
 
 # Whole runs of the program: what comes in their way, and what both models share.

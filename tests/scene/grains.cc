@@ -29,7 +29,7 @@ Scene<2> bodies_of(const std::string &lines)
   Scene<2> scene;
   scene.materials = {{"gel", "", 1.}, {"stone", "", 1.}};
   scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
-  add_packing(scene);
+  save_packing(scene.packing, add_packing(scene), true);
   return scene;
 }
 

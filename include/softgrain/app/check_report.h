@@ -28,6 +28,9 @@ void print_check_report(std::ostream &out,
 /// Length, steps, processor time and memory that a run is expected to take, on a machine as slow as
 /// slowness_of_machine() says.
 SizeReport cost_report(const RunOutline &outline, const Forecast &forecast, double slowness);
+
+/// Of a file whose libraries were left out: which, and what only they can know.
+void print_left_out(std::ostream &out, const Input &input);
 } // namespace softgrain
 
 #endif

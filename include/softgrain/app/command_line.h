@@ -15,8 +15,8 @@ class Input;
 /**
  * @brief What the user typed after `softgrain`.
  *
- * Exit codes: 0 done, 1 the computation failed, 2 bad input, 3 interrupted and saved. Errors are one line on
- * stderr.
+ * Exit codes: 0 done, 1 the computation failed, 2 bad input, 3 interrupted and saved. Errors are lines on
+ * stderr, one for each; of mistakes in a parameter file there may be several.
  */
 class CommandLine
 {
@@ -54,6 +54,7 @@ private:
   std::vector<std::string> assignments; ///< those of --output and --threads included
   unsigned int n_ranks = 0;             ///< that check is to say the cost of; 0: none
   bool build = false;                   ///< check is to make packing and model
+  bool no_libraries = false;            ///< check is to load no code of others
   bool restart = false;
   bool overwrite = false;
   std::string checkpoint; ///< empty: the newest

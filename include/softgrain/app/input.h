@@ -5,6 +5,7 @@
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/driving/stages.h>
 #include <softgrain/model/forecast.h>
+#include <softgrain/packing/packing.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/scene_parameters.h>
@@ -18,6 +19,7 @@
 
 namespace softgrain
 {
+class Mistakes;
 class ModelFactory;
 class StateReader;
 
@@ -28,12 +30,28 @@ class StateReader;
 class Input
 {
 public:
+  /// What becomes of the code that 'Additional shared libraries' names.
+  enum class Libraries
+  {
+    load,
+    leave_out ///< what they would have declared is unknown, see unknown_names()
+  };
+
   /**
    * @param file_name the parameter file
    * @param assignments "Section/Sub/Key=value", which count more than the file
-   * @throw InputError with file and line, for whatever is wrong
+   * @throw InputErrors with file and line, a line for each mistake
    */
-  Input(const std::string &file_name, const std::vector<std::string> &assignments);
+  Input(const std::string &file_name,
+        const std::vector<std::string> &assignments,
+        Libraries libraries = Libraries::load);
+
+  /// The libraries that were left out.
+  const std::vector<std::string> &left_out() const { return libraries_left_out; }
+
+  /// "FILE:LINE: 'Section/Key' = 'value'" of all that nothing but a library that was left out can know. If
+  /// there is any, the scene has not been checked, and nothing can be asked but run().
+  const std::vector<std::string> &unknown_names() const { return unknown; }
 
   const RunParameters &run() const { return run_parameters; }
   /// As described; with the bodies of its packing after complete_scene().
@@ -54,9 +72,16 @@ public:
   /// bodies do not suit walls and other bodies.
   void complete_scene();
 
+  /// Writes the packing that complete_scene() has made to the file that the user asked for, if any.
+  /// @throw InputError when a file of that name has other contents, unless @p overwrite
+  void save_packing(bool overwrite) const;
+
   /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
   /// @param state that it is going to load; null: it starts at time zero
   std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
+
+  /// The same to look at: no file is written.
+  std::unique_ptr<Model<2>> model_to_look_at();
 
   /**
    * @brief Compares with the checkpoint that the run is to go on from.
@@ -69,6 +94,17 @@ public:
   std::string effective_parameters() const;
 
 private:
+  Input(const std::string &file_name,
+        const std::vector<std::string> &assignments,
+        Libraries libraries,
+        Mistakes mistakes);
+
+  /// Section by section; what follows from a mistake that is known is no other one.
+  void parse_sections(const SceneNames &names, const ModelFactory &factory, Mistakes &mistakes);
+  /// What fits together, when each section is right by itself.
+  void check_all(const ModelFactory &factory);
+  /// @p error with the places of the parameters that it names.
+  [[noreturn]] void throw_located(const InputError &error) const;
   /// Sets what 'Fidelity' says and the file does not.
   void apply_fidelity(const ModelFactory &factory);
   /// If it is known beforehand [s]; 0: it is not.
@@ -80,7 +116,9 @@ private:
   Scene<2> described_scene;
   StopConditions stop_conditions;
   Stages described_stages;
+  Packing<2> packing; ///< once it is made
   bool is_complete = false;
+  std::vector<std::string> libraries_left_out, unknown;
 };
 
 /// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these

@@ -92,6 +92,13 @@ public:
    */
   virtual std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const = 0;
 
+  /// The model of @p scene that is looked at and not run: nothing is written, no file that keeps what was
+  /// made.
+  virtual std::unique_ptr<Model<2>> create_to_look(const Scene<2> &scene, dealii::ParameterHandler &prm) const
+  {
+    return create(scene, prm);
+  }
+
   /// The model of @p scene that is going to load @p state, from which it may take what is dear to make anew.
   virtual std::unique_ptr<Model<2>>
   create_again(const Scene<2> &scene, dealii::ParameterHandler &prm, const StateReader & /*state*/) const

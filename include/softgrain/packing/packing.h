@@ -137,6 +137,9 @@ Packing<2> read_packing(const std::string &file);
 
 /// Writes what read_packing() reads, whole or not at all. @throw InputError when it cannot be written.
 void write_packing(const std::string &file, const Packing<2> &packing);
+
+/// Whether @p file is there with just what write_packing() would write into it.
+bool holds_packing(const std::string &file, const Packing<2> &packing);
 } // namespace softgrain
 
 #endif

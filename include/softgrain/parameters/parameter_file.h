@@ -12,6 +12,7 @@ class ParameterHandler;
 
 namespace softgrain
 {
+class Mistakes;
 struct ParameterSection;
 
 /// "Section/Sub/Key = value" as a user wrote it somewhere.
@@ -36,6 +37,10 @@ public:
   /// @throw InputError "FILE:LINE: …" when the file cannot be read or is not well formed.
   explicit ParameterFile(const std::string &file_name);
 
+  /// The same, but what is wrong with single lines is added to @p mistakes, and the others are read.
+  /// @throw InputError when it is unknown what they mean: a file that is missing, a section without an end
+  ParameterFile(const std::string &file_name, Mistakes &mistakes);
+
   /// Adds a later word, from the command line: "Section/Sub/Key=value".
   void set(const std::string &assignment);
 
@@ -48,16 +53,27 @@ public:
 
   /**
    * @brief The list "Names" of a section: what its subsections are called.
-   * @throw InputError for a name given twice or with characters that are not letters, digits, '_', '-'.
+   * @throw InputError for a name given twice, of more than 100 characters, or with others than letters,
+   * digits,
+   * '_', '-'.
    */
   std::vector<std::string> names(const std::string &section) const;
 
   /**
    * @brief Sets everything in @p prm, where it must be declared.
    *
-   * @throw InputError "FILE:LINE: 'Section/Key' = 'value' is not allowed: …", or with the nearest known name.
+   * @throw InputErrors with a line for each that cannot be set: "FILE:LINE: 'Section/Key' = 'value' is not
+   * allowed: …", or with the nearest known name.
    */
   void apply(dealii::ParameterHandler &prm) const;
+
+  /**
+   * @brief The same, but what cannot be set is added to @p mistakes, and the rest is set.
+   * @param unknown not null: names that are not declared are no mistakes, but are noted here, as
+   * "FILE:LINE: 'Section/Key' = 'value'"
+   */
+  void
+  apply(dealii::ParameterHandler &prm, Mistakes &mistakes, std::vector<std::string> *unknown = nullptr) const;
 
   /// A later message about the parameter it quotes first, 'Section/Key', with the place in front; with the
   /// file's name alone when the file does not set it.
@@ -79,12 +95,24 @@ constexpr unsigned int max_section_depth = 16;
 /// folder, unreadable or not text.
 std::string read_text_file(const std::string &file_name);
 
-/// The assignments of a .prm file, includes followed; @p including are the files on the way to this one.
-std::vector<ParameterAssignment> read_prm_file(const std::string &file_name,
-                                               const std::vector<std::string> &including = {});
+/// Files on the way from the one that is read to one that it includes, both counted.
+constexpr unsigned int max_include_depth = 16;
+
+/// Files that are included altogether: two files that each include the next one twice would be read 2^n
+/// times.
+constexpr unsigned int max_includes = 200;
+
+/**
+ * @brief The assignments of a .prm file: those of the files that it includes first, wherever the includes
+ * stand, so that its own, which come later, count more.
+ *
+ * Lines that say nothing are added to @p mistakes. @throw InputError when it is unknown what the others mean
+ */
+std::vector<ParameterAssignment> read_prm_file(const std::string &file_name, Mistakes &mistakes);
 
 /// The assignments of a JSON file: objects are sections, lists become "a, b" and lists of lists "a, b; c, d".
-std::vector<ParameterAssignment> read_json_file(const std::string &file_name);
+/// As with read_prm_file(), @p mistakes are those after which one can go on.
+std::vector<ParameterAssignment> read_json_file(const std::string &file_name, Mistakes &mistakes);
 } // namespace softgrain
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef softgrain_scene_packing_parameters_h
 #define softgrain_scene_packing_parameters_h
 
+#include <softgrain/packing/packing.h>
 #include <softgrain/scene/scene.h>
 
 #include <vector>
@@ -26,11 +27,19 @@ public:
 };
 
 /**
- * @brief Makes the packing of @p scene: bodies grain_1, grain_2, … are added to its bodies, and the file that
- * the disks are saved to is written.
+ * @brief Makes the packing of @p scene: bodies grain_1, grain_2, … are added to its bodies. No file is
+ * written.
+ * @return the packing, for save_packing(); empty without a packing
  * @throw InputError when the disks do not fit or cannot be read
  */
-void add_packing(Scene<2> &scene);
+Packing<2> add_packing(Scene<2> &scene);
+
+/**
+ * @brief Writes 'Packing/Save to', if it is asked for and not there already.
+ * @throw InputError when a file of that name has other contents and may not be overwritten, or cannot be
+ * written
+ */
+void save_packing(const PackingDescription<2> &described, const Packing<2> &packing, bool overwrite);
 } // namespace softgrain
 
 #endif

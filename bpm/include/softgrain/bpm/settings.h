@@ -22,10 +22,11 @@ struct PrimarySettings
   SizeDistribution sizes;
   unsigned int number = 0; ///< per body; 0: as many as fill its shape
   std::uint64_t seed = 0;
-  unsigned int variants = 0;  ///< fillings that bodies of one shape share; 0: every body has its own
-  std::string strength = "1"; ///< of the attraction over that of the law, a formula of x, y and r
-  double strength_spread = 0; ///< of whole bodies: largest deviation of a factor from 1
-  std::string aggregate_file; ///< keeps prepared aggregates for the next run; may be empty
+  unsigned int variants = 0;   ///< fillings that bodies of one shape share; 0: every body has its own
+  std::string strength = "1";  ///< of the attraction over that of the law, a formula of x, y and r
+  double strength_spread = 0;  ///< of whole bodies: largest deviation of a factor from 1
+  std::string aggregate_file;  ///< keeps prepared aggregates for the next run; may be empty
+  bool keep_aggregates = true; ///< whether new ones are written into that file
 };
 
 /// Everything the bonded-particle model reads from a parameter file beside the scene.
