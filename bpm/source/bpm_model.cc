@@ -154,10 +154,12 @@ StepReport BpmModel::advance(const double dt_limit)
     dynamics->contact_memory() = memory;
     put_back(obstacles_before, moving_obstacles);
     dynamics->take_back_motion(moving_walls);
+    memory_is_of_attempt = true;
     return {false, why_not(done, limit)};
   };
   const StepTaken taken = step_control.advance(settings.step, wanted_step(), dt_limit, now, try_step);
   dynamics->forget_motion();
+  memory_is_of_attempt = false;
   report.attempts = taken.attempts;
   report.dt = last_dt = taken.dt;
   now += taken.dt;
@@ -165,6 +167,15 @@ StepReport BpmModel::advance(const double dt_limit)
   report.n_contacts = dynamics->n_pushing();
   check_ranks_agree(report);
   return report;
+}
+
+void BpmModel::forget_attempt()
+{
+  // A solution that was stopped early is forgotten for that of the last step.
+  if (memory_is_of_attempt)
+    last_dt = 0.;
+  else
+    dynamics->detect(moving_walls);
 }
 
 void BpmModel::check_ranks_agree(const StepReport &report) const

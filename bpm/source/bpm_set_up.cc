@@ -217,13 +217,15 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
 Primaries BpmModel::primaries_of(const StateReader &state)
 {
   Primaries disks;
-  disks.radius = state.read_doubles("bpm/radius");
-  const std::vector<double> place = state.read_doubles("bpm/position");
-  for (const std::uint64_t first : state.read_integers("bpm/first_of_body"))
+  for (const std::uint64_t first : state.read_keys("bpm/first_of_body", scene.bodies.size() + 1))
     first_of_body.push_back(first);
-  if (first_of_body.size() != scene.bodies.size() + 1 || first_of_body.back() != disks.radius.size() ||
-      place.size() != 2 * disks.radius.size())
-    throw InputError("the checkpoint was made with other bodies");
+  if (first_of_body.front() != 0)
+    state.refuse("bpm/first_of_body", "the first body does not begin with primary 0");
+  disks.radius = state.read_doubles("bpm/radius", first_of_body.back());
+  for (const double radius : disks.radius)
+    if (!(radius > 0.))
+      state.refuse("bpm/radius", "radii are positive");
+  const std::vector<double> place = state.read_doubles("bpm/position", 2 * disks.radius.size());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (std::size_t i = first_of_body[b]; i < first_of_body[b + 1]; ++i)
     {
@@ -233,7 +235,7 @@ Primaries BpmModel::primaries_of(const StateReader &state)
       disks.body.push_back(b);
     }
   if (state.contains("bpm/strength"))
-    disks.strength = state.read_doubles("bpm/strength");
+    disks.strength = state.read_doubles("bpm/strength", disks.radius.size());
   return disks;
 }
 

@@ -30,14 +30,6 @@ std::vector<double> flat(const std::vector<std::array<double, n>> &values)
   return numbers;
 }
 
-template <std::size_t n>
-std::vector<std::array<double, n>> unflat(const std::vector<double> &numbers)
-{
-  std::vector<std::array<double, n>> values(numbers.size() / n);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    std::memcpy(values[i].data(), numbers.data() + n * i, n * sizeof(double));
-  return values;
-}
 } // namespace
 
 template <class T>
@@ -107,9 +99,7 @@ template <class T>
 void BpmModel::read(const StateReader &in, const std::string &name, std::vector<T> &here) const
 {
   constexpr std::size_t width = sizeof(T) / sizeof(double);
-  if (in.size(name) != width * dynamics->n_all())
-    throw InputError("the checkpoint was made with other primaries or frictions");
-  in.read_rows(name, width,
+  in.read_rows(name, dynamics->n_all(), width,
                [&](const std::size_t begin, const std::size_t end, const double *const rows)
                {
                  dynamics->for_numbers(begin, end,
@@ -119,29 +109,53 @@ void BpmModel::read(const StateReader &in, const std::string &name, std::vector<
                });
 }
 
+void BpmModel::read_wall_contacts(const StateReader &in)
+{
+  const char *const name = "bpm/wall_contacts/indices";
+  std::size_t n_surfaces = moving_walls.size();
+  for (const Obstacle &obstacle : moving_obstacles)
+    n_surfaces += obstacle.description.pieces.size();
+  const std::vector<std::uint64_t> indices = in.read_integers(name, ListSize::rows_of(2));
+  const std::size_t n = indices.size() / 2;
+  const std::vector<double> impulses = in.read_doubles("bpm/wall_contacts/memory", 3 * n);
+  std::vector<Dynamics::WallMemory> &memory = dynamics->wall_memory();
+  memory.clear();
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const std::uint64_t surface = indices[2 * k], primary = indices[2 * k + 1];
+    if (surface >= n_surfaces || primary >= dynamics->n_all())
+      in.refuse(name,
+                "there is no wall " + std::to_string(surface) + " with a primary " + std::to_string(primary));
+    memory.push_back({static_cast<std::uint32_t>(surface),
+                      static_cast<std::uint32_t>(primary),
+                      {impulses[3 * k], impulses[3 * k + 1], impulses[3 * k + 2]}});
+  }
+}
+
 void BpmModel::load(StateReader &in)
 {
   Primaries &disks = dynamics->disks();
   std::vector<double> radius(disks.size());
   read(in, "bpm/radius", radius);
-  if (ranks.any(radius != disks.radius) || in.size("bpm/angular_velocity") != (rotates ? n_points() : 0))
-    throw InputError("the checkpoint was made with other primaries or frictions");
+  if (ranks.any(radius != disks.radius))
+    in.refuse("bpm/radius", "the run has other primaries");
   load_walls(in, "bpm/walls", moving_walls);
-  const std::vector<double> scalars = in.read_doubles("bpm/scalars");
-  now = scalars.at(0);
+  const std::vector<double> scalars = in.read_doubles("bpm/scalars", 3);
+  now = scalars[0];
   load_obstacles(in, "bpm/obstacles", now, moving_obstacles);
-  step_control.scale = scalars.at(1);
-  last_dt = scalars.at(2);
-  steps = in.read_integers("bpm/step").at(0);
-  fallbacks = in.read_integers("bpm/step").at(1);
+  step_control.scale = scalars[1];
+  last_dt = scalars[2];
+  const std::vector<std::uint64_t> counts = in.read_integers("bpm/step", 2);
+  steps = counts[0];
+  fallbacks = counts[1];
   balance.load(in, "bpm/balance");
-  area_at_start = in.read_doubles("bpm/area_at_start");
+  area_at_start = in.read_doubles("bpm/area_at_start", scene.bodies.size());
   // The same places give the same list in the same order, so that every sum is formed as if never stopped.
   contact::ImageLattice built;
   if (in.contains("bpm/neighbours/build_cell"))
   {
-    const std::vector<double> v = in.read_doubles("bpm/neighbours/build_cell");
-    built = {{{v.at(5) > 0., v.at(6) > 0.}}, {{v[0], v[1]}}, {{v[2], v[3]}}, v[4]};
+    const std::vector<double> v = in.read_doubles("bpm/neighbours/build_cell", 7);
+    built = {{{v[5] > 0., v[6] > 0.}}, {{v[0], v[1]}}, {{v[2], v[3]}}, v[4]};
   }
   read(in, "bpm/neighbours/build_position", disks.position);
   dynamics->build_list(built, in, memory_name);
@@ -149,17 +163,16 @@ void BpmModel::load(StateReader &in)
   read(in, "bpm/velocity", disks.velocity);
   if (rotates)
     read(in, "bpm/angular_velocity", disks.angular_velocity);
+  else
+    in.read_doubles("bpm/angular_velocity", 0);
   if (is_loaded)
     read(in, "bpm/start_position", disks.start);
-  const std::vector<std::uint64_t> indices = in.read_integers("bpm/wall_contacts/indices");
-  const auto impulses = unflat<3>(in.read_doubles("bpm/wall_contacts/memory"));
-  dynamics->wall_memory().clear();
-  for (std::size_t k = 0; k < impulses.size(); ++k)
-    dynamics->wall_memory().push_back({static_cast<std::uint32_t>(indices.at(2 * k)),
-                                       static_cast<std::uint32_t>(indices.at(2 * k + 1)), impulses[k]});
+  else
+    in.read_doubles("bpm/start_position", 0);
+  read_wall_contacts(in);
   dynamics->contact_memory().load(in, "bpm/adhesion");
   dynamics->detect(moving_walls);
-  area_now = in.read_doubles("bpm/solid_area").at(0);
+  area_now = in.read_doubles("bpm/solid_area", 1)[0];
   area_of_list = dynamics->lists_made();
 }
 } // namespace softgrain::bpm

@@ -262,10 +262,8 @@ void Dynamics::build_list(const contact::ImageLattice &lattice,
   }
   list.build(primaries.position, lattice);
   contact::PairMemory &memory = list.memory();
-  if (in.size(name) != memory.values().size())
-    throw InputError("the checkpoint was made with other primaries or frictions");
   const std::size_t width = memory.n_impulses();
-  in.read_rows(name, width,
+  in.read_rows(name, memory.values().size() / width, width,
                [&](const std::size_t begin, const std::size_t end, const double *const rows)
                { std::copy(rows, rows + (end - begin) * width, memory.values().data() + begin * width); });
 }

@@ -58,9 +58,7 @@ void StripShare::take_tiles(const StateReader &in,
   contact::PairMemory &memory = list.memory();
   const std::size_t width = memory.n_impulses();
   const TileRows tiles = rows_of_tiles(list.tile_start()[list.colour_start()[1]], memory.size());
-  if (in.size(name) != width * tiles.n_all)
-    throw InputError("the checkpoint was made with other primaries or frictions");
-  in.read_rows(name, width,
+  in.read_rows(name, tiles.n_all, width,
                [&](const std::size_t begin, const std::size_t end, const double *const rows)
                {
                  tiles.among(begin, end,

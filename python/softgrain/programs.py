@@ -91,23 +91,26 @@ def knows(program, option):
     return option in call((program, "run", "--help"))
 
 
-def run(scene, set=None, output=None, threads=None, program=None, timeout=None, again=True, restart=False,
+def run(scene, set=None, output=None, threads=None, program=None, timeout=None, again=None, restart=False,
         overwrite=False, verbose=False):
     """
     Runs a parameter file with some parameters changed and returns the finished run.
 
-    @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). With again=False a run that
-    is finished in @output is only opened; restart=True goes on with one that is not, from its newest checkpoint, and
-    overwrite=True loses it. restart=FILE goes on from that checkpoint. @timeout: seconds. @verbose prints the command first.
+    @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). A run that is there
+    already is an error unless something is said: of one that is finished, again=False opens it only and again=True runs it
+    again; restart=True goes on with one that is not, from its newest checkpoint, and overwrite=True loses either.
+    restart=FILE goes on from that checkpoint. @timeout: seconds. @verbose prints the command first.
     What the program prints is kept in the attribute `log` of the run. InputError and RunFailed tell what the program said.
 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
     True
     """
-    if not again and output is not None and os.path.isdir(output) and Run(output).finished:
+    finished = again is not None and output is not None and os.path.isdir(output) and Run(output).finished
+    if finished and not again:
         found = Run(output)
         found.log = None
         return found
+    overwrite = overwrite or (finished and not restart)
     if not os.path.exists(scene):
         raise InputError(f"{scene}: there is no such file")
     if restart and overwrite:

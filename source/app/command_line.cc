@@ -70,8 +70,7 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
                        "go on from a checkpoint; without a file name: from the newest one")
           ->expected(0, 1);
   run_command->footer(exit_codes);
-  run_command
-      ->add_flag("--overwrite", overwrite, "begin anew in the folder of an unfinished run; that run is lost")
+  run_command->add_flag("--overwrite", overwrite, "begin anew in the folder of another run; that run is lost")
       ->excludes(restart_option);
   CLI::App *check_command =
       app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");
@@ -187,6 +186,9 @@ int CommandLine::execute()
     case Command::script:
       run_python_script(script, script_arguments);
     }
+    // What was asked for is what these print.
+    if (command != Command::script && !(std::cout << std::flush))
+      throw ComputationError("the terminal or file that should get the answer cannot be written");
     return 0;
   }
   catch (const InputErrors &errors)
@@ -252,18 +254,21 @@ bool CommandLine::run() const
   ranks.at_first(
       [&]()
       {
-        if (restart && checkpoint.empty())
+        if (!restart)
+          return check_may_begin_anew(folder, overwrite);
+        // A run that was killed before its first checkpoint goes on from its start.
+        if (checkpoint.empty() && has_begun_without_checkpoint(folder, input.effective_parameters()))
+          return;
+        if (checkpoint.empty())
           state_file = latest_checkpoint(folder);
-        if (restart)
-          check_may_go_on(folder, state_file);
-        else
-          check_may_begin_anew(folder, overwrite);
+        check_may_go_on(folder, state_file);
       });
   state_file = ranks.share(state_file, 0);
+  const bool goes_on = restart && !state_file.empty();
   ranks.together(
       [&]()
       {
-        if (!restart)
+        if (!goes_on)
           return;
         state = std::make_unique<CheckpointReader>(state_file);
         input.complete_scene();
@@ -287,8 +292,10 @@ bool CommandLine::run() const
   }
   if (outline)
     simulation.expect_stages(outline->stages);
-  if (restart)
+  if (goes_on)
     simulation.restart(*state, state_file, changes);
+  else if (restart)
+    simulation.say("there is no checkpoint in " + folder + " yet: the run begins again at its start");
   return simulation.run() == "completed";
 }
 

@@ -2,8 +2,23 @@
 #include <softgrain/app/command_line.h>
 #include <softgrain/base/mpi_session.h>
 
+#include <sys/resource.h>
+
 #include <csignal>
+#include <iostream>
 #include <optional>
+
+namespace
+{
+/// What libraries need that would end the program in words of their own, and some for the files of a run.
+constexpr rlim_t fewest_open_files = 40;
+
+bool has_few_files()
+{
+  rlimit files{};
+  return getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < fewest_open_files;
+}
+} // namespace
 
 int main(int argc, char **argv)
 {
@@ -16,6 +31,14 @@ int main(int argc, char **argv)
   // The other commands start faster without it.
   std::optional<softgrain::MPISession> mpi;
   if (command_line.builds_model())
+  {
+    if (has_few_files())
+    {
+      std::cerr << "softgrain: error: too few files may be open at once: " << fewest_open_files
+                << " are needed (ulimit -n)" << std::endl;
+      return 1;
+    }
     mpi.emplace(argc, argv);
+  }
   return command_line.execute();
 }

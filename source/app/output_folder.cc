@@ -6,12 +6,14 @@
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/field_writer.h>
 #include <softgrain/output/snapshot_file.h>
+#include <softgrain/parameters/parameter_file.h>
 
 #include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <climits>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -24,6 +26,11 @@ namespace
 {
 /// Every run leaves this one first of all, so it marks a folder as ours.
 const char *const mark = "parameters.prm";
+
+/// Of a folder or file, on every file system that matters.
+constexpr std::size_t longest_name = 255;
+/// For the longest path in an output folder, of the checkpoint of a stage.
+constexpr std::size_t room_for_files = 256;
 
 /// Beside series of pictures, snapshots and checkpoints.
 const std::vector<std::string> single_files = {mark, "history.csv", "measures.csv", "summary.json",
@@ -60,9 +67,19 @@ std::string unfinished_run(const std::string &directory)
 
 void check_output_folder(const std::string &directory)
 {
-  const std::string what = "'Output directory' = '" + directory + "' ";
+  constexpr std::size_t shown = 300; // letters that a line can bear
+  const std::string what = "'Output directory' = '" +
+                           (directory.size() > shown ? directory.substr(0, 40) + "..." : directory) + "' ";
   std::error_code error;
   fs::path existing = fs::absolute(directory).lexically_normal();
+  for (const fs::path &name : existing)
+    if (name.string().size() > longest_name)
+      throw InputError(what + "cannot be made: '" + name.string().substr(0, 20) + "...' has " +
+                       std::to_string(name.string().size()) + " letters, a name has at most " +
+                       std::to_string(longest_name));
+  if (existing.string().size() + room_for_files > PATH_MAX)
+    throw InputError(what + "cannot be made: a whole path has at most " + std::to_string(PATH_MAX) +
+                     " letters");
   while (!fs::exists(existing, error) && existing.has_parent_path() && existing != existing.root_path())
     existing = existing.parent_path();
   if (!fs::is_directory(existing, error))
@@ -89,9 +106,12 @@ void check_may_begin_anew(const std::string &directory, const bool overwrite)
           what + "holds " + fs::path(path).filename().string() +
           ", which has the name of a checkpoint and is none of softgrain's: move it away, or name "
           "another folder");
-  const std::string unfinished = unfinished_run(directory);
-  if (unfinished.empty() || overwrite)
+  if (overwrite || !fs::exists(fs::path(directory) / mark))
     return;
+  const std::string unfinished = unfinished_run(directory);
+  if (unfinished.empty())
+    throw InputError(
+        what + "holds a finished run: add --overwrite to replace it, or name another folder with --output");
   if (newest_checkpoint(directory))
     throw InputError(what + "holds a run that has not ended (" + unfinished +
                      "): add --restart to go on with it, or --overwrite to lose it and begin anew");
@@ -109,21 +129,77 @@ void check_may_go_on(const std::string &directory, const std::string &checkpoint
                      checkpoint + ": name a new or empty folder");
 }
 
+bool has_begun_without_checkpoint(const std::string &directory, const std::string &effective_parameters)
+{
+  return checkpoint_paths(directory).empty() && !unfinished_run(directory).empty() &&
+         read_text_file((fs::path(directory) / mark).string()) == effective_parameters;
+}
+
+namespace
+{
+/// A file of a run that goes by the name it is given; one that cannot be removed ends the run.
+void remove_file(const fs::path &path)
+{
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw ComputationError("cannot remove " + path.string() + ": " + error.message());
+}
+
+bool is_unfinished(const fs::path &path)
+{
+  const std::string name = path.stem().string();
+  return path.extension() == ".part" &&
+         (std::find(single_files.begin(), single_files.end(), name) != single_files.end() ||
+          name == "fields.pvd" || name == "snapshots.h5" || is_checkpoint_name(name) || is_stage_name(name));
+}
+
+/// Whether a file in the folder for pictures has a name that `render` or `plot` gives: FIELD-NNNNNN.png,
+/// FIELD.mp4, Y-against-X.png.
+bool is_drawn(const fs::path &path)
+{
+  const std::string name = path.stem().string();
+  const bool numbered = name.size() > 7 && name[name.size() - 7] == '-' &&
+                        name.find_first_not_of("0123456789", name.size() - 6) == std::string::npos;
+  return path.extension() == ".mp4" ||
+         (path.extension() == ".png" && (numbered || name.find("-against-") != std::string::npos));
+}
+
+void remove_drawn(const fs::path &directory)
+{
+  const fs::path pictures = directory / "pictures";
+  for (const fs::path &path : content(pictures.string()))
+    if (is_drawn(path))
+      remove_file(path);
+  std::error_code error;
+  fs::remove(pictures, error); // refuses when something else is in it
+  remove_file(directory / "report.html");
+}
+} // namespace
+
+void remove_unfinished_files(const std::string &directory)
+{
+  for (const fs::path &path : content(directory))
+    if (is_unfinished(path))
+      remove_file(path);
+}
+
 void remove_old_results(const std::string &directory)
 {
-  remove_pictures(directory);
-  remove_snapshots(directory);
+  // First what a run could go on from: without its files that would be half a run.
   for (const std::string &path : checkpoint_paths(directory))
     if (is_checkpoint(path))
-      fs::remove(path);
+      remove_file(path);
   for (const fs::path &path : content(directory))
-  {
-    const bool part = path.extension() == ".part";
-    const std::string name = part ? path.stem().string() : path.filename().string();
-    const bool own_name = std::find(single_files.begin(), single_files.end(), name) != single_files.end();
-    if (own_name || (part && (is_checkpoint_name(name) || is_stage_name(name))) ||
-        (!part && is_stage_name(name) && is_checkpoint(path)))
-      fs::remove(path);
-  }
+    if (is_stage_name(path.filename()) && is_checkpoint(path))
+      remove_file(path);
+  remove_drawn(directory);
+  remove_pictures(directory);
+  remove_snapshots(directory);
+  remove_unfinished_files(directory);
+  // The mark stays until the new run replaces it: until then the folder would seem to be somebody else's.
+  for (const std::string &name : single_files)
+    if (name != mark)
+      remove_file(fs::path(directory) / name);
 }
 } // namespace softgrain

@@ -146,7 +146,7 @@ void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2
                      "; see 'Packing' and 'Bodies/Names'");
   if (names != names_of(bodies))
     throw InputError("the bodies have other names than those of the checkpoint; see 'Bodies/Names'");
-  const std::vector<double> numbers = reader.read_doubles(bodies_name);
+  const std::vector<double> numbers = reader.read_doubles(bodies_name, ListSize::rows_of(1));
   std::size_t at = 0;
   for (const BodyDescription<2> &body : bodies)
     for (const double number : numbers_of(body))

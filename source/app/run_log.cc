@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/run_log.h>
+#include <softgrain/base/exceptions.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace softgrain
@@ -18,7 +21,10 @@ void RunLog::open(const std::string &directory, const bool append)
     old.seekg(-1, std::ios::end);
     half_a_line = old.get() != '\n';
   }
+  errno = 0;
   log.open(path, append ? std::ios::app : std::ios::trunc);
+  if (!log)
+    throw ComputationError("cannot write " + path.string() + ": " + std::strerror(errno != 0 ? errno : EIO));
   if (half_a_line)
     log << '\n';
 }

@@ -80,10 +80,7 @@ void RunStatistics::save(StateWriter &writer) const
 
 void RunStatistics::load(const StateReader &reader)
 {
-  const std::vector<double> values = reader.read_doubles(state_name);
-  if (values.size() != 6)
-    throw InputError("the checkpoint is of another version: " + std::string(state_name) + " has " +
-                     std::to_string(values.size()) + " values instead of 6");
+  const std::vector<double> values = reader.read_doubles(state_name, 6);
   earlier_wall_seconds = values[0];
   max_contact_residual = values[1];
   max_penetration = values[2];

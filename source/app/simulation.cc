@@ -2,22 +2,18 @@
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/simulation.h>
-#include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
-#include <softgrain/base/parallel.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/summary.h>
 #include <softgrain/scene/contact_pairs.h>
 
-#include <deal.II/base/config.h>
-
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 #include <ostream>
 
@@ -54,34 +50,43 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
 {
 }
 
-void Simulation::restart(StateReader &checkpoint,
+void Simulation::restart(CheckpointReader &checkpoint,
                          const std::string &file_name,
                          const std::vector<std::string> &changes)
 {
   path.load(checkpoint);
   model.load(checkpoint);
   statistics.load(checkpoint);
-  planner.set_natural_step(checkpoint.read_doubles("driver/natural_step").at(0));
+  planner.set_natural_step(checkpoint.read_doubles("driver/natural_step", 1)[0]);
   field_schedule.skip_to(model.time(), planner.slack());
   snapshot_schedule.skip_to(model.time(), planner.slack());
   seen = load_stop_memory(checkpoint, stop_seen_name);
-  ranks.at_first(
-      [this]()
-      {
-        history.resume(model.step());
-        fields.resume(model.time());
-        snapshots.resume(model.time());
-        if (!measures.measures().empty())
-        {
-          measure_table.resume(model.step(), measure_columns(measures.measures()));
-          remember_snapshots(measures, parameters.output_directory, model.time());
-        }
-        log.open(parameters.output_directory, true);
-      });
+  ranks.together([&]() { waiting = WaitingOutput::load(checkpoint, ranks.first()); });
+  step_of_start = model.step();
+  ranks.at_first([this]() { resume_files(); });
   restarted = true;
   for (const std::string &change : changes)
     log.both() << "changed since the checkpoint: " << change << '\n';
   log.both() << "going on from " << file_name << ", step " << model.step() << '\n';
+}
+
+void Simulation::resume_files()
+{
+  // What has been written of this state and is not due at it gives way to what comes.
+  const double time = model.time(), before = std::nextafter(time, -std::numeric_limits<double>::infinity());
+  history.resume(model.step(), {}, waiting.written.history);
+  fields.resume(waiting.written.fields ? time : before);
+  const double until = waiting.written.snapshots ? time : before;
+  snapshots.resume(until);
+  if (!measures.measures().empty())
+  {
+    measure_table.resume(model.step(), measure_columns(measures.measures()), waiting.written.measures);
+    remember_snapshots(measures, parameters.output_directory, until);
+    if (waiting.snapshot && waiting.parts.snapshots)
+      measures.remember(*waiting.snapshot);
+  }
+  remove_unfinished_files(parameters.output_directory);
+  log.open(parameters.output_directory, true);
 }
 
 std::string Simulation::run()
@@ -94,6 +99,8 @@ std::string Simulation::run()
     const std::string status = loop();
     progress.finish();
     write_checkpoint();
+    if (status == "interrupted")
+      write_last_state();
     write_summary(status);
     print_end(status);
     return status;
@@ -103,7 +110,8 @@ std::string Simulation::run()
     ranks.fail_alike(error.what());
     progress.finish();
     const std::string cause = cause_of(error);
-    const std::string message = cause + save_after_failure(cause);
+    // Before that nothing may be left that looks like files of somebody else.
+    const std::string message = cause + (has_begun ? save_after_failure(cause) : "");
     log.file() << "error: " << message << std::endl; // main() tells the terminal
     throw ComputationError(message);
   }
@@ -148,13 +156,24 @@ std::string Simulation::save_after_failure(const std::string &message)
     const std::optional<std::string> older = newest_checkpoint(parameters.output_directory);
     text += older ? "; the newest checkpoint is " + *older : "; there is no checkpoint";
   }
+  try
+  {
+    // After a refusal it is the state that would be drawn which waits.
+    if (!waiting.parts.any())
+      write_last_state();
+  }
+  catch (const std::exception &second)
+  {
+    if (second.what() != message)
+      text += std::string("; and this state could not be drawn: ") + second.what();
+  }
   note_failure();
   return text;
 }
 
 void Simulation::note_failure()
 {
-  if (!ranks.first())
+  if (!ranks.first() || !has_begun)
     return;
   const Summary summary = statistics.summary("failed", model);
   try
@@ -175,47 +194,48 @@ void Simulation::start_files()
       [&]()
       {
         if (!restarted)
-        {
           remove_old_results(folder.string());
-          log.open(folder.string(), false);
-        }
         write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
+        if (!restarted)
+          log.open(folder.string(), false);
       });
+  has_begun = true;
   write_summary("running");
   if (!restarted)
     path.begin();
   // Another folder than that of the checkpoint begins with the state that the run goes on from.
   if (!restarted || ranks.any(ranks.first() && history.is_new()))
   {
-    write_history(StepReport());
-    write_pictures(field_schedule.active(), snapshot_schedule.active());
+    const bool stage = waiting.parts.stage;
+    prepare_output(all_parts(), note_energies());
+    waiting.parts.stage = stage;
   }
+  write_waiting();
 }
 
 std::string Simulation::loop()
 {
   progress.start();
   if (path.was_at_end_of_stage() && !finished() && next_stage_is_due())
-    begin_next_stage();
+    end_stage();
   auto last_checkpoint = std::chrono::steady_clock::now();
-  StepReport report;
   while (!finished() && !interruption_requested())
   {
     if (const std::string moved = model.share_out_anew(); !moved.empty())
       log.file() << moved << std::endl;
     try
     {
-      report = take_step();
+      last_report = take_step();
     }
     catch (const Interrupted &)
     {
       break; // all is as it was before the step
     }
-    statistics.add_step(report);
-    write_due_output(report);
+    statistics.add_step(last_report);
+    write_due_output();
     if (next_stage_is_due())
-      end_stage(report);
-    progress.update(model.time(), model.step(), report, fraction_done());
+      end_stage();
+    progress.update(model.time(), model.step(), last_report, fraction_done());
     // The clock of the first rank counts.
     if (parameters.checkpoint_minutes > 0 &&
         ranks.any(ranks.first() && seconds_since(last_checkpoint) > 60 * parameters.checkpoint_minutes))
@@ -225,14 +245,7 @@ std::string Simulation::loop()
       last_checkpoint = std::chrono::steady_clock::now();
     }
   }
-  if (!finished())
-    return "interrupted"; // and nothing is written that an uninterrupted run would not write
-  // The end of a run is always on record, whatever the intervals.
-  if (last_history_step != model.step() && report.dt > 0)
-    write_history(report);
-  if (last_picture_step != model.step() && report.dt > 0)
-    write_pictures(field_schedule.active(), snapshot_schedule.active());
-  return "completed";
+  return finished() ? "completed" : "interrupted";
 }
 
 StepReport Simulation::take_step()
@@ -255,6 +268,7 @@ StepReport Simulation::take_step()
     planner = planner_before;
     seen = seen_before;
     path.take_back(seen_in_stage);
+    step_given_up = true;
     throw;
   }
 }
@@ -301,13 +315,21 @@ bool Simulation::next_stage_is_due() const
   return !path.is_last() && path.stage_is_done(planner.slack());
 }
 
-void Simulation::end_stage(const StepReport &report)
+void Simulation::end_stage()
 {
-  if (last_history_step != model.step())
-    write_history(report);
-  if (last_picture_step != model.step())
-    write_pictures(field_schedule.active(), snapshot_schedule.active());
-  write_state(stage_path(parameters.output_directory, path.name()));
+  if (waiting.parts.stage)
+  {
+    waiting.parts.stage = false;
+    try
+    {
+      write_state(stage_path(parameters.output_directory, path.name()));
+    }
+    catch (...)
+    {
+      waiting.parts.stage = true;
+      throw;
+    }
+  }
   begin_next_stage();
 }
 
@@ -319,73 +341,5 @@ void Simulation::begin_next_stage()
   log.both() << "stage " << ended << " ends at t = " << model.time() << " s, stage " << path.name()
              << " begins\n";
   write_checkpoint();
-}
-
-void Simulation::print_head()
-{
-  log.both() << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ", "
-             << (ranks.alone() ? "" : std::to_string(ranks.number()) + " ranks, each with ") << n_threads()
-             << " threads)\n"
-             << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
-  SizeReport report = model.size_report();
-  report.insert(report.end(), expected.begin(), expected.end());
-  print_size_report(log.both(), report);
-  log.both() << std::flush;
-}
-
-void Simulation::print_end(const std::string &status)
-{
-  const Summary summary = statistics.summary(status, model);
-  log.both() << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
-             << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
-             << summary.microseconds_per_point_step() << " us per point and step)\n";
-  if (status == "interrupted")
-    log.both() << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
-               << "; the same command with --restart goes on from there\n";
-  double total = 0;
-  for (const auto &phase : summary.phases)
-    total += phase.second;
-  for (const auto &[name, seconds] : summary.phases)
-    log.both() << "  " << std::left << std::setw(30) << name << std::right << std::fixed
-               << std::setprecision(2) << std::setw(10) << seconds << " s" << std::setprecision(1)
-               << std::setw(7) << (total > 0 ? 100 * seconds / total : 0.) << " %\n";
-  log.both() << std::defaultfloat << std::setprecision(6);
-  print_ranks();
-  log.both() << std::flush;
-}
-
-void Simulation::print_ranks()
-{
-  if (ranks.alone())
-    return;
-  RankTimes here = model.rank_times();
-  const RankTimes output = ranks.taken();
-  here.own += output.own;
-  here.waiting += output.waiting;
-  here.messages += output.messages;
-  // Of the whole program: what is no rank's own is done alike by all.
-  const double alike_here = std::max(0., processor_seconds() - here.own - here.spinning - output.spinning);
-  double own = 0., busiest = 0., alike = 0., waiting = 0.; // means, but for the busiest
-  for (const std::vector<double> &one : ranks.of_all({here.own, alike_here, here.waiting}))
-  {
-    own += one[0] / ranks.number();
-    busiest = std::max(busiest, one[0]);
-    alike += one[1] / ranks.number();
-    waiting += one[2] / ranks.number();
-  }
-  log.both() << std::fixed << std::setprecision(2) << "  processor seconds of a rank: its own work " << own
-             << " (the busiest " << busiest << "), what all do alike " << alike << "\n  it waits for others "
-             << waiting << " s, in " << here.messages << " exchanges of " << std::setprecision(1)
-             << here.bytes / 1e6 << " MB\n"
-             << std::defaultfloat << std::setprecision(6);
-}
-
-void print_size_report(std::ostream &out, const SizeReport &report)
-{
-  std::size_t width = 0;
-  for (const auto &line : report)
-    width = std::max(width, line.first.size());
-  for (const auto &[name, value] : report)
-    out << "  " << name << std::string(width - name.size() + 2, ' ') << value << '\n';
 }
 } // namespace softgrain

@@ -22,24 +22,80 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-void Simulation::write_due_output(const StepReport &report)
+OutputParts Simulation::all_parts() const
 {
-  if (model.step() % parameters.history_every == 0)
-    write_history(report);
-  const bool fields_due = field_schedule.reached(model.time(), planner.slack());
-  const bool snapshots_due = snapshot_schedule.reached(model.time(), planner.slack());
-  write_pictures(fields_due, snapshots_due);
+  OutputParts parts;
+  parts.history = true;
+  parts.fields = field_schedule.active();
+  parts.snapshots = snapshot_schedule.active();
+  parts.measures = parts.snapshots && !measures.measures().empty();
+  return parts;
 }
 
-void Simulation::write_history(const StepReport &report)
+void Simulation::write_due_output()
 {
-  const auto begin = std::chrono::steady_clock::now();
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<WallState<2>> walls = model.walls();
+  waiting = {}; // of the state before
+  const bool stage_ends = next_stage_is_due();
+  const bool fields_due = field_schedule.reached(model.time(), planner.slack());
+  const bool snapshots_due = snapshot_schedule.reached(model.time(), planner.slack());
+  // Where a stage or the run ends is on record, whatever the intervals.
+  OutputParts parts = all_parts();
+  if (!stage_ends && !finished())
+  {
+    parts.history = model.step() % parameters.history_every == 0;
+    parts.fields = fields_due;
+    parts.snapshots = snapshots_due;
+    parts.measures = parts.measures && snapshots_due;
+  }
+  parts.stage = stage_ends;
+  if (parts.any())
+    prepare_output(parts, parts.history ? note_energies() : Energies());
+  write_waiting();
+}
+
+void Simulation::write_last_state()
+{
+  // A run that has made no step has found this state in its folder, or written it at its start.
+  if (model.step() == step_of_start || last_state_tried)
+    return;
+  last_state_tried = true;
+  const OutputParts all = all_parts(), there = waiting.written;
+  OutputParts parts;
+  parts.history = !there.history;
+  parts.fields = all.fields && !there.fields;
+  parts.snapshots = all.snapshots && !there.snapshots;
+  parts.measures = all.measures && !there.measures;
+  try
+  {
+    if (parts.any())
+    {
+      if (step_given_up)
+        model.forget_attempt();
+      prepare_output(parts, parts.history ? model.energies() : Energies());
+    }
+    write_waiting();
+  }
+  catch (...)
+  {
+    waiting = WaitingOutput(); // it was not due
+    waiting.written = there;
+    throw;
+  }
+}
+
+Energies Simulation::note_energies()
+{
   const Energies energies = model.energies();
   statistics.add_energies(energies);
+  return energies;
+}
+
+HistoryRow Simulation::history_row(const Energies &energies) const
+{
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<WallState<2>> walls = model.walls();
   HistoryRow row = {
-      {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", report.dt}};
+      {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", last_report.dt}};
   for (const WallState<2> &wall : walls)
   {
     row.emplace_back(wall.name + "_position_m", wall.position);
@@ -60,44 +116,66 @@ void Simulation::write_history(const StepReport &report)
   // Where there is no box to be filled, nobody need know what fills it.
   row.emplace_back("packing_fraction",
                    box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
-  row.emplace_back("coordination", model.coordination());
+  row.emplace_back("coordination", step_given_up ? nothing : model.coordination());
   row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
   row.emplace_back("elastic_energy_J_per_m", energies.elastic);
   row.emplace_back("dissipated_energy_J_per_m", energies.dissipated);
-  row.emplace_back("contact_residual", report.contact_residual);
-  row.emplace_back("max_penetration_m", report.max_penetration);
-  row.emplace_back("newton_iterations", report.newton_iterations);
-  row.emplace_back("contact_sweeps", report.contact_sweeps);
+  row.emplace_back("contact_residual", last_report.contact_residual);
+  row.emplace_back("max_penetration_m", last_report.max_penetration);
+  row.emplace_back("newton_iterations", last_report.newton_iterations);
+  row.emplace_back("contact_sweeps", last_report.contact_sweeps);
   const HistoryRow extra = model.extra_history();
   row.insert(row.end(), extra.begin(), extra.end());
-  ranks.at_first(
-      [&]()
-      {
-        lock.check_folder();
-        history.write(row);
-      });
-  last_history_step = model.step();
+  return row;
+}
+
+void Simulation::prepare_output(const OutputParts &parts, const Energies &energies)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  waiting.parts = parts;
+  if (parts.history)
+    waiting.history = line_of(history_row(energies));
+  if (parts.fields || parts.snapshots)
+    waiting.snapshot = model.snapshot();
+  if (parts.measures)
+    ranks.at_first([this]() { waiting.measures = line_of(measure_row(measures, *waiting.snapshot)); });
   statistics.add_output_seconds(seconds_since(begin));
 }
 
-void Simulation::write_pictures(const bool write_fields, const bool write_snapshots)
+void Simulation::write_waiting()
 {
-  if (!write_fields && !write_snapshots)
+  OutputParts &parts = waiting.parts, &written = waiting.written;
+  if (!(parts.history || parts.fields || parts.snapshots || parts.measures))
     return;
   const auto begin = std::chrono::steady_clock::now();
-  const Snapshot<2> snapshot = model.snapshot();
+  // A part is noted as soon as it is on the disk; the others follow the first rank when all are.
+  const auto done = [](bool &waits, bool &is_there)
+  {
+    is_there = is_there || waits;
+    waits = false;
+  };
   ranks.at_first(
       [&]()
       {
         lock.check_folder();
-        if (write_fields)
-          fields.write(snapshot);
-        if (write_snapshots)
-          snapshots.append(snapshot);
-        if (write_snapshots && !measures.measures().empty())
-          measure_table.write(measure_row(measures, snapshot));
+        if (parts.history)
+          history.write_line(waiting.history);
+        done(parts.history, written.history);
+        if (parts.fields)
+          fields.write(*waiting.snapshot);
+        done(parts.fields, written.fields);
+        if (parts.snapshots)
+          snapshots.append(*waiting.snapshot);
+        done(parts.snapshots, written.snapshots);
+        if (parts.measures)
+          measure_table.write_line(waiting.measures);
+        done(parts.measures, written.measures);
       });
-  last_picture_step = model.step();
+  done(parts.history, written.history);
+  done(parts.fields, written.fields);
+  done(parts.snapshots, written.snapshots);
+  done(parts.measures, written.measures);
+  waiting.snapshot.reset();
   statistics.add_output_seconds(seconds_since(begin));
 }
 
@@ -117,6 +195,10 @@ void Simulation::write_state(const std::string &file)
         save(*writer, stop_seen_name, seen);
         writer->write("driver/natural_step", std::vector<double>{planner.natural_step()});
         save_description(*writer, effective_parameters, scene);
+        waiting.save(*writer);
+        // What the checkpoint says is written must not be lost where the checkpoint is kept.
+        history.bring_to_disk();
+        measure_table.bring_to_disk();
         writer->commit();
       });
 }

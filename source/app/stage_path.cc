@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace softgrain
@@ -92,29 +93,31 @@ void StagePath::save(StateWriter &writer, const bool ends) const
   writer.write(state_name, numbers);
   softgrain::save(writer, seen_name, seen);
   writer.write(run_done_name, std::vector<double>{run_done_at_begin});
-  if (ends)
-    writer.write(ended_name, std::vector<double>{1.});
+  writer.write(ended_name, std::vector<std::uint64_t>{ends});
 }
 
 std::size_t StagePath::number_begun(const StateReader &reader)
 {
-  return reader.contains(state_name) ? static_cast<std::size_t>(reader.read_doubles(state_name).at(0)) + 1
-                                     : 0;
+  if (!reader.contains(state_name))
+    return 0;
+  const std::vector<double> numbers = reader.read_doubles(state_name, ListSize::rows_of(2));
+  if (numbers.empty() || !(numbers[0] >= 0. && numbers[0] < 1e9))
+    reader.refuse(state_name, "there is no number of a stage");
+  return static_cast<std::size_t>(numbers[0]) + 1;
 }
 
 void StagePath::load(const StateReader &reader)
 {
   if (stages.empty())
     return;
-  const std::vector<double> numbers = reader.read_doubles(state_name);
-  if (numbers.size() != 2 + 2 * walls_at_begin.size() || numbers[0] >= stages.size())
-    throw InputError("the checkpoint was made with other stages");
+  const std::vector<double> numbers = reader.read_doubles(state_name, 2 + 2 * walls_at_begin.size());
+  if (!(numbers[0] >= 0. && numbers[0] < stages.size()) || numbers[0] != std::floor(numbers[0]))
+    reader.refuse(state_name, "the run has " + std::to_string(stages.size()) + " stages");
   current = static_cast<unsigned int>(numbers[0]);
   begin_time = numbers[1];
   seen = load_stop_memory(reader, seen_name);
-  if (reader.contains(run_done_name))
-    run_done_at_begin = reader.read_doubles(run_done_name).at(0);
-  loaded_at_end = reader.contains(ended_name);
+  run_done_at_begin = reader.read_doubles(run_done_name, 1)[0];
+  loaded_at_end = reader.read_integers(ended_name, 1, 2)[0] != 0;
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
     walls_at_begin[w].point = dealii::Point<2>(numbers[2 + 2 * w], numbers[3 + 2 * w]);
   for (unsigned int n = 0; n <= current; ++n)

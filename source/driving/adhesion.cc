@@ -70,13 +70,14 @@ void Adhesion::save(StateWriter &out, const std::string &name) const
   // Sorted, so that equal states give equal files.
   std::vector<std::pair<std::uint64_t, double>> sorted(memory.begin(), memory.end());
   std::sort(sorted.begin(), sorted.end());
-  std::vector<std::uint64_t> keys = {started};
+  std::vector<std::uint64_t> keys;
   std::vector<double> values;
   for (const auto &[key, value] : sorted)
   {
     keys.push_back(key);
     values.push_back(value);
   }
+  out.write(name + "/started", std::vector<std::uint64_t>{started});
   out.write(name + "/keys", keys);
   out.write(name + "/memory", values);
 }
@@ -85,11 +86,11 @@ void Adhesion::load(const StateReader &in, const std::string &name)
 {
   if (!remembers())
     return;
-  const std::vector<std::uint64_t> keys = in.read_integers(name + "/keys");
-  const std::vector<double> values = in.read_doubles(name + "/memory");
-  started = keys.at(0) != 0;
+  const std::vector<std::uint64_t> keys = in.read_keys(name + "/keys", ListSize::rows_of(1));
+  const std::vector<double> values = in.read_doubles(name + "/memory", keys.size());
+  started = in.read_integers(name + "/started", 1, 2)[0] != 0;
   memory.clear();
   for (std::size_t k = 0; k < values.size(); ++k)
-    memory[keys.at(k + 1)] = values[k];
+    memory[keys[k]] = values[k];
 }
 } // namespace softgrain

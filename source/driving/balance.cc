@@ -27,15 +27,15 @@ void Balance::save(StateWriter &out, const std::string &name) const
 
 void Balance::load(const StateReader &in, const std::string &name)
 {
-  const std::vector<double> b = in.read_doubles(name);
-  initial_momentum = dealii::Tensor<1, 2>({b.at(0), b.at(1)});
-  body_force_impulse = dealii::Tensor<1, 2>({b.at(2), b.at(3)});
-  wall_impulse = dealii::Tensor<1, 2>({b.at(4), b.at(5)});
-  largest_momentum = b.at(6);
-  wall_work = b.at(7);
-  body_force_work = b.at(8);
-  contact_loss = b.at(9);
-  wall_damping_loss = b.at(10);
-  adhesion_work = b.size() > 11 ? b[11] : 0.; // checkpoints of earlier versions have none
+  const std::vector<double> b = in.read_doubles(name, 12);
+  initial_momentum = dealii::Tensor<1, 2>({b[0], b[1]});
+  body_force_impulse = dealii::Tensor<1, 2>({b[2], b[3]});
+  wall_impulse = dealii::Tensor<1, 2>({b[4], b[5]});
+  largest_momentum = b[6];
+  wall_work = b[7];
+  body_force_work = b[8];
+  contact_loss = b[9];
+  wall_damping_loss = b[10];
+  adhesion_work = b[11];
 }
 } // namespace softgrain

@@ -127,9 +127,7 @@ void load_obstacles(const StateReader &in,
 {
   if (obstacles.empty())
     return;
-  const std::vector<double> numbers = in.read_doubles(name);
-  if (numbers.size() != n_numbers * obstacles.size())
-    throw InputError("the checkpoint was made with another number of obstacles");
+  const std::vector<double> numbers = in.read_doubles(name, n_numbers * obstacles.size());
   for (std::size_t o = 0; o < obstacles.size(); ++o)
   {
     const double *v = &numbers[n_numbers * o];

@@ -138,7 +138,10 @@ StopMemory load_stop_memory(const StateReader &in, const std::string &name)
   for (std::size_t begin = 0; begin < keys.size();)
   {
     const std::size_t end = keys.find('\n', begin);
-    memory[keys.substr(begin, end - begin)] = in.read_doubles(name + "/" + std::to_string(begin));
+    if (end == std::string::npos)
+      in.refuse(name + "/keys", "its last line has no end");
+    memory[keys.substr(begin, end - begin)] =
+        in.read_doubles(name + "/" + std::to_string(begin), ListSize::rows_of(1));
     begin = end + 1;
   }
   return memory;

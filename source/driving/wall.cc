@@ -234,9 +234,7 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 
 void load_walls(const StateReader &in, const std::string &name, std::vector<Wall> &walls)
 {
-  const std::vector<double> numbers = in.read_doubles(name);
-  if (numbers.size() != n_numbers * walls.size())
-    throw InputError("the checkpoint was made with another number of walls");
+  const std::vector<double> numbers = in.read_doubles(name, n_numbers * walls.size());
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     const double *v = &numbers[n_numbers * w];
@@ -251,11 +249,11 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
   }
   if (!in.contains(name + "_sliding"))
     return;
-  const std::vector<double> sliding = in.read_doubles(name + "_sliding");
+  const std::vector<double> sliding = in.read_doubles(name + "_sliding", 2 * walls.size());
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    walls[w].slide_speed = sliding.at(2 * w);
-    walls[w].offset = sliding.at(2 * w + 1);
+    walls[w].slide_speed = sliding[2 * w];
+    walls[w].offset = sliding[2 * w + 1];
   }
 }
 } // namespace softgrain

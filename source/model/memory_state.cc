@@ -18,17 +18,17 @@ const T &find(const std::map<std::string, T> &values, const std::string &name)
 
 void MemoryState::write(const std::string &name, const std::vector<double> &values)
 {
-  doubles[name] = values;
+  kept_doubles[name] = values;
 }
 
 void MemoryState::write(const std::string &name, const std::vector<std::uint64_t> &values)
 {
-  integers[name] = values;
+  kept_integers[name] = values;
 }
 
 void MemoryState::write(const std::string &name, const std::string &text)
 {
-  texts[name] = text;
+  kept_texts[name] = text;
 }
 
 void MemoryState::write_rows(const std::string &name,
@@ -36,7 +36,7 @@ void MemoryState::write_rows(const std::string &name,
                              const std::size_t width,
                              const Fill &fill)
 {
-  std::vector<double> &values = doubles[name];
+  std::vector<double> &values = kept_doubles[name];
   values.resize(n_rows * width);
   for_pieces(n_rows, width,
              [&](const std::size_t begin, const std::size_t end)
@@ -45,32 +45,37 @@ void MemoryState::write_rows(const std::string &name,
 
 std::size_t MemoryState::size(const std::string &name) const
 {
-  return find(doubles, name).size();
+  return find(kept_doubles, name).size();
 }
 
-void MemoryState::read_rows(const std::string &name, const std::size_t width, const Take &take) const
+void MemoryState::rows(const std::string &name, const std::size_t width, const Take &take) const
 {
-  const std::vector<double> &values = find(doubles, name);
+  const std::vector<double> &values = find(kept_doubles, name);
   take(0, values.size() / width, values.data());
 }
 
-std::vector<double> MemoryState::read_doubles(const std::string &name) const
+std::vector<double> MemoryState::doubles(const std::string &name) const
 {
-  return find(doubles, name);
+  return find(kept_doubles, name);
 }
 
-std::vector<std::uint64_t> MemoryState::read_integers(const std::string &name) const
+std::vector<std::uint64_t> MemoryState::integers(const std::string &name) const
 {
-  return find(integers, name);
+  return find(kept_integers, name);
 }
 
-std::string MemoryState::read_text(const std::string &name) const
+std::string MemoryState::text(const std::string &name) const
 {
-  return find(texts, name);
+  return find(kept_texts, name);
+}
+
+void MemoryState::refuse(const std::string &name, const std::string &why) const
+{
+  throw InputError("cannot use '" + name + "' of the state in memory: " + why);
 }
 
 bool MemoryState::contains(const std::string &name) const
 {
-  return doubles.count(name) + integers.count(name) + texts.count(name) > 0;
+  return kept_doubles.count(name) + kept_integers.count(name) + kept_texts.count(name) > 0;
 }
 } // namespace softgrain

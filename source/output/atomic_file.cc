@@ -50,6 +50,9 @@ AtomicFile::AtomicFile(const std::string &final_path)
   std::filesystem::create_directories(folder_of(whole_path), error);
   if (error)
     throw ComputationError("cannot make the folder " + folder_of(whole_path) + ": " + error.message());
+  // A rename would put a file in the place of a device, or of a link to one.
+  if (std::filesystem::exists(whole_path, error) && !std::filesystem::is_regular_file(whole_path, error))
+    throw ComputationError("cannot write " + whole_path + ": what is there is no file");
 }
 
 AtomicFile::~AtomicFile()
@@ -60,16 +63,24 @@ AtomicFile::~AtomicFile()
 
 void AtomicFile::write(const std::string &content)
 {
-  std::FILE *const file = std::fopen(part_path.c_str(), "wb");
-  if (file == nullptr)
+  const int file = ::open(part_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0)
     fail("write", part_path);
-  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  std::size_t done = 0;
+  while (done < content.size())
+  {
+    const ssize_t n = ::write(file, content.data() + done, content.size() - done);
+    if (n > 0)
+      done += n;
+    else if (errno != EINTR)
+      break;
+  }
   const int reason = errno;
-  // fclose writes what is still buffered, so a full disk may show only here.
-  const bool closed = std::fclose(file) == 0;
-  if (!whole)
+  // Some file systems tell only now what they could not write.
+  const bool closed = ::close(file) == 0;
+  if (done < content.size())
     errno = reason;
-  if (!whole || !closed)
+  if (done < content.size() || !closed)
     fail("write", part_path);
 }
 

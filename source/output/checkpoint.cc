@@ -4,10 +4,13 @@
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/output/hdf5_file.h>
 #include <softgrain/output/seal.h>
+#include <softgrain/output/snapshot_layout.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace softgrain
@@ -15,7 +18,8 @@ namespace softgrain
 namespace
 {
 const std::string format_start = "softgrain checkpoint ";
-const std::string format_name = format_start + "5";
+const char *const contents_name = "contents";
+const std::string format_name = format_start + "6";
 
 /// The format that a file says it has, looked for in its bytes; empty when it says none.
 std::string format_in(const std::string &path)
@@ -62,18 +66,26 @@ CheckpointWriter::CheckpointWriter(const std::string &final_path)
 
 CheckpointWriter::~CheckpointWriter() = default;
 
+void CheckpointWriter::note(const std::string &name, const char type, const std::size_t size)
+{
+  contents += name.substr(name.find_first_not_of('/')) + ' ' + type + ' ' + std::to_string(size) + '\n';
+}
+
 void CheckpointWriter::write(const std::string &name, const std::vector<double> &values)
 {
+  note(name, 'd', values.size());
   file->write(name, values);
 }
 
 void CheckpointWriter::write(const std::string &name, const std::vector<std::uint64_t> &values)
 {
+  note(name, 'u', values.size());
   file->write(name, values);
 }
 
 void CheckpointWriter::write(const std::string &name, const std::string &text)
 {
+  note(name, 't', text.size());
   file->write(name, text);
 }
 
@@ -82,6 +94,7 @@ void CheckpointWriter::write_rows(const std::string &name,
                                   const std::size_t width,
                                   const Fill &fill)
 {
+  note(name, 'd', n_rows * width);
   file->create_array(name, n_rows * width);
   std::vector<double> rows;
   const auto write_piece = [&](const std::size_t begin, const std::size_t end)
@@ -93,8 +106,17 @@ void CheckpointWriter::write_rows(const std::string &name,
   for_pieces(n_rows, width, write_piece);
 }
 
+void CheckpointWriter::write_snapshot(const std::string &group, const Snapshot<2> &snapshot)
+{
+  softgrain::write_snapshot(*file, snapshot, true, group + "/");
+  for (const std::string &name : file->array_names())
+    if (name.compare(0, group.size() + 1, group + "/") == 0)
+      note(name, file->array_type(name), file->array_size(name));
+}
+
 void CheckpointWriter::commit()
 {
+  file->write(contents_name, contents);
   file->write_attribute("/", "format", format_name);
   file->close(true);
   target.commit();
@@ -117,6 +139,66 @@ CheckpointReader::CheckpointReader(const std::string &path) : path(path)
   file = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read);
   require_this_format(path, file->has_attribute("/", "format") ? file->read_text_attribute("/", "format")
                                                                : "sealed file of another kind");
+  read_contents();
+}
+
+void CheckpointReader::read_contents()
+{
+  std::istringstream lines(file->read_text(contents_name));
+  for (std::string line; std::getline(lines, line);)
+  {
+    // Type and size are the last two words; a name may have blanks.
+    const std::size_t size = line.rfind(' '), type = size == 0 || size == std::string::npos
+                                                         ? std::string::npos
+                                                         : line.rfind(' ', size - 1);
+    if (type == std::string::npos)
+      refuse(contents_name, "'" + line + "' is no name with type and size");
+    listed[line.substr(0, type)] = line.substr(type + 1);
+  }
+  std::size_t n_there = 0;
+  for (const std::string &there : file->array_names())
+    if (there != contents_name)
+    {
+      if (listed.count(there) == 0)
+        refuse(there, std::string("'") + contents_name + "' does not list it");
+      ++n_there;
+    }
+  if (n_there < listed.size())
+    for (const auto &one : listed)
+      if (!file->contains(one.first))
+        refuse(one.first, std::string("it is missing, and '") + contents_name + "' lists it");
+}
+
+void CheckpointReader::check_listed(const std::string &name, const char type, const std::size_t size) const
+{
+  const auto found = listed.find(name);
+  const std::string here = type + (" " + std::to_string(size));
+  if (found == listed.end() || found->second != here)
+    refuse(name, "its type and size are '" + here + "', and '" + contents_name + "' lists '" +
+                     (found == listed.end() ? "none" : found->second) + "'");
+}
+
+void CheckpointReader::check_finite(const std::string &name,
+                                    const double *const values,
+                                    const std::size_t n) const
+{
+  if (!std::all_of(values, values + n, [](const double value) { return std::isfinite(value); }))
+    refuse(name, "it holds a number that is none or infinite");
+}
+
+void CheckpointReader::refuse(const std::string &name, const std::string &why) const
+{
+  throw InputError("cannot read '" + name + "' from " + path + ": " + why);
+}
+
+Snapshot<2> CheckpointReader::read_snapshot(const std::string &group) const
+{
+  for (const auto &one : listed)
+    if (one.first.compare(0, group.size() + 1, group + "/") == 0)
+      check_listed(one.first, file->array_type(one.first), file->array_size(one.first));
+  if (!file->contains(group))
+    refuse(group, "it is missing");
+  return read_snapshot_group(*file, group + "/");
 }
 
 CheckpointReader::~CheckpointReader() = default;
@@ -126,31 +208,41 @@ std::size_t CheckpointReader::size(const std::string &name) const
   return file->size(name);
 }
 
-void CheckpointReader::read_rows(const std::string &name, const std::size_t width, const Take &take) const
+void CheckpointReader::rows(const std::string &name, const std::size_t width, const Take &take) const
 {
+  const std::size_t n = size(name);
+  check_listed(name, 'd', n);
   std::vector<double> rows;
   const auto read_piece = [&](const std::size_t begin, const std::size_t end)
   {
     rows.resize((end - begin) * width);
     file->read_piece(name, begin * width, rows.size(), rows.data());
+    check_finite(name, rows.data(), rows.size());
     take(begin, end, rows.data());
   };
-  for_pieces(size(name) / width, width, read_piece);
+  for_pieces(n / width, width, read_piece);
 }
 
-std::vector<double> CheckpointReader::read_doubles(const std::string &name) const
+std::vector<double> CheckpointReader::doubles(const std::string &name) const
 {
-  return file->read_doubles(name);
+  std::vector<double> values = file->read_doubles(name);
+  check_listed(name, 'd', values.size());
+  check_finite(name, values.data(), values.size());
+  return values;
 }
 
-std::vector<std::uint64_t> CheckpointReader::read_integers(const std::string &name) const
+std::vector<std::uint64_t> CheckpointReader::integers(const std::string &name) const
 {
-  return file->read_integers(name);
+  std::vector<std::uint64_t> values = file->read_integers(name);
+  check_listed(name, 'u', values.size());
+  return values;
 }
 
-std::string CheckpointReader::read_text(const std::string &name) const
+std::string CheckpointReader::text(const std::string &name) const
 {
-  return file->read_text(name);
+  std::string value = file->read_text(name);
+  check_listed(name, 't', value.size());
+  return value;
 }
 
 bool CheckpointReader::contains(const std::string &name) const

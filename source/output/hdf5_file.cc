@@ -30,6 +30,7 @@ hid_t create_set(const std::string &path,
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation, false); // equal states give equal files
   if (chunks != nullptr)
     chunks->ask_for(creation);
   const hid_t set = H5Dcreate2(file, name.c_str(), type, space, links, creation, H5P_DEFAULT);
@@ -293,5 +294,11 @@ char Hdf5File::array_type(const std::string &name) const
   if (set < 0)
     fail_to_read(path, name, "damaged" + hdf5_reason());
   return kind_of_hdf5(Hdf5Handle(H5Dget_type(set), H5Tclose));
+}
+
+std::size_t Hdf5File::array_size(const std::string &name) const
+{
+  const Source source(*this, path, file, name, array_type(name));
+  return source.size;
 }
 } // namespace softgrain

@@ -3,12 +3,16 @@
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/history.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
+#include <fstream>
 #include <stdexcept>
 
 namespace softgrain
@@ -44,25 +48,49 @@ std::uint64_t step_of(const std::string &line, const std::string &path)
 }
 } // namespace
 
+HistoryLine line_of(const HistoryRow &row)
+{
+  HistoryLine line;
+  for (const auto &[name, value] : row)
+  {
+    line.names += (line.names.empty() ? "" : ",") + name;
+    line.values += (&name == &row.front().first ? "" : ",") + text_of(value);
+  }
+  return line;
+}
+
 HistoryWriter::HistoryWriter(const std::string &directory, const std::string &file_name)
     : path((std::filesystem::path(directory) / file_name).string())
 {
 }
 
-void HistoryWriter::open(const bool append)
+HistoryWriter::~HistoryWriter()
 {
-  file.open(path, append ? std::ios::app : std::ios::trunc);
-  if (!file)
-    throw ComputationError(path + ": cannot be written");
+  if (descriptor >= 0)
+    ::close(descriptor);
 }
 
-void HistoryWriter::resume(const std::uint64_t step, const std::vector<std::string> &columns)
+void HistoryWriter::open(const bool append)
+{
+  descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND | (append ? 0 : O_TRUNC), 0666);
+  if (descriptor < 0)
+    throw ComputationError(path + ": cannot be written: " + std::strerror(errno));
+}
+
+void HistoryWriter::resume(const std::uint64_t step,
+                           const std::vector<std::string> &columns,
+                           const bool own_row_stays)
 {
   std::ifstream old(path);
   if (!old)
     return;
   std::string line;
-  std::getline(old, header);
+  // A line without an end was being written when the program died: getline then reaches the end.
+  if (!std::getline(old, header) || old.eof())
+  {
+    header.clear();
+    return;
+  }
   if (header.compare(0, first_columns.size(), first_columns) != 0)
     throw InputError(path + ": cannot be continued, it is not a table of softgrain");
   std::string names;
@@ -71,10 +99,18 @@ void HistoryWriter::resume(const std::uint64_t step, const std::vector<std::stri
   if (!columns.empty())
     check_columns(names);
   std::string kept = header + "\n";
-  // A row that was being written when the program died has no end of line: getline then reaches the end.
   while (std::getline(old, line) && !old.eof())
-    if (step_of(line, path) <= step)
-      kept += line + "\n";
+  {
+    const std::uint64_t of_line = step_of(line, path);
+    if (of_line > step)
+      continue;
+    kept += line + "\n";
+    if (of_line == step && !own_row_stays)
+      cut_first = true;
+    else
+      end_of_rows = kept.size();
+  }
+  end_of_rows = std::max<std::uint64_t>(end_of_rows, header.size() + 1);
   old.close();
   write_file_atomically(path, kept);
   open(true);
@@ -87,27 +123,50 @@ void HistoryWriter::check_columns(const std::string &names) const
                      "'");
 }
 
-void HistoryWriter::write(const HistoryRow &row)
+void HistoryWriter::append(const std::string &text)
 {
-  std::string names, values;
-  for (const auto &[name, value] : row)
+  std::size_t done = 0;
+  while (done < text.size())
   {
-    names += (names.empty() ? "" : ",") + name;
-    values += (&name == &row.front().first ? "" : ",") + text_of(value);
+    const ssize_t n = ::write(descriptor, text.data() + done, text.size() - done);
+    if (n > 0)
+      done += n;
+    else if (errno != EINTR)
+      break;
   }
-  if (!file.is_open())
+  if (done == text.size())
+  {
+    end_of_rows += done;
+    return;
+  }
+  const std::string reason = std::strerror(errno);
+  // What has come of the row goes again: readers find whole rows only.
+  if (::ftruncate(descriptor, static_cast<off_t>(end_of_rows)) != 0)
+    throw ComputationError(path + ": cannot be written: " + reason + ", and ends with half a row");
+  throw ComputationError(path + ": cannot be written: " + reason);
+}
+
+void HistoryWriter::write_line(const HistoryLine &line)
+{
+  const bool first = descriptor < 0;
+  if (first)
   {
     open(false);
-    header = names;
-    file << header << '\n';
+    header = line.names;
   }
-  check_columns(names);
+  check_columns(line.names);
   if (!std::filesystem::exists(path))
     throw ComputationError(path + " was removed during the run");
+  if (cut_first && ::ftruncate(descriptor, static_cast<off_t>(end_of_rows)) != 0)
+    throw ComputationError(path + ": cannot be written: " + std::strerror(errno));
+  cut_first = false;
   // Each row is handed to the system at once, so that what is seen from outside is whole rows.
-  errno = 0;
-  file << values << '\n' << std::flush;
-  if (!file)
+  append((first ? header + "\n" : "") + line.values + "\n");
+}
+
+void HistoryWriter::bring_to_disk() const
+{
+  if (descriptor >= 0 && ::fsync(descriptor) != 0 && errno != EINVAL)
     throw ComputationError(path + ": cannot be written: " + std::strerror(errno));
 }
 } // namespace softgrain

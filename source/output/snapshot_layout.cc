@@ -96,7 +96,7 @@ bool slides(const std::vector<WallState<2>> &walls)
                      [](const WallState<2> &wall) { return wall.repeats || wall.slide_velocity != 0.; });
 }
 
-void write_cell(Hdf5File &file, const Snapshot<2> &snapshot)
+void write_cell(const Hdf5Group &file, const Snapshot<2> &snapshot)
 {
   if (!slides(snapshot.walls))
     return;
@@ -145,7 +145,7 @@ void for_each_point_array(Points &points, const Action &action)
   action("points/deformation_gradient", points.deformation_gradient);
 }
 
-void write_points(Hdf5File &file, const PointStates<2> &points)
+void write_points(const Hdf5Group &file, const PointStates<2> &points)
 {
   for_each_point_array(points,
                        [&](const std::string &name, const auto &values) { write_rows(file, name, values); });
@@ -171,7 +171,7 @@ void read_points(const Hdf5File &file, const std::string &group, PointStates<2> 
     points.extra.push_back({name, file.read_doubles(group + "points/extra/" + name)});
 }
 
-void write_outlines(Hdf5File &file, const std::vector<BodyState<2>> &bodies)
+void write_outlines(const Hdf5Group &file, const std::vector<BodyState<2>> &bodies)
 {
   std::vector<std::uint64_t> ring_offsets{0}, point_offsets{0};
   std::vector<double> rows;
@@ -210,7 +210,7 @@ void read_outlines(const Hdf5File &file, const std::string &group, std::vector<B
                                      points.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
 }
 
-void write_lines(Hdf5File &file, const std::vector<ObstacleState<2>> &obstacles)
+void write_lines(const Hdf5Group &file, const std::vector<ObstacleState<2>> &obstacles)
 {
   std::vector<std::uint64_t> offsets{0};
   std::vector<double> rows;
@@ -247,11 +247,12 @@ std::vector<std::string> names_of(const std::vector<Item> &items)
 }
 } // namespace
 
-void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool points)
+void write_snapshot(Hdf5File &whole_file,
+                    const Snapshot<2> &snapshot,
+                    const bool points,
+                    const std::string &group)
 {
-  file.write_attribute("/", "format", file_format);
-  file.write_attribute("/", "time_s", snapshot.time);
-  file.write_attribute("/", "step", snapshot.step);
+  const Hdf5Group file{whole_file, group};
   if (points)
     write_points(file, snapshot.points);
   file.write("bodies/name", names_of(snapshot.bodies));
@@ -278,7 +279,12 @@ void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, const bool poin
   file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
   file.write("energies/dissipated_J_per_m", std::vector<double>{energies.dissipated});
   file.write("energies/external_work_J_per_m", std::vector<double>{energies.external_work});
-  write_units(file);
+  const std::string object = group.empty() ? "/" : group;
+  whole_file.write_attribute(object, "format", file_format);
+  whole_file.write_attribute(object, "time_s", snapshot.time);
+  whole_file.write_attribute(object, "step", snapshot.step);
+  if (group.empty())
+    write_units(whole_file);
 }
 
 Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)

@@ -166,7 +166,11 @@ std::string read_text_file(const std::string &file_name)
 {
   std::error_code error;
   if (!std::filesystem::exists(file_name, error))
+  {
+    if (error == std::errc::filename_too_long)
+      throw InputError(file_name.substr(0, 40) + "...: file name too long");
     throw InputError(file_name + ": there is no such file");
+  }
   if (std::filesystem::is_directory(file_name, error))
     throw InputError(file_name + ": is a folder, not a parameter file");
   std::ifstream file(file_name, std::ios::binary);

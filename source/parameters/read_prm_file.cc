@@ -42,7 +42,8 @@ public:
   std::vector<ParameterAssignment> read()
   {
     std::istringstream stream(read_text_file(file_name));
-    includes.way.push_back(std::filesystem::weakly_canonical(file_name).string());
+    std::error_code error; // a name that is too long: reading the file tells
+    includes.way.push_back(std::filesystem::weakly_canonical(file_name, error).string());
     std::string line, continued;
     for (line_number = 1; std::getline(stream, line); ++line_number)
     {
@@ -153,10 +154,11 @@ private:
     if (!sections.empty())
       return lose("'include' must stand outside of subsections");
     const std::filesystem::path path = std::filesystem::path(file_name).parent_path() / included_name;
-    const std::string canonical = std::filesystem::weakly_canonical(path).string();
+    std::error_code error;
+    const std::string canonical = std::filesystem::weakly_canonical(path, error).string();
     if (std::find(includes.way.begin(), includes.way.end(), canonical) != includes.way.end())
       return lose("'" + included_name + "' includes itself");
-    if (!std::filesystem::is_regular_file(path))
+    if (!std::filesystem::is_regular_file(path, error))
       return lose("there is no file '" + path.string() + "' to include");
     if (includes.way.size() == max_include_depth)
       throw_lost("more than " + std::to_string(max_include_depth) + " files that include each other");

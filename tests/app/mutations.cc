@@ -246,8 +246,8 @@ std::vector<Kind> checkpoints()
            [](const std::string &file)
            {
              const CheckpointReader reader(file);
-             reader.read_doubles("numbers");
-             reader.read_integers("steps");
+             reader.read_doubles("numbers", ListSize::rows_of(1));
+             reader.read_integers("steps", ListSize::rows_of(1));
              reader.read_text("texts/name");
            },
            0.15}};

@@ -51,7 +51,7 @@ int main(int argc, char **argv)
   for (const std::string stop : {"Stop/Axial strain=0.0512", "Stop/Packing fraction=0.8266"})
   {
     std::cout << softgrain_command(
-        {"run", "scene.prm", "--output", "stop", "--set", stop, "--set", "Stop/End time=0"});
+        {"run", "scene.prm", "--output", "stop", "--overwrite", "--set", stop, "--set", "Stop/End time=0"});
     std::cout << ' ' << nlohmann::json::parse(std::ifstream("stop/summary.json"))["simulated_time_s"] << '\n';
   }
   // Foreign files are never mixed with results.

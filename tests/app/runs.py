@@ -71,7 +71,7 @@ class FullDisk(Runs):
 
 
 class OldResults(Runs):
-    """A new run replaces what an ended one has left, and nothing else."""
+    """A new run replaces what another one has left when it is told so, and nothing else."""
 
     def test_unfinished(self):
         with self.running("mpm", settings=MANY_STEPS) as process:
@@ -84,7 +84,12 @@ class OldResults(Runs):
                                 r"add --restart .* or --overwrite")
         self.assertEqual(before, {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()})
         self.run_scene("mpm", "--restart", settings=["Time/CFL multiple=2"])
-        self.run_scene("mpm")  # it has ended: no need to ask
+        # The same command does not delete what has ended.
+        ended = {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
+        _, error = self.run_scene("mpm", expect=2)
+        self.assertIn("holds a finished run: add --overwrite to replace it, or name another folder", error)
+        self.assertEqual(ended, {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()})
+        self.run_scene("mpm", "--overwrite")
         (self.folder / "summary.json").write_text("{")
         self.run_scene("mpm", expect=2)
         self.run_scene("mpm", "--overwrite")
@@ -96,7 +101,7 @@ class OldResults(Runs):
             process.wait(60)
         _, error = self.run_scene("mpm", expect=2)
         self.assertIn("has no checkpoint: add --overwrite", error)
-        self.run_scene("mpm", "--restart", expect=2)
+        self.run_scene("mpm", "--restart", expect=2)  # another run than that which was killed
         self.run_scene("mpm", "--overwrite")
 
     def test_foreign_files(self):
@@ -106,7 +111,14 @@ class OldResults(Runs):
         for path in foreign:
             path.write_text("mine")
         (self.folder / "history.csv.part").write_text("ours")
-        self.run_scene("mpm", settings=["Output/Number of field outputs=0"])
+        drawn = [self.folder / name for name in ("pictures/pressure-000007.png", "pictures/speed.mp4",
+                                                 "pictures/force-against-time.png", "report.html")]
+        foreign.append(self.folder / "pictures/cat.png")
+        foreign[-1].parent.mkdir()
+        for path in [*drawn, foreign[-1]]:
+            path.write_text("mine")
+        self.run_scene("mpm", "--overwrite", settings=["Output/Number of field outputs=0"])
+        self.assertEqual([path for path in drawn if path.exists()], [])  # of the run that is gone
         self.assertEqual([path.read_text() for path in foreign], ["mine"] * len(foreign))
         self.assertEqual([path.name for path in (self.folder / "fields").iterdir()], ["mine.vtu"])
         self.assertFalse((self.folder / "history.csv.part").exists())
@@ -207,7 +219,7 @@ class Signals(Runs):
         allowed = ["Mesh/Cell size=1.8e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
         self.run_scene("mpm", "--restart", settings=allowed)
         resumed = (self.folder / "history.csv").read_text()
-        self.run_scene("mpm", settings=allowed)
+        self.run_scene("mpm", "--overwrite", settings=allowed)
         self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 
     def test_terminate_bpm(self):
@@ -226,7 +238,7 @@ class Signals(Runs):
                 self.assertEqual(process.wait(60), 3)
         self.run_scene("held", "--restart", settings=many)
         resumed = (self.folder / "history.csv").read_text()
-        self.run_scene("held", settings=many)
+        self.run_scene("held", "--overwrite", settings=many)
         self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 
     def test_as_if_never_stopped_bpm(self):
@@ -240,7 +252,7 @@ class Signals(Runs):
         # The checkpoint has the primaries: no aggregate is prepared again.
         phases = json.loads((self.folder / "summary.json").read_text())["phases"]
         self.assertNotIn("preparation of aggregates", phases)
-        self.run_scene("bpm", settings=many)
+        self.run_scene("bpm", "--overwrite", settings=many)
         self.assertEqual(resumed, (self.folder / "history.csv").read_text())
 
     def test_hang_up(self):
@@ -285,7 +297,7 @@ class RunLog(Runs):
         second, _ = self.run_scene("mpm", "--restart", settings=["Stop/End time=4e-4", "Contact/Maximum sweeps=3000"])
         self.assertTrue(second.startswith("changed since the checkpoint: 'Contact/Maximum sweeps'"), second)
         self.assertEqual(self.log(), first + "t = 3.1e-04 s  st\n" + second)
-        third, _ = self.run_scene("mpm", settings=["Stop/End time=1e-4"])
+        third, _ = self.run_scene("mpm", "--overwrite", settings=["Stop/End time=1e-4"])
         self.assertEqual(self.log(), third)
 
     def test_error(self):

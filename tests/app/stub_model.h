@@ -128,12 +128,12 @@ public:
 
   void load(StateReader &reader) override
   {
-    const std::vector<double> state = reader.read_doubles("stub/state");
+    const std::vector<double> state = reader.read_doubles("stub/state", 3);
     t = state.at(0);
     x = state.at(1);
     v = state.at(2);
-    n_steps = reader.read_integers("stub/step").at(0);
-    const std::vector<double> points = reader.read_doubles("stub/walls");
+    n_steps = reader.read_integers("stub/step", 1)[0];
+    const std::vector<double> points = reader.read_doubles("stub/walls", 2 * wall_states.size());
     for (unsigned int w = 0; w < wall_states.size(); ++w)
     {
       wall_states[w].point = dealii::Point<2>(points.at(2 * w), points.at(2 * w + 1));

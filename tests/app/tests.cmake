@@ -49,9 +49,17 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   set_tests_properties(app/careful_inputs PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 endif()
 
+# Kills and refused writes at every call need a library that is loaded before the C library.
+add_library(test_app_stop_at_call MODULE ${CMAKE_CURRENT_SOURCE_DIR}/app/preload/stop_at_call.c)
+set_target_properties(test_app_stop_at_call PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/app)
+target_link_libraries(test_app_stop_at_call dl)
+
 # Whole runs of the program: what comes in their way, and what both models share.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
-  foreach(name runs.FullDisk runs.OldResults runs.OneFolder runs.Signals runs.RunLog
+  foreach(name writes.Writes.test_mpm writes.Writes.test_bpm damaged_states.DamagedStates.test_mpm
+      damaged_states.DamagedStates.test_mpm_cell damaged_states.DamagedStates.test_mpm_static
+      damaged_states.DamagedStates.test_bpm limits.Limits
+      runs.FullDisk runs.OldResults runs.OneFolder runs.Signals runs.RunLog
       models.OtherSettings models.BothModels models.PackingOfMaterials models.LinearSolvers models.DissipativeLaw
       ranks.Restarts ranks.Ends ranks.Moves ranks.SameBits.test_two_disks ranks.SameBits.test_thirty ranks.SameBits.test_friction
       ranks.SameBits.test_plastic ranks.SameBits.test_pushed ranks.SameBits.test_explicit ranks.SameBits.test_quasi_static
@@ -59,11 +67,12 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       ranks.SameBits.test_bonded ranks.SameBits.test_bonded_friction ranks.SameBits.test_bonded_pressed
       ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell
       ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion)
-    string(REGEX MATCH "^[a-z]+" script ${name})
-    string(REGEX REPLACE "^[a-z]+\\." "" class ${name})
+    string(REGEX MATCH "^[a-z_]+" script ${name})
+    string(REGEX REPLACE "^[a-z_]+\\." "" class ${name})
     add_test(NAME app/${name}
       COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
         SOFTGRAIN_TEST_LAW=${CMAKE_BINARY_DIR}/tests/constitutive/libtest_constitutive_module_dissipative.so
+        SOFTGRAIN_TEST_PRELOAD=$<TARGET_FILE:test_app_stop_at_call>
         ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/${script}.py $<TARGET_FILE:softgrain_executable>
         ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/app/whole_runs ${class})
     set_tests_properties(app/${name} PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})

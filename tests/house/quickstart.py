@@ -115,8 +115,12 @@ with tempfile.TemporaryDirectory() as place:
     expect("run: unless it shall begin anew", status == 0 and "--restart" not in log, status, said, log)
     (output / "summary.json").write_text('{\n  "status": "completed",\n')
     status, said, log = machine.run("run", str(scene))
-    expect("run: one that has ended is replaced",
-           status == 0 and "--restart" not in log and "--overwrite" not in log, status, said, log)
+    expect("run: one that has ended is not computed again, but drawn",
+           status == 0 and "softgrain run" not in log and f"softgrain render {output}" in log and "has ended" in said,
+           status, said, log)
+    status, said, log = machine.run("run", str(scene), "--overwrite")
+    expect("run: unless it shall begin anew, too",
+           status == 0 and f"softgrain run {scene} --overwrite --output {output}" in log, status, said, log)
 
     status, said, log = machine.run("run", "nowhere.prm")
     expect("run: a file that is not there is named before anything is built",

@@ -43,6 +43,18 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   set_tests_properties(nightly/mutations PROPERTIES LABELS nightly TIMEOUT 7200 FIXTURES_REQUIRED mutations)
 endif()
 
+# Kills and refusals at every call that touches a file; every list of checkpoints damaged in every way.
+if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
+  foreach(script writes damaged_states)
+    add_test(NAME nightly/${script}
+      COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 SOFTGRAIN_ALL_WRITES=1 SOFTGRAIN_ALL_DAMAGES=1
+        SOFTGRAIN_TEST_PRELOAD=$<TARGET_FILE:test_app_stop_at_call>
+        ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/${script}.py $<TARGET_FILE:softgrain_executable>
+        ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/nightly/${script})
+    set_tests_properties(nightly/${script} PROPERTIES LABELS nightly TIMEOUT 7200)
+  endforeach()
+endif()
+
 # Kills at random moments, damaged checkpoints.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   add_test(NAME nightly/faults

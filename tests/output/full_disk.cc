@@ -44,7 +44,7 @@ std::size_t wrong_numbers(const std::string &path, const double salt)
 {
   const CheckpointReader reader(path);
   std::size_t n_wrong = 0, next = 0;
-  reader.read_rows("long", width,
+  reader.read_rows("long", n_rows, width,
                    [&](const std::size_t begin, const std::size_t end, const double *const rows)
                    {
                      n_wrong += begin != next;
@@ -52,9 +52,9 @@ std::size_t wrong_numbers(const std::string &path, const double salt)
                      for (std::size_t i = begin * width; i < end * width; ++i)
                        n_wrong += rows[i - begin * width] != number(i, salt);
                    });
-  n_wrong += next != n_rows || reader.size("none") != 0;
+  n_wrong += next != n_rows || !reader.read_doubles("none", 0).empty();
   for (std::size_t body = 0; body < n_bodies; ++body)
-    n_wrong += reader.read_doubles("bodies/" + std::to_string(body) + "/place") !=
+    n_wrong += reader.read_doubles("bodies/" + std::to_string(body) + "/place", 30) !=
                std::vector<double>(30, salt + body);
   return n_wrong;
 }

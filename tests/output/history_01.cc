@@ -3,6 +3,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/history.h>
 
+#include <fstream>
 #include <iostream>
 #include <limits>
 
@@ -35,6 +36,19 @@ int main()
   history.resume(1);
   history.write(row(1, 2, 1e-20));
   show();
+  // A row of the state that the run goes on from stays until the next one takes its place.
+  {
+    HistoryWriter from_two(".");
+    from_two.resume(2, {}, false);
+    show();
+    from_two.write(row(1.5, 3, 7));
+    show();
+  }
+  // A table whose first line was being written when the program died has no rows yet.
+  std::ofstream("new.csv") << "time_s,ste";
+  HistoryWriter begun(".", "new.csv");
+  begun.resume(1);
+  std::cout << "new: " << begun.is_new() << "\n\n";
   for (const bool other_columns : {true, false})
     try
     {

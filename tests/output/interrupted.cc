@@ -83,16 +83,19 @@ int main()
   const std::string path = checkpoint_path("run", 1);
   write_state(path, 1.5, true);
   write_state(path, 2.5, false);
-  std::cout << "after an unfinished write: " << CheckpointReader(path).read_doubles("numbers")[0]
-            << ", files: "
+  std::cout << "after an unfinished write: "
+            << CheckpointReader(path).read_doubles("numbers", ListSize::rows_of(1))[0] << ", files: "
             << std::distance(std::filesystem::directory_iterator("run"),
                              std::filesystem::directory_iterator())
             << '\n';
 
   expect_error([] { CheckpointReader("run/state-000000009.h5"); });
-  expect_error([&] { CheckpointReader(path).read_doubles("mpm/mass"); });
-  expect_error([&] { CheckpointReader(path).read_doubles("step"); });
+  expect_error([&] { CheckpointReader(path).read_doubles("mpm/mass", ListSize::rows_of(1)); });
+  expect_error([&] { CheckpointReader(path).read_doubles("step", ListSize::rows_of(1)); });
   expect_error([&] { CheckpointReader(path).read_text("numbers"); });
+  // Who reads says how many numbers there must be.
+  expect_error([&] { CheckpointReader(path).read_doubles("numbers", 7); });
+  expect_error([&] { CheckpointReader(path).read_rows("numbers", 7, 3, [](auto, auto, auto) {}); });
 
   const std::string good = content(path);
   unsigned int n_damaged = 0, n_cut = 0, n_refused = 0;

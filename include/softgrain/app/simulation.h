@@ -11,6 +11,7 @@
 #include <softgrain/app/run_log.h>
 #include <softgrain/app/run_statistics.h>
 #include <softgrain/app/stage_path.h>
+#include <softgrain/app/waiting_output.h>
 #include <softgrain/base/ranks.h>
 #include <softgrain/output/history.h>
 #include <softgrain/output/snapshot_file.h>
@@ -22,6 +23,8 @@
 
 namespace softgrain
 {
+class CheckpointReader;
+
 /**
  * @brief Drives a model from step to step until the scene's stop conditions, and writes what the run leaves.
  *
@@ -38,14 +41,18 @@ public:
   void expect_stages(const std::vector<double> &durations) { path.expect(durations); }
 
   /**
-   * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it.
+   * @brief Goes on from a checkpoint: history, pictures and snapshots are cut back to it, and what it says
+   * is still to be written of its state is written first.
    * @param file_name of the checkpoint, for the log
    * @param changes of parameters since the checkpoint, for the log
    * @throw InputError when it cannot be read
    */
-  void restart(StateReader &checkpoint,
+  void restart(CheckpointReader &checkpoint,
                const std::string &file_name,
                const std::vector<std::string> &changes = {});
+
+  /// A line for the head of the log.
+  void say(const std::string &line) { first_lines += line + '\n'; }
 
   /**
    * @brief Computes to the end, or until a signal asks the program to stop, within a step if need be.
@@ -59,15 +66,20 @@ private:
   static constexpr const char *stop_seen_name = "driver/stop_seen";
 
   SizeReport expected;
+  std::string first_lines;
   void print_head();
   void start_files();
+  /// Cuts the files of the folder back to the checkpoint.
+  void resume_files();
   void print_ranks();
   /// @return the text of @p error, or that the output folder is gone, which explains it.
   std::string cause_of(const ComputationError &error) const;
-  /// Keeps the state after a ComputationError. @return what to add to its @p message
+  /// Keeps the state after a ComputationError, and draws it. @return what to add to its @p message
   std::string save_after_failure(const std::string &message);
   /// The end of a run that failed: summary.json says so, if the disk lets it.
   void note_failure();
+  /// The state in which a run ends before its time, in all files; the run that goes on takes it out again.
+  void write_last_state();
   std::string loop();
   /// One step, fit to be written where it will be. After an exception all is as before it.
   StepReport take_step();
@@ -83,15 +95,22 @@ private:
   void settle_if_written(StepReport &report);
   /// What stop conditions of the whole run look at.
   RunState run_state() const;
-  void write_due_output(const StepReport &report);
-  void write_history(const StepReport &report);
-  void write_pictures(bool fields, bool snapshots);
+  /// What is due of the state, by the intervals and because a stage or the run ends.
+  void write_due_output();
+  /// Of the state, for the balance in the summary.
+  Energies note_energies();
+  HistoryRow history_row(const Energies &energies) const;
+  /// Puts together what is to be written of the state, for write_waiting().
+  void prepare_output(const OutputParts &parts, const Energies &energies);
+  /// Writes what waits. What the disk refuses, and what comes after it, goes on waiting.
+  void write_waiting();
+  OutputParts all_parts() const;
   void write_checkpoint();
   /// The state in a file of this name.
   void write_state(const std::string &file);
-  /// Where a stage ends that is not the last: a row of the history, pictures, a checkpoint; the next one
+  /// Where a stage ends that is not the last, after its output: a checkpoint that is kept; the next one
   /// begins.
-  void end_stage(const StepReport &report);
+  void end_stage();
   /// Walls are driven as the next stage says; a checkpoint.
   void begin_next_stage();
   /// Whether the present stage is done and another one follows.
@@ -121,9 +140,13 @@ private:
   bool restarted = false;
   StepPlanner planner;
   StagePath path;
-  StopMemory seen; ///< by the stop conditions of the whole run
-  std::optional<std::uint64_t> last_history_step;
-  std::optional<std::uint64_t> last_picture_step;
+  StopMemory seen;        ///< by the stop conditions of the whole run
+  StepReport last_report; ///< of the step that led to the state
+  WaitingOutput waiting;
+  std::uint64_t step_of_start = 0; ///< of the run, or where it goes on
+  bool step_given_up = false;      ///< the model has begun a step after that of the state
+  bool has_begun = false;          ///< the folder says that it belongs to this run
+  bool last_state_tried = false;   ///< by write_last_state()
 };
 
 /// Prints names and values in two columns.

@@ -66,6 +66,14 @@ public:
   virtual void settle(StepReport &report) { (void) report; }
 
   /**
+   * @brief After a step that was given up, before the state is drawn for the last time: what the attempt has
+   * left of contacts is not that of the state.
+   *
+   * Where a model cannot tell what contacts carried before, it shows none. No step follows.
+   */
+  virtual void forget_attempt() {}
+
+  /**
    * @brief Between steps, on all ranks: gives them other parts of the work when it has become uneven.
    * @return what the log is to say of it; empty when all stays as it is
    */

@@ -53,7 +53,33 @@ public:
   virtual void write(const std::string &name, const std::string &text) = 0;
 };
 
-/// Where a model reads it back; a missing name is an InputError that names the file.
+/// How many numbers a list of a state may have, as whoever reads it says.
+class ListSize
+{
+public:
+  /// So many.
+  ListSize(const std::size_t exact) : unit(exact), several(false) {}
+  /// Any number of rows of so many numbers, also none.
+  static ListSize rows_of(const std::size_t width) { return ListSize(width, true); }
+
+  bool allows(const std::size_t size) const { return several ? size % unit == 0 : size == unit; }
+  /// "12 numbers", "rows of 3 numbers"
+  std::string in_words() const;
+
+private:
+  ListSize(const std::size_t unit, const bool several) : unit(unit), several(several) {}
+
+  std::size_t unit;
+  bool several;
+};
+
+/**
+ * @brief Where a model reads its state back.
+ *
+ * Who reads a list says how many numbers it must have, for the file may come from anywhere. A list that is
+ * missing or of another type or size is an InputError that names file and list, and so is a number of a file
+ * that is none (NaN) or infinite.
+ */
 class StateReader
 {
 public:
@@ -62,19 +88,31 @@ public:
 
   virtual ~StateReader() = default;
 
-  /// How many numbers a list has.
-  virtual std::size_t size(const std::string &name) const { return read_doubles(name).size(); }
-  /// Shows a list piece by piece; numbers that make no whole row at its end are left out.
-  virtual void read_rows(const std::string &name, const std::size_t width, const Take &take) const
-  {
-    const std::vector<double> values = read_doubles(name);
-    take(0, values.size() / width, values.data());
-  }
+  /// Shows a list of @p n_rows rows of @p width numbers piece by piece.
+  void read_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Take &take) const;
 
-  virtual std::vector<double> read_doubles(const std::string &name) const = 0;
-  virtual std::vector<std::uint64_t> read_integers(const std::string &name) const = 0;
-  virtual std::string read_text(const std::string &name) const = 0;
+  std::vector<double> read_doubles(const std::string &name, ListSize size) const;
+  /// @param end of the numbers that are allowed; 0: all are
+  std::vector<std::uint64_t>
+  read_integers(const std::string &name, ListSize size, std::uint64_t end = 0) const;
+  /// Keys of something, each greater than the one before.
+  std::vector<std::uint64_t> read_keys(const std::string &name, ListSize size) const;
+  std::string read_text(const std::string &name) const { return text(name); }
   virtual bool contains(const std::string &name) const = 0;
+
+  /// Ends the reading of a list whose numbers cannot be. @throw InputError
+  [[noreturn]] virtual void refuse(const std::string &name, const std::string &why) const = 0;
+
+protected:
+  /// How many numbers a list has.
+  virtual std::size_t size(const std::string &name) const = 0;
+  virtual void rows(const std::string &name, std::size_t width, const Take &take) const = 0;
+  virtual std::vector<double> doubles(const std::string &name) const = 0;
+  virtual std::vector<std::uint64_t> integers(const std::string &name) const = 0;
+  virtual std::string text(const std::string &name) const = 0;
+
+private:
+  void check_size(const std::string &name, std::size_t found, ListSize size) const;
 };
 } // namespace softgrain
 

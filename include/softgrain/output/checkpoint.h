@@ -2,10 +2,12 @@
 #ifndef softgrain_output_checkpoint_h
 #define softgrain_output_checkpoint_h
 
+#include <softgrain/analysis/snapshot.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/output/atomic_file.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +21,8 @@ class Hdf5File;
  * @brief Writes a model's state to an HDF5 file that is whole or absent.
  *
  * Nothing is seen under the final name before commit(); destroying the writer without it discards everything,
- * and a file of that name from earlier stays as it was. Numbers are kept bit for bit.
+ * and a file of that name from earlier stays as it was. Numbers are kept bit for bit. A list of contents says
+ * what the file must hold.
  */
 class CheckpointWriter : public StateWriter
 {
@@ -32,6 +35,8 @@ public:
   void write(const std::string &name, const std::vector<std::uint64_t> &values) override;
   void write(const std::string &name, const std::string &text) override;
   void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill) override;
+  /// A whole snapshot, in a group of its own.
+  void write_snapshot(const std::string &group, const Snapshot<2> &snapshot);
 
   /**
    * @brief Seals the file with a checksum, brings it to the disk and renames it.
@@ -40,13 +45,17 @@ public:
   void commit();
 
 private:
+  void note(const std::string &name, char type, std::size_t size);
+
   AtomicFile target;
   std::unique_ptr<Hdf5File> file;
+  std::string contents; ///< a line for each list
 };
 
 /**
- * @brief Reads what a CheckpointWriter wrote. The constructor verifies the whole file, so that a model never
- * starts from half a state.
+ * @brief Reads what a CheckpointWriter wrote. The constructor verifies the seal and that the file holds what
+ * its list of contents says, so that a model never starts from half a state; sizes and numbers are looked at
+ * as they are read.
  */
 class CheckpointReader : public StateReader
 {
@@ -56,17 +65,27 @@ public:
   explicit CheckpointReader(const std::string &path);
   ~CheckpointReader() override;
 
-  /// @throw InputError that names file and array when it is missing or of another type.
-  std::size_t size(const std::string &name) const override;
-  void read_rows(const std::string &name, std::size_t width, const Take &take) const override;
-  std::vector<double> read_doubles(const std::string &name) const override;
-  std::vector<std::uint64_t> read_integers(const std::string &name) const override;
-  std::string read_text(const std::string &name) const override;
   bool contains(const std::string &name) const override;
+  [[noreturn]] void refuse(const std::string &name, const std::string &why) const override;
+  /// What write_snapshot() wrote.
+  Snapshot<2> read_snapshot(const std::string &group) const;
+
+protected:
+  std::size_t size(const std::string &name) const override;
+  void rows(const std::string &name, std::size_t width, const Take &take) const override;
+  std::vector<double> doubles(const std::string &name) const override;
+  std::vector<std::uint64_t> integers(const std::string &name) const override;
+  std::string text(const std::string &name) const override;
 
 private:
+  void read_contents();
+  /// @throw InputError when the list of contents says another type or size
+  void check_listed(const std::string &name, char type, std::size_t size) const;
+  void check_finite(const std::string &name, const double *values, std::size_t n) const;
+
   std::string path;
   std::unique_ptr<Hdf5File> file;
+  std::map<std::string, std::string> listed; ///< by name: type and size
 };
 
 /// `DIRECTORY/state-000001234.h5`

@@ -75,6 +75,8 @@ public:
   std::vector<std::string> array_names() const;
   /// Number type of an array: 'd' double, 'u' unsigned integer, 't' text, '?' another.
   char array_type(const std::string &name) const;
+  /// How many values an array of any type has.
+  std::size_t array_size(const std::string &name) const;
 
   /// Brings a created file to the disk and closes it. @param sealed with a checksum behind it, see seal.h
   /// @throw ComputationError with the reason of the system

@@ -10,9 +10,9 @@ namespace softgrain
 {
 class Hdf5File;
 
-/// Writes a snapshot to the root of @p file, in the layout of doc/output.md. Without @p points the material
-/// points are left out.
-void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, bool points);
+/// Writes a snapshot in the layout of doc/output.md to @p group of @p file, with a slash at its end; empty:
+/// to its root, with units. Without @p points the material points are left out.
+void write_snapshot(Hdf5File &file, const Snapshot<2> &snapshot, bool points, const std::string &group = "");
 
 /// Reads it back bit for bit; @p group is where it is, with a slash at its end.
 /// @throw InputError when something is missing or damaged.

@@ -16,6 +16,24 @@
 /// Members of many items as the rows of one array of a file, both ways.
 namespace softgrain::snapshot_rows
 {
+/// A group of a file that is being written: names count from there.
+struct Hdf5Group
+{
+  Hdf5File &file;
+  const std::string group; ///< with a slash at its end; empty: the file itself
+
+  template <typename Values>
+  void write(const std::string &name, const Values &values, const unsigned int n_columns) const
+  {
+    file.write(group + name, values, n_columns);
+  }
+  template <typename Values>
+  void write(const std::string &name, const Values &values) const
+  {
+    file.write(group + name, values);
+  }
+};
+
 // Every type of the snapshot as a row of numbers, both ways.
 inline void put(std::vector<double> &row, const double value)
 {
@@ -65,7 +83,7 @@ unsigned int width()
 
 /// One array of an HDF5 file, a row for what @p value gives of every item; read_rows() is the way back.
 template <typename Item, typename Function>
-void write_rows(Hdf5File &file,
+void write_rows(const Hdf5Group &file,
                 const std::string &name,
                 const std::vector<Item> &items,
                 const Function &value)
@@ -77,7 +95,7 @@ void write_rows(Hdf5File &file,
 }
 
 template <typename Item>
-void write_rows(Hdf5File &file, const std::string &name, const std::vector<Item> &items)
+void write_rows(const Hdf5Group &file, const std::string &name, const std::vector<Item> &items)
 {
   write_rows(file, name, items, [](const Item &item) { return item; });
 }
@@ -100,7 +118,7 @@ void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> 
 }
 
 template <typename Item, typename Function>
-void write_indices(Hdf5File &file,
+void write_indices(const Hdf5Group &file,
                    const std::string &name,
                    const std::vector<Item> &items,
                    const Function &value)

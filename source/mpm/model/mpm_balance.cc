@@ -128,7 +128,7 @@ void MpmModel::move_bodies(std::vector<unsigned int> owners)
   save_points(points, false);
   const auto take = [&](const std::string &name, const unsigned int n_components)
   {
-    points.write(name, journey.take(points.read_doubles(name), [&](const unsigned int b)
+    points.write(name, journey.take(points.read_doubles(name, ListSize::rows_of(1)), [&](const unsigned int b)
                                     { return std::size_t(state.bodies[b].n_points) * n_components; }));
   };
   take("mpm/points/position", 2);

@@ -25,10 +25,11 @@ std::vector<double> flat(const std::vector<T> &values)
   return numbers;
 }
 
+/// Into the place of as many as there are.
 template <typename T>
-void unflat(const std::vector<double> &numbers, std::vector<T> &values)
+void unflat(const StateReader &in, const std::string &name, std::vector<T> &values)
 {
-  values.resize(numbers.size() * sizeof(double) / sizeof(T));
+  const std::vector<double> numbers = in.read_doubles(name, values.size() * sizeof(T) / sizeof(double));
   if (!numbers.empty())
     std::memcpy(static_cast<void *>(values.data()), numbers.data(), numbers.size() * sizeof(double));
 }
@@ -38,9 +39,11 @@ std::vector<double> flat(const Eigen::VectorXd &v)
   return {v.data(), v.data() + v.size()};
 }
 
-Eigen::VectorXd vector_of(const std::vector<double> &numbers)
+/// Likewise.
+void unflat(const StateReader &in, const std::string &name, Eigen::VectorXd &values)
 {
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
+  const std::vector<double> numbers = in.read_doubles(name, values.size());
+  values = Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
 }
 } // namespace
 
@@ -109,45 +112,44 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
 
 void MpmModel::read_state(StateReader &in, const bool of_all)
 {
-  const std::vector<double> scalars = in.read_doubles("mpm/scalars");
+  const std::vector<double> scalars = in.read_doubles("mpm/scalars", 5);
   load_walls(in, "mpm/walls", state.walls);
-  state.time = scalars.at(0);
+  state.time = scalars[0];
   load_obstacles(in, "mpm/obstacles", state.time, state.obstacles);
-  step_control.scale = scalars.at(1);
-  last_dt = scalars.at(2);
-  state.memory.step = scalars.at(3);
-  last_unbalanced = scalars.at(4);
-  const std::vector<std::uint64_t> counts = in.read_integers("mpm/step");
-  steps = counts.at(0);
-  work.contact.plain_solves = counts.at(1);
-  held_steps = counts.at(2);
+  step_control.scale = scalars[1];
+  last_dt = scalars[2];
+  state.memory.step = scalars[3];
+  last_unbalanced = scalars[4];
+  const std::vector<std::uint64_t> counts = in.read_integers("mpm/step", laws_limit_step() ? 4 : 3);
+  steps = counts[0];
+  work.contact.plain_solves = counts[1];
+  held_steps = counts[2];
   if (laws_limit_step())
-    law_cuts = counts.at(3);
+    law_cuts = counts[3];
   settled_step = 0; // what comes is another step, of whatever number
-  const std::vector<double> own = in.read_doubles("mpm/balance/own");
+  const std::vector<double> own = in.read_doubles("mpm/balance/own", 7);
   Balance &b = state.balance;
   b.load(in, "mpm/balance/common");
-  b.law_loss = own.at(0);
-  b.scheme_damping = own.at(1);
-  b.subgrid_energy = own.at(2);
-  b.regularisation_work = own.at(3);
-  b.carried_load = dealii::Tensor<1, 2>({own.at(4), own.at(5)});
-  b.released_energy = own.at(6);
-  const std::vector<std::uint64_t> keys = in.read_integers("mpm/contact/keys");
-  const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses");
-  const bool frictionless = impulses.size() == keys.size();
+  b.law_loss = own[0];
+  b.scheme_damping = own[1];
+  b.subgrid_energy = own[2];
+  b.regularisation_work = own[3];
+  b.carried_load = dealii::Tensor<1, 2>({own[4], own[5]});
+  b.released_energy = own[6];
+  const std::vector<std::uint64_t> keys = in.read_keys("mpm/contact/keys", ListSize::rows_of(1));
+  const std::size_t components = problem.slippery() ? 1 : 2;
+  const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses", components * keys.size());
   state.memory.impulses.clear();
   for (std::size_t k = 0; k < keys.size(); ++k)
-    state.memory.impulses[keys[k]] =
-        frictionless ? std::array<double, 2>{{impulses[k], 0.}}
-                     : std::array<double, 2>{{impulses.at(2 * k), impulses.at(2 * k + 1)}};
+    state.memory.impulses[keys[k]] = {
+        {impulses[components * k], components > 1 ? impulses[components * k + 1] : 0.}};
 
   state.adhesion.load(in, "mpm/contact/adhesion");
   state.resistance.clear();
   if (in.contains("mpm/resistance"))
   {
-    const std::vector<double> resistance = in.read_doubles("mpm/resistance");
-    for (unsigned int b = 0; 2 * b + 1 < resistance.size(); ++b)
+    const std::vector<double> resistance = in.read_doubles("mpm/resistance", 2 * state.bodies.size());
+    for (unsigned int b = 0; b < state.bodies.size(); ++b)
       state.resistance.push_back(dealii::Tensor<1, 2>({resistance[2 * b], resistance[2 * b + 1]}));
   }
 
@@ -157,7 +159,7 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   const auto place_of = [](const Body<2> &body) { return "mpm/bodies/" + body.name + "/"; };
   for (Body<2> &body : state.bodies)
   {
-    unflat(in.read_doubles(place_of(body) + "boundary_grid_position"), body.boundary.grid_position);
+    unflat(in, place_of(body) + "boundary_grid_position", body.boundary.grid_position);
     if (work.share.holds(body.index))
       lay_grid(body, context);
   }
@@ -167,16 +169,21 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   for (Body<2> &body : state.bodies)
   {
     const std::string at = place_of(body);
-    unflat(in.read_doubles(at + "boundary_position"), body.boundary.position);
-    body.displacement = vector_of(in.read_doubles(at + "nodes/displacement"));
-    body.velocity = vector_of(in.read_doubles(at + "nodes/velocity"));
-    body.velocity_of_points = vector_of(in.read_doubles(at + "nodes/velocity_of_points"));
-    body.acceleration = vector_of(in.read_doubles(at + "nodes/acceleration"));
-    body.internal_force = vector_of(in.read_doubles(at + "nodes/internal_force"));
+    unflat(in, at + "boundary_position", body.boundary.position);
+    // The grid that has been laid says how many nodes there are.
+    unflat(in, at + "nodes/displacement", body.displacement);
+    unflat(in, at + "nodes/velocity", body.velocity);
+    unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
+    unflat(in, at + "nodes/acceleration", body.acceleration);
+    body.internal_force.resize(body.field.n_dofs());
+    unflat(in, at + "nodes/internal_force", body.internal_force);
     if (state.repeats())
     {
-      const std::vector<double> home = in.read_doubles(at + "home");
-      body.home = {{static_cast<int>(home.at(0)), static_cast<int>(home.at(1))}};
+      const std::vector<double> home = in.read_doubles(at + "home", 2);
+      for (const double number : home)
+        if (number != static_cast<int>(number))
+          in.refuse(at + "home", "copies of a cell have whole numbers");
+      body.home = {{static_cast<int>(home[0]), static_cast<int>(home[1])}};
     }
     if (problem.settings.scheme.implicit && !body.driven && work.share.mine(body.index))
       lay_out_stiffness(body.field, work.matrices[body.index]);

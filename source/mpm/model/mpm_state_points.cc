@@ -6,6 +6,7 @@
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 namespace softgrain::mpm
@@ -91,12 +92,13 @@ struct PointsHere
 template <class Take>
 void read_here(const StateReader &in,
                const std::string &name,
+               const std::size_t n_points,
                const unsigned int width,
                const std::vector<std::size_t> &here,
                const Take &take)
 {
   std::size_t k = 0;
-  in.read_rows(name, width,
+  in.read_rows(name, n_points, width,
                [&](const std::size_t begin, const std::size_t end, const double *const rows)
                {
                  for (; k < here.size() && here[k] < end; ++k)
@@ -104,15 +106,24 @@ void read_here(const StateReader &in,
                });
 }
 
-PointsHere find_points(const StateReader &in, const BodyShare &share)
+/// @param n_of_body how many points of each body the list has, one body after the other
+PointsHere
+find_points(const StateReader &in, const BodyShare &share, const std::vector<std::size_t> &n_of_body)
 {
+  const std::size_t n_points = std::accumulate(n_of_body.begin(), n_of_body.end(), std::size_t(0));
   PointsHere here;
-  in.read_rows("mpm/points/body", 1,
+  unsigned int body = 0;
+  std::size_t end_of_body = n_of_body.empty() ? 0 : n_of_body[0];
+  in.read_rows("mpm/points/body", n_points, 1,
                [&](const std::size_t begin, const std::size_t end, const double *const bodies)
                {
                  for (std::size_t p = begin; p < end; ++p)
                  {
-                   const auto body = static_cast<unsigned int>(bodies[p - begin]);
+                   while (p >= end_of_body)
+                     end_of_body += n_of_body[++body];
+                   if (bodies[p - begin] != body)
+                     in.refuse("mpm/points/body",
+                               "point " + std::to_string(p) + " is not of body " + std::to_string(body));
                    if (!share.holds(body))
                      continue;
                    here.row.push_back(p);
@@ -120,7 +131,7 @@ PointsHere find_points(const StateReader &in, const BodyShare &share)
                  }
                });
   here.place.resize(here.row.size());
-  read_here(in, "mpm/points/position", 2, here.row,
+  read_here(in, "mpm/points/position", n_points, 2, here.row,
             [&here](const std::size_t k, const double *const numbers)
             { here.place[k] = dealii::Point<2>(numbers[0], numbers[1]); });
   return here;
@@ -142,16 +153,14 @@ void MpmModel::save_points(StateWriter &out, const bool of_all) const
 void MpmModel::load_points(const StateReader &in, const bool of_all)
 {
   PointStore<2> &store = *state.points;
-  std::size_t expected = 0;
+  std::vector<std::size_t> n_of_body;
   for (const Body<2> &body : state.bodies)
-    if (of_all || work.share.holds(body.index))
-      expected += body.n_points;
-  if (in.size("mpm/points/position") != 2 * expected || in.size("mpm/points/body") != expected)
-    throw InputError("the checkpoint was made with another number of material points");
+    n_of_body.push_back(of_all || work.share.holds(body.index) ? body.n_points : 0);
+  const std::size_t expected = std::accumulate(n_of_body.begin(), n_of_body.end(), std::size_t(0));
   std::vector<std::size_t> here;
   std::vector<PointStore<2>::Handle> handles;
   {
-    PointsHere found = find_points(in, work.share);
+    PointsHere found = find_points(in, work.share, n_of_body);
     // A run that laid grids anew may go on as one that does not.
     if (std::all_of(found.place.begin(), found.place.end(),
                     [&](const dealii::Point<2> &place)
@@ -166,10 +175,7 @@ void MpmModel::load_points(const StateReader &in, const bool of_all)
   }
   for (const PointSlotDescription &slot : store.layout().slots())
   {
-    if (in.size("mpm/points/" + slot.name) != expected * slot.n_components)
-      throw InputError("the checkpoint was made with other settings: its points have another '" + slot.name +
-                       "'");
-    read_here(in, "mpm/points/" + slot.name, slot.n_components, here,
+    read_here(in, "mpm/points/" + slot.name, expected, slot.n_components, here,
               [&](const std::size_t k, const double *const numbers)
               {
                 auto point = store(handles[k]);

@@ -55,6 +55,7 @@ public:
   /// high (doc/results/cost-of-paths.md).
   unsigned int equal_steps() const override { return 8; }
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
+  void forget_attempt() override;
   double time() const override { return now; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
@@ -102,6 +103,8 @@ private:
   /// Reads from those of all primaries what belongs to those here.
   template <class T>
   void read(const StateReader &in, const std::string &name, std::vector<T> &here) const;
+  bool memory_is_of_attempt = false; ///< of a step that was refused
+  void read_wall_contacts(const StateReader &in);
   void show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const;
   void show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const;
   ContactState<2> contact_state(const LookedAt &seen, std::size_t row) const;

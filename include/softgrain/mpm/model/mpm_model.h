@@ -33,6 +33,7 @@ public:
 
   std::string name() const override { return "mpm"; }
   StepReport advance(double dt_limit) override;
+  void forget_attempt() override { last_dt = 0.; }
   void settle(StepReport &report) override;
   std::string share_out_anew() override;
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
