@@ -45,7 +45,8 @@ void Dynamics::update_list()
     return;
   }
   drop_guests();
-  if (n_lists > 0 && !share->of_ranks().any(list.has_moved(primaries.position)))
+  const auto tell = [&](const std::vector<double> &numbers) { return share->of_ranks().of_all(numbers); };
+  if (n_lists > 0 && !list.is_outdated(primaries.position, {}, primaries.number, tell))
     return;
   share->share_out(primaries, kept, list);
   weigh();

@@ -152,7 +152,10 @@ void StripShare::choose_strips(const Primaries &disks, const double cell)
       bounds.lower[d] = std::min(bounds.lower[d], other[d]);
       bounds.upper[d] = std::max(bounds.upper[d], other[2 + d]);
     }
-  grid = contact::StripGrid(bounds.lower, bounds.upper, n_primaries, cell);
+  grid = contact::StripGrid(bounds.lower, bounds.upper, n_primaries, cell,
+                            contact::StripGrid::is_sparse(bounds.lower, bounds.upper, n_primaries, cell)
+                                ? spans_of_all(disks, cell)
+                                : std::vector<contact::StripGrid::Span>());
   std::vector<double> here(grid.n_strips(), 0.), all(grid.n_strips(), 0.);
   for (std::size_t i = 0; i < n_own_primaries; ++i)
     here[grid.strip(disks.position[i])] += 1.;
@@ -160,6 +163,20 @@ void StripShare::choose_strips(const Primaries &disks, const double cell)
     for (std::size_t strip = 0; strip < all.size(); ++strip)
       all[strip] += other[strip];
   divide(all);
+}
+
+std::vector<contact::StripGrid::Span> StripShare::spans_of_all(const Primaries &disks,
+                                                               const double cell) const
+{
+  std::vector<double> here;
+  for (const contact::StripGrid::Span &span :
+       contact::StripGrid::spans_of(disks.position, n_own_primaries, cell))
+    here.insert(here.end(), span.begin(), span.end());
+  std::vector<contact::StripGrid::Span> spans;
+  for (const std::vector<double> &other : ranks.lists_of_all(here))
+    for (std::size_t k = 0; k + 1 < other.size(); k += 2)
+      spans.push_back({{other[k], other[k + 1]}});
+  return contact::StripGrid::joined(std::move(spans), cell);
 }
 
 void StripShare::divide(const std::vector<double> &weight)

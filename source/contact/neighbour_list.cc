@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/parallel.h>
 #include <softgrain/contact/neighbour_list.h>
+#include <softgrain/contact/pair_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,44 +16,13 @@ namespace
 StripGrid grid_of(const std::vector<std::array<double, 2>> &positions, const double size)
 {
   NeighbourList::Bounds bounds;
-  bounds.take(positions, positions.size());
-  return StripGrid(bounds.lower, bounds.upper, positions.size(), size);
+  const std::size_t n = positions.size();
+  bounds.take(positions, n);
+  return StripGrid(bounds.lower, bounds.upper, n, size,
+                   StripGrid::is_sparse(bounds.lower, bounds.upper, n, size)
+                       ? StripGrid::spans_of(positions, n, size)
+                       : std::vector<StripGrid::Span>());
 }
-
-/// Disks sorted by the cells of some columns of a grid, in which all of them are.
-struct SortedDisks
-{
-  SortedDisks(const std::vector<std::array<double, 2>> &positions,
-              const StripGrid &grid,
-              const std::size_t first_column,
-              const std::size_t end_column)
-      : grid(grid), first_column(first_column)
-  {
-    start.assign((end_column - first_column) * grid.n_rows + 1, 0);
-    std::vector<std::uint32_t> cell_of(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
-      cell_of[i] = cell(grid.column(positions[i]), grid.row(positions[i]));
-      ++start[cell_of[i] + 1];
-    }
-    for (std::size_t c = 1; c < start.size(); ++c)
-      start[c] += start[c - 1];
-    disks.resize(positions.size());
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      disks[next[cell_of[i]]++] = i;
-  }
-
-  std::size_t cell(const std::size_t column, const std::size_t row) const
-  {
-    return (column - first_column) * grid.n_rows + row;
-  }
-
-  const StripGrid &grid;
-  const std::size_t first_column;
-  std::vector<std::uint32_t> start; ///< of cells, column by column
-  std::vector<std::uint32_t> disks;
-};
 
 /// Image of the disk with the higher number, as that with the lower one sees it.
 ImageLattice::Image seen_from_low(const ImageLattice::Image &image, const bool low_is_first)
@@ -162,51 +131,35 @@ NeighbourList::NeighbourList(std::vector<double> radii,
   double largest = 0.;
   for (const double r : radius)
     largest = std::max(largest, r);
-  largest_distance =
-      std::max(2. * largest + range.gap, group.empty() ? 0. : range.stretch * 2. * largest) + range.skin;
+  largest_distance = range.reach(2. * largest, !group.empty());
+  choose_levels();
 }
 
-bool NeighbourList::has_moved(const std::vector<std::array<double, 2>> &positions,
-                              const ImageLattice &lattice) const
+void NeighbourList::choose_levels()
 {
-  if (built_in.periodic != lattice.periodic)
-    return true;
-  // What moves as the lattice deforms comes nearer by its strain; what counts is how disks move beside that.
-  double stretch[2] = {1., 1.};
-  for (unsigned int d = 0; d < 2; ++d)
-    if (lattice.periodic[d])
-      stretch[d] = lattice.length[d] / built_in.length[d];
-  const double shear = (lattice.offset - stretch[0] * built_in.offset) / built_in.length[1];
-  const double strain = std::sqrt((stretch[0] - 1.) * (stretch[0] - 1.) +
-                                  (stretch[1] - 1.) * (stretch[1] - 1.) + shear * shear);
-  const double room = 0.5 * (range.skin - strain * largest_distance);
-  for (std::size_t i = 0; i < positions.size(); ++i)
+  // Disks that are four times smaller than those for which cells are made would find too many in them.
+  constexpr double step = 4.;
+  levels.assign(1, 1.);
+  while (true)
   {
-    const double x = built_at[i][0] - built_in.lower[0], y = built_at[i][1] - built_in.lower[1];
-    const double dx = positions[i][0] - lattice.lower[0] - stretch[0] * x - shear * y,
-                 dy = positions[i][1] - lattice.lower[1] - stretch[1] * y;
-    if (!(room > 0. && dx * dx + dy * dy < room * room))
-      return true;
+    double next = 0.;
+    for (const double r : radius)
+    {
+      const double reach = range.reach(2. * r, !group.empty());
+      if (step * reach * levels.back() <= largest_distance)
+        next = std::max(next, reach);
+    }
+    if (!(next > 0.))
+      return;
+    levels.push_back(std::floor(largest_distance / next));
   }
-  return false;
-}
-
-bool NeighbourList::has_moved(const std::vector<std::array<double, 2>> &positions) const
-{
-  const double limit = 0.25 * range.skin * range.skin;
-  for (std::size_t i = 0; i < built_at.size(); ++i)
-  {
-    const double dx = positions[i][0] - built_at[i][0], dy = positions[i][1] - built_at[i][1];
-    if (!(dx * dx + dy * dy < limit))
-      return true;
-  }
-  return false;
 }
 
 bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice)
 {
-  if (built_at.size() == positions.size() &&
-      !(lattice.repeats() ? has_moved(positions, lattice) : has_moved(positions)))
+  const auto alone = [](const std::vector<double> &numbers)
+  { return std::vector<std::vector<double>>{numbers}; };
+  if (built_at.size() == positions.size() && !is_outdated(positions, lattice, {}, alone))
     return false;
   build(positions, lattice);
   return true;
@@ -226,8 +179,9 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
     const ImagesNear copies =
         lattice.repeats() ? ImagesNear(places, lattice, largest_distance) : ImagesNear();
     const std::vector<std::array<double, 2>> &positions = lattice.repeats() ? copies.position : places;
-    const StripGrid grid = grid_of(positions, largest_distance);
-    list_pairs(find(positions, copies, grid, 0, grid.n_strips()), copies);
+    Part all{grid_of(positions, largest_distance), 0, 0};
+    all.end_strip = all.grid.n_strips();
+    list_pairs(find(positions, copies, all), copies);
   }
   take_over_memories(old);
 }
@@ -241,7 +195,7 @@ void NeighbourList::build_part(const std::vector<std::array<double, 2>> &places,
   built_in = ImageLattice();
   forget_pairs();
   const ImagesNear copies;
-  list_pairs(find(places, copies, part.grid, part.first_strip, part.end_strip), copies);
+  list_pairs(find(places, copies, part), copies);
   take_over_memories(old);
 }
 
@@ -257,67 +211,17 @@ void NeighbourList::forget_pairs()
   first.clear();
   second.clear();
   images.clear();
+  has_partner.clear();
   tiles.assign(1, 0);
   colours.assign(1, 0);
 }
 
-std::vector<std::vector<NeighbourList::Pair>>
-NeighbourList::find(const std::vector<std::array<double, 2>> &positions,
-                    const ImagesNear &copies,
-                    const StripGrid &grid,
-                    const std::size_t first_strip,
-                    const std::size_t end_strip) const
+std::vector<std::vector<NeighbourList::Pair>> NeighbourList::find(
+    const std::vector<std::array<double, 2>> &positions, const ImagesNear &copies, const Part &part)
 {
-  const std::size_t n_disks = radius.size(), width = grid.width, n_rows = grid.n_rows;
-  const std::size_t end_column = std::min(end_strip * width, grid.n_columns);
-  const auto disk = [&](const std::size_t i) { return i < n_disks ? i : copies.source[i - n_disks]; };
-  std::vector<std::vector<Pair>> found(grid.n_strips());
-  if (first_strip == end_strip)
-    return found;
-  // The last strip reaches one column farther.
-  const SortedDisks sorted(positions, grid, first_strip * width, std::min(end_column + 1, grid.n_columns));
-  const auto search = [&](const std::size_t i, const std::size_t cell, std::size_t from, auto &pairs)
-  {
-    const double x = positions[i][0], y = positions[i][1], r = radius[disk(i)];
-    for (std::size_t k = std::max<std::size_t>(from, sorted.start[cell]); k < sorted.start[cell + 1]; ++k)
-    {
-      const std::uint32_t j = sorted.disks[k];
-      if (i >= n_disks && j >= n_disks)
-        continue;
-      const double dx = x - positions[j][0], dy = y - positions[j][1], sum = r + radius[disk(j)];
-      double reach = sum + range.gap;
-      if (!group.empty() && group[disk(i)] == group[disk(j)])
-        reach = std::max(reach, range.stretch * sum);
-      reach += range.skin;
-      if (dx * dx + dy * dy < reach * reach)
-        pairs.push_back({static_cast<std::uint32_t>(i), j});
-    }
-  };
-  const auto search_strip = [&](const std::size_t strip)
-  {
-    for (std::size_t column = strip * width; column < std::min((strip + 1) * width, end_column); ++column)
-      for (std::size_t row = 0; row < n_rows; ++row)
-      {
-        const std::size_t cell = sorted.cell(column, row);
-        for (std::size_t k = sorted.start[cell]; k < sorted.start[cell + 1]; ++k)
-        {
-          const std::size_t i = sorted.disks[k];
-          search(i, cell, k + 1, found[strip]);
-          if (row + 1 < n_rows)
-            search(i, cell + 1, 0, found[strip]);
-          if (column + 1 == grid.n_columns)
-            continue;
-          for (std::size_t other = row > 0 ? row - 1 : 0; other <= std::min(row + 1, n_rows - 1); ++other)
-            search(i, sorted.cell(column + 1, other), 0, found[strip]);
-        }
-      }
-  };
-  parallel_for(end_strip - first_strip, 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t strip = begin; strip < end; ++strip)
-                   search_strip(first_strip + strip);
-               });
+  PairSearch search({positions, copies.source, radius, group}, range, levels, part);
+  std::vector<std::vector<Pair>> found = search.run();
+  looked_at = search.n_looked_at();
   return found;
 }
 

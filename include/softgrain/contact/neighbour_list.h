@@ -6,8 +6,10 @@
 #include <softgrain/contact/pair_memory.h>
 #include <softgrain/contact/strip_grid.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace softgrain::contact
 /**
  * @brief Pairs of disks that are near each other, found with a grid of cells and kept until a disk has moved
  * by half the skin (Verlet).
+ *
+ * A disk, or a group that moves as one, which had no others near it when the list was made and has none now,
+ * may go farther: one that flies about alone does not make the list anew in every step.
  *
  * Pairs are ordered by tiles: vertical strips at least as wide as the longest pair, so that a tile reaches no
  * farther than the next strip and tiles of one colour (every other one) share no disk. Loops over pairs may
@@ -37,6 +42,13 @@ public:
     double gap = 0;     ///< distance between the edges of any two disks [m]
     double stretch = 0; ///< in a group also those with centres nearer than this times the sum of the radii
     double skin = 0;    ///< added to both, room to move before the list is made anew [m]
+
+    /// Distance of the centres [m] below which disks are listed, whose radii have this @p sum.
+    double reach(const double sum, const bool same_group) const
+    {
+      const double apart = sum + gap;
+      return (same_group ? std::max(apart, stretch * sum) : apart) + skin;
+    }
   };
 
   /// Least and largest coordinates of disks [m].
@@ -105,8 +117,26 @@ public:
   /// Other disks than before, for build_part(): their radii [m] and groups.
   void set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups);
 
-  /// Whether one of the disks for which the list was made has moved too far, where nothing repeats.
-  bool has_moved(const std::vector<std::array<double, 2>> &positions) const;
+  /// Tells all ranks some numbers, as many on each. @return those of all ranks, in the order of the ranks
+  using Tell = std::function<std::vector<std::vector<double>>(const std::vector<double> &)>;
+
+  /**
+   * @brief Whether disks have moved too far for the list; the same on all ranks.
+   *
+   * The answer depends on the places now and on those for which the list was made, on nothing in between: a
+   * run that is restarted makes its lists in the same steps.
+   * @param positions of the disks [m]
+   * @param lattice in which they are now
+   * @param numbers of the disks among those of all ranks; empty where all are here
+   * @param tell called the same number of times on all ranks
+   */
+  bool is_outdated(const std::vector<std::array<double, 2>> &positions,
+                   const ImageLattice &lattice,
+                   const std::vector<std::uint32_t> &numbers,
+                   const Tell &tell);
+
+  /// Pairs whose distance was looked at when the list was made: what that costs.
+  std::uint64_t n_looked_at() const { return looked_at; }
 
   /// Size of a cell of the grid [m].
   double cell_size() const { return largest_distance; }
@@ -137,16 +167,17 @@ public:
   const PairMemory &memory() const { return memories; }
 
 private:
-  bool has_moved(const std::vector<std::array<double, 2>> &positions, const ImageLattice &lattice) const;
   using Pair = std::array<std::uint32_t, 2>;
   struct ImagesNear;
+  struct Mover;
+  struct Moves;
+  bool come_near(const Moves &moves, std::vector<Mover> &movers, const Tell &tell);
+  void mark_partners();
+  void choose_levels();
   void forget_pairs();
   /// Pairs of every strip; images count on after the disks.
-  std::vector<std::vector<Pair>> find(const std::vector<std::array<double, 2>> &positions,
-                                      const ImagesNear &copies,
-                                      const StripGrid &grid,
-                                      std::size_t first_strip,
-                                      std::size_t end_strip) const;
+  std::vector<std::vector<Pair>>
+  find(const std::vector<std::array<double, 2>> &positions, const ImagesNear &copies, const Part &part);
   void list_pairs(const std::vector<std::vector<Pair>> &found, const ImagesNear &copies);
   void take_over_memories(const Remembered &old);
 
@@ -154,12 +185,15 @@ private:
   std::vector<std::uint32_t> group;
   Range range;
   double largest_distance = 0; ///< of the centres of a listed pair
+  std::vector<double> levels;  ///< by size of disks, how many times smaller their cells are
   std::vector<std::array<double, 2>> built_at;
   ImageLattice built_in;
   std::vector<std::uint32_t> first, second;
   std::vector<ImageLattice::Image> images; ///< of the second; empty when nothing repeats
   PairMemory memories;
   std::vector<std::uint32_t> tiles, colours;
+  std::uint64_t looked_at = 0;
+  std::vector<char> has_partner; ///< whether a disk has a pair with one of another group; filled when asked
 };
 } // namespace softgrain::contact
 

@@ -127,6 +127,7 @@ public:
 
 private:
   void choose_strips(const Primaries &disks, double cell);
+  std::vector<contact::StripGrid::Span> spans_of_all(const Primaries &disks, double cell) const;
   void divide(const std::vector<double> &weight);
   unsigned int owner(std::size_t strip) const;
   unsigned int after(unsigned int rank) const;
