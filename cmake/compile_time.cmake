@@ -23,12 +23,18 @@ else()
   set(SOFTGRAIN_DEBUG_INFORMATION -gsplit-dwarf -O1)
 endif()
 
-# deal.II names gold; lld needs a third of its time for a test. The last -fuse-ld counts.
+# deal.II names a linker: Debian 12's gold, Debian 13's mold, which no package of deal.II brings. lld needs a third of
+# gold's time for a test. The last -fuse-ld counts, so the compiler's own linker is named where there is neither.
 set(SOFTGRAIN_LINKER -Wl,--as-needed)
 if(SOFTGRAIN_FAST_LINKER)
-  find_program(SOFTGRAIN_LLD NAMES ld.lld ld.lld-14)
-  if(SOFTGRAIN_LLD MATCHES "/ld\\.lld$")
-    list(APPEND SOFTGRAIN_LINKER -fuse-ld=lld)
+  find_program(SOFTGRAIN_LLD NAMES ld.lld)
+endif()
+if(SOFTGRAIN_FAST_LINKER AND SOFTGRAIN_LLD)
+  list(APPEND SOFTGRAIN_LINKER -fuse-ld=lld)
+elseif(DEAL_II_LINKER_FLAGS MATCHES "-fuse-ld=([a-z]+)")
+  find_program(SOFTGRAIN_NAMED_LINKER NAMES ld.${CMAKE_MATCH_1} ${CMAKE_MATCH_1})
+  if(NOT SOFTGRAIN_NAMED_LINKER)
+    list(APPEND SOFTGRAIN_LINKER -fuse-ld=bfd)
   endif()
 endif()
 

@@ -38,7 +38,7 @@ int main(int argc, char **argv)
                 << " are needed (ulimit -n)" << std::endl;
       return 1;
     }
-    mpi.emplace(argc, argv);
+    mpi.emplace(argv);
   }
   return command_line.execute();
 }

@@ -4,6 +4,9 @@
 
 #include <fcntl.h>
 #include <hdf5.h>
+#if H5_VERSION_GE(1, 14, 0)
+#include <H5FDdevelop.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
@@ -151,6 +154,10 @@ hid_t driver()
   static const hid_t id = []()
   {
     static H5FD_class_t driver{};
+#if H5_VERSION_GE(1, 14, 0)
+    driver.version = H5FD_CLASS_VERSION;
+    driver.value = static_cast<H5FD_class_value_t>(400); // 256 to 511 are for drivers that are nobody else's
+#endif
     driver.name = "softgrain disk";
     driver.maxaddr = HADDR_MAX - 1;
     driver.fc_degree = H5F_CLOSE_STRONG;

@@ -277,13 +277,23 @@ bool Hdf5File::contains(const std::string &name) const
 std::vector<std::string> Hdf5File::array_names() const
 {
   std::vector<std::string> names;
-  const auto visit = [](hid_t, const char *name, const H5O_info_t *info, void *data) -> herr_t
+#if H5_VERSION_GE(1, 12, 0)
+  using Info = H5O_info2_t;
+#else
+  using Info = H5O_info_t;
+#endif
+  const auto visit = [](hid_t, const char *name, const Info *info, void *data) -> herr_t
   {
     if (info->type == H5O_TYPE_DATASET)
       static_cast<std::vector<std::string> *>(data)->push_back(name);
     return 0;
   };
-  if (H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &names) < 0)
+#if H5_VERSION_GE(1, 12, 0)
+  const herr_t done = H5Ovisit3(file, H5_INDEX_NAME, H5_ITER_INC, visit, &names, H5O_INFO_BASIC);
+#else
+  const herr_t done = H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &names);
+#endif
+  if (done < 0)
     throw InputError("cannot list what is in " + path + hdf5_reason());
   return names;
 }

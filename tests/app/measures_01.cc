@@ -16,10 +16,10 @@ std::string content(const std::string &path)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   write_text("scene.prm", std::string(stub_scene) + "subsection Output\n set Snapshots every = 0.4\n"
                                                     " set Measures = energies, packing\nend\n");
   softgrain_command({"run", "scene.prm", "--output", "whole"});

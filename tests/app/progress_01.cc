@@ -24,10 +24,10 @@ double per_cent(const std::string &directory)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   write_text("scene.prm", std::string(stub_scene) +
                               "subsection Stages\n set Names = first, last\n subsection first\n"
                               "  subsection Stop\n set End time = 0.1\n end\n end\nend\n");

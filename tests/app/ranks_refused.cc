@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <iostream>
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const MPISession mpi(argc, argv);
+  const MPISession mpi(argv);
   const Ranks ranks;
   ranks.at_first([]() { write_text("scene.prm", stub_scene); });
   const int exit_code = softgrain_command({"run", "scene.prm", "--output", "on_ranks"});

@@ -24,10 +24,10 @@ std::string status(const std::string &directory)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   write_text("scene.prm", std::string(stub_scene) +
                               "subsection Output\n set Fields every = 0.095\n set History every = 4\nend\n");
   softgrain_command({"run", "scene.prm", "--output", "whole"});

@@ -7,10 +7,10 @@
 
 #include <filesystem>
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   write_text("scene.prm", stub_scene);
   std::cout << "exit code "
             << softgrain_command({"run", "scene.prm", "--output", "out", "--set", "Stub/Time step = 0.03",

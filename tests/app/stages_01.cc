@@ -97,10 +97,10 @@ const char *same(const std::string &a, const std::string &b)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
   using namespace softgrain;
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   write_text("scene.prm", path_of("press, squeeze, release", press + squeeze + release));
   softgrain_command({"run", "scene.prm", "--output", "whole"});
   print("whole");

@@ -64,9 +64,9 @@ bool same_on_ranks(const std::vector<double> &numbers, const Ranks &ranks)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const MPISession mpi(argc, argv);
+  const MPISession mpi(argv);
   const Ranks ranks;
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   const double infinite = std::numeric_limits<double>::infinity();

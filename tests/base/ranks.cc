@@ -153,9 +153,9 @@ std::string failure(const Ranks &ranks, const unsigned int lowest)
   return "none";
 }
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const MPISession mpi(argc, argv);
+  const MPISession mpi(argv);
   const Ranks ranks;
   const unsigned int last = ranks.number() - 1;
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),

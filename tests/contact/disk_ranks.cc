@@ -24,9 +24,9 @@ bool same(const DiskSystem &one, const DiskSystem &other)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const MPISession mpi(argc, argv);
+  const MPISession mpi(argv);
   const Ranks ranks;
   for (const double friction : {-1., 0.3})
     for (const bool rolling : {false, true})

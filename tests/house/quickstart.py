@@ -15,6 +15,8 @@ STAND_INS = {
     # Knows every package but those named in MISSING.
     "dpkg-query": 'for p in "$@"; do case "$p" in -*) ;; *) case " $MISSING " in *" $p "*) ;;'
                   ' *) echo "installed $p" ;; esac ;; esac; done',
+    # Knows every package but those named in UNKNOWN.
+    "apt-cache": 'case " $UNKNOWN " in *" $3 "*) exit 100 ;; esac',
     "apt-get": 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>"$LOG"',
     "sudo": 'echo "sudo" >>"$LOG"; exec "$@"',
     "id": 'echo "$USER_ID"',
@@ -46,10 +48,10 @@ class Machine:
         softgrain.chmod(0o755)
         self.environment = {"PATH": str(programs), "LOG": str(self.log)}
 
-    def run(self, *arguments, missing="", user=0):
+    def run(self, *arguments, missing="", unknown="", user=0):
         self.log.write_text("")
         done = subprocess.run([self.root / "quickstart", *arguments], stdin=subprocess.DEVNULL, cwd="/",
-                              env={**self.environment, "MISSING": missing, "USER_ID": str(user)},
+                              env={**self.environment, "MISSING": missing, "UNKNOWN": unknown, "USER_ID": str(user)},
                               capture_output=True, text=True, check=False)
         return done.returncode, done.stdout + done.stderr, self.log.read_text()
 
@@ -88,6 +90,15 @@ with tempfile.TemporaryDirectory() as place:
            status == 7 and "sudo" in log and "--no-install-recommends numdiff [" in log, status, said, log)
     expect("only the quick tests, in parallel, and no tests is an error",
            "-L ^quick$" in log and "--no-tests=error" in log and "-j" in log, log)
+
+    status, said, log = machine.run("test", missing="clang-format-14")
+    expect("the version that a check needs is installed where the release has it",
+           "--no-install-recommends clang-format-14 [" in log, status, said, log)
+    status, said, log = machine.run("test", missing="clang-format-14", unknown="clang-format-14")
+    expect("a release without it goes without", status == 7 and "apt-get" not in log, status, said, log)
+    status, said, log = machine.run("format", missing="clang-format-14 clang-format", unknown="clang-format-14")
+    expect("of two names the one that the release has is installed",
+           "--no-install-recommends clang-format [" in log, status, said, log)
 
     status, said, log = machine.run("test", "--nightly")
     expect("--nightly adds the long tests", "-L ^(quick|nightly)$" in log, log)

@@ -4,9 +4,8 @@
 // Multigrid that knows the rotations needs few more iterations when the square has sixteen times as many
 // unknowns.
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/mpi_session.h>
 #include <softgrain/linear/linear_solver_kind.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <Eigen/Cholesky>
 
@@ -143,9 +142,9 @@ bool solves(const unsigned int n, const unsigned int iterations, const bool rota
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MPISession mpi(argv);
   for (const std::string &name : Registry<LinearSolverKind>::instance().names())
     check(name);
   std::cout << "multigrid: 3362 unknowns in 14 iterations " << yes(solves(40, 14, true))

@@ -4,8 +4,6 @@
 // root of the mean square distance of the pressure from the middle.
 #include "scene_of.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <iostream>
 
 using namespace softgrain;
@@ -54,9 +52,9 @@ void look(const std::string &what,
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const MPISession mpi(argv);
   look("lies", 6e-3, 100e-6 / 6e-3, 0.5e-3, 0.03);
   look("stands", 10e-3, 36e-6 / 10e-3, 0.25e-3, 0.03);
 }

@@ -4,10 +4,9 @@
 #include "scene_of.h"
 
 #include <softgrain/base/interruption.h>
+#include <softgrain/base/mpi_session.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/model/state_file.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <chrono>
 #include <iostream>
@@ -114,9 +113,9 @@ void interrupt(const std::string &what, const std::vector<std::string> &changes)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const MPISession mpi(argv);
   set_n_threads(1);
   interrupt("driven", {});
   interrupt("driven, friction", {"Contact/Friction=0.5"});

@@ -30,9 +30,9 @@ std::string run_out(mpm::MpmModel &model)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   const std::vector<std::string> changes = {"Material points/Grid update=every step",
                                             "Bodies/left/Velocity=-20; 0"};
   const auto first = shipped_scene("gallery/two_disks.prm", changes);

@@ -90,9 +90,9 @@ void compare(const std::string &what, const std::string &file, const Changes &ch
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   set_n_threads(1);
   const Changes coarse = {"Mesh/Cell size=6.4e-4", "Walls/top/Velocity=20"};
   const auto and_more = [](Changes changes, const Changes &more)

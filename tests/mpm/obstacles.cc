@@ -6,8 +6,6 @@
 #include "gel.h"
 #include "scene_of.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <iostream>
 #include <sstream>
@@ -223,9 +221,9 @@ void at_the_end_of_a_plate()
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const MPISession mpi(argv);
   on_two_ends();
   in_a_groove();
   at_the_end_of_a_plate();

@@ -4,8 +4,6 @@
 #include "gel.h"
 #include "scene_of.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <iostream>
 
 using namespace softgrain;
@@ -69,9 +67,9 @@ void refuse(const std::string &what, const std::vector<std::string> &changes)
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const MPISession mpi(argv);
   const std::string strain = "Newton/Largest strain=0.02";
   refuse("prescribed", {strain});
   refuse("pressure", {strain, "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5"});

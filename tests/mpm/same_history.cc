@@ -78,9 +78,9 @@ void compare(const std::string &what, const std::string &file, const Changes &ch
 }
 } // namespace
 
-int main(int argc, char **argv)
+int main(int, char **argv)
 {
-  const softgrain::MPISession mpi(argc, argv);
+  const softgrain::MPISession mpi(argv);
   compare("impact", "gallery/two_disks.prm", {"Contact/Friction=0.3"}, 30);
   compare("grid update", "gallery/two_disks.prm", {"Material points/Grid update=every step"}, 30);
   compare("apic", "gallery/two_disks.prm",

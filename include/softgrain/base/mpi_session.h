@@ -22,7 +22,9 @@ namespace softgrain
 class MPISession
 {
 public:
-  MPISession(int &argc, char **&argv)
+  /// @param argv its first element is the name of the program. The others are not handed on: libraries that
+  /// start with MPI (Kokkos, PETSc) would take options for theirs.
+  explicit MPISession(char **argv)
   {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
     {
@@ -32,7 +34,10 @@ public:
     // Under nohup a hang-up is ignored; MPI puts back the default, which ends the program.
     struct sigaction hang_up;
     const bool ignored = sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_IGN;
-    mpi.emplace(argc, argv);
+    char *name_alone[] = {argv[0], nullptr};
+    int one = 1;
+    char **names = name_alone;
+    mpi.emplace(one, names);
     if (ignored)
       std::signal(SIGHUP, SIG_IGN);
   }
