@@ -35,6 +35,29 @@ void multiply(const ShapeFunction &shape,
           slopes[k][d] *= n[e][offsets[k][e]];
     }
 }
+
+/// The same without extent, where the functions are straight between their kinks: with second derivatives.
+template <int dim>
+void multiply(const ShapeFunction &shape,
+              const std::vector<std::array<int, dim>> &offsets,
+              const dealii::Point<dim> &unit,
+              std::vector<double> &values,
+              std::vector<dealii::Tensor<1, dim>> &slopes,
+              std::vector<dealii::Tensor<2, dim>> &curvatures)
+{
+  multiply<dim>(shape, offsets, unit, 0., values, slopes);
+  std::array<ShapeFunction::Values, dim> n, dn;
+  for (unsigned int d = 0; d < dim; ++d)
+    shape.evaluate(unit[d], 0., n[d], dn[d]);
+  for (unsigned int k = 0; k < curvatures.size(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = 0; e < dim; ++e)
+      {
+        curvatures[k][d][e] = d == e ? 0. : 1.;
+        for (unsigned int f = 0; f < dim; ++f)
+          curvatures[k][d][e] *= f == d || f == e ? dn[f][offsets[k][f]] : n[f][offsets[k][f]];
+      }
+}
 } // namespace
 
 template <int dim>
@@ -77,6 +100,19 @@ void CellFunctions<dim>::evaluate(const dealii::Point<dim> &unit,
   std::vector<dealii::Tensor<3, dim>> no_third;
   std::vector<dealii::Tensor<4, dim>> no_fourth;
   products->evaluate(unit, values, slopes, no_second, no_third, no_fourth);
+}
+
+template <int dim>
+void CellFunctions<dim>::evaluate(const dealii::Point<dim> &unit,
+                                  std::vector<double> &values,
+                                  std::vector<dealii::Tensor<1, dim>> &slopes,
+                                  std::vector<dealii::Tensor<2, dim>> &curvatures) const
+{
+  if (!products)
+    return multiply<dim>(*shape, offsets, unit, values, slopes, curvatures);
+  std::vector<dealii::Tensor<3, dim>> no_third;
+  std::vector<dealii::Tensor<4, dim>> no_fourth;
+  products->evaluate(unit, values, slopes, curvatures, no_third, no_fourth);
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 #include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/node_weights.h>
+#include <softgrain/mpm/field/place_functions.h>
 #include <softgrain/mpm/field/shape_function.h>
 
 #include <deal.II/base/point.h>
@@ -120,6 +121,8 @@ public:
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.
   NodeWeights weights_at(const dealii::Point<dim> &x) const;
+  /// The same with derivatives.
+  PlaceFunctions<dim> functions_at(const dealii::Point<dim> &x) const;
 
   /// Independent nodes that the nodes of cell @p c depend on, and the matrix (nodes_per_cell x that many)
   /// between them; the matrix is empty when the nodes themselves are independent.

@@ -45,6 +45,13 @@ public:
                 std::vector<double> &values,
                 std::vector<dealii::Tensor<1, dim>> &slopes) const;
 
+  /// The same at a place without extent, with second derivatives [per cell edge squared]; all have n()
+  /// elements. A kink of the functions has none: there it is that of one side.
+  void evaluate(const dealii::Point<dim> &unit,
+                std::vector<double> &values,
+                std::vector<dealii::Tensor<1, dim>> &slopes,
+                std::vector<dealii::Tensor<2, dim>> &curvatures) const;
+
   /// Nodes that the points of a cell always reach and that carry its polynomial; GIMP's outer ring is reached
   /// by points near a face alone, and may have no mass however full the cell is.
   const std::vector<unsigned int> &core() const { return core_nodes; }

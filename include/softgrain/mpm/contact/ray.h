@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_ray_h
+#define softgrain_mpm_contact_ray_h
+
+#include <softgrain/geometry/rest_surface.h>
+#include <softgrain/mpm/field/body_field.h>
+
+#include <array>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief A line that stands in space during a step: origin + sum_i offset_i across_i + eta direction.
+ *
+ * The surfaces of two bodies meet it at two heights eta; the gap between them along the ray is the difference
+ * of these.
+ */
+template <int dim>
+struct Ray
+{
+  dealii::Point<dim> origin;                          ///< [m]
+  dealii::Tensor<1, dim> direction;                   ///< unit
+  std::array<dealii::Tensor<1, dim>, dim - 1> across; ///< unit, at right angles to it and to each other
+  dealii::Tensor<1, dim - 1> offset;                  ///< [m]
+};
+
+/**
+ * @brief Where the surface of a deformed body meets a ray, with the derivatives of its height.
+ *
+ * A place of the surface is x(X) = X + u(X). While nodes move, the place that lies under the ray slides along
+ * the surface. With the tangents x_i = dx/da_i of the deformed surface, J_ij = across_i · x_j,
+ * a = across · delta u the displacement across the ray, s = -J^-1 a is the way of the place, and
+ *
+ *   delta height   = w · delta u,    w = direction - sum_i slope_i across_i,  slope = J^-T (direction · x_j)
+ *   delta^2 height = 2 sum_i s_i w · delta u_i + sum_ij s_i (w · x_ij) s_j
+ *
+ * with delta u_i and x_ij the derivatives along the tangents. w is the outward or inward normal of the
+ * deformed surface, up to its length: a force at the ray acts along it. Both derivatives are exact, and sit
+ * in the unknowns of this body alone.
+ */
+template <int dim>
+struct RaySide
+{
+  using Vector = dealii::Tensor<1, dim>;
+
+  bool met = false;
+  SurfacePlace<dim> place;      ///< in the configuration of the grid
+  double height = 0;            ///< [m]
+  Vector normal;                ///< w above
+  PlaceFunctions<dim> function; ///< of the field at the place
+
+  /// delta height for the changes @p v of the nodes [m].
+  double change(const Eigen::VectorXd &v) const { return normal * function.at(v); }
+
+  /// Calls add(i, j, block) for pairs of independent nodes: delta^2 height for changes v of the nodes is the
+  /// sum of v_i · block v_j over all of them. The matrix is symmetric.
+  template <class F>
+  void second_derivative(const F &add) const
+  {
+    // Displacement across the ray per displacement of a node becomes way of the place.
+    for (unsigned int i = 0; i < function.node.size(); ++i)
+      for (unsigned int j = 0; j < function.node.size(); ++j)
+      {
+        dealii::Tensor<2, dim> block = function.value[i] * function.value[j] * sliding_twice;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+        {
+          const double a = function.slope[i] * place.tangent[k] * function.value[j],
+                       b = function.slope[j] * place.tangent[k] * function.value[i];
+          block += a * outer_product(normal, way[k]) + b * outer_product(way[k], normal);
+        }
+        add(function.node[i], function.node[j], block);
+      }
+  }
+
+  /// Way of the place along tangent k per displacement, -sum_l (J^-1)_kl across_l.
+  std::array<Vector, dim - 1> way;
+  /// sum_ij way_i (w · x_ij) way_j [1/m].
+  dealii::Tensor<2, dim> sliding_twice;
+};
+
+/**
+ * @brief Where the ray meets a surface, by Newton's method from @p guess on.
+ * @param nodal displacement of the independent nodes of @p field [m]
+ * @return one that is not met where the surface turns away from the ray, ends at a corner before it, or
+ * leaves the field
+ */
+template <int dim>
+RaySide<dim> meet(const Ray<dim> &ray,
+                  const RestSurface<dim> &surface,
+                  const BodyField<dim> &field,
+                  const Eigen::VectorXd &nodal,
+                  const SurfacePlace<dim> &guess);
+} // namespace softgrain::mpm
+
+#endif

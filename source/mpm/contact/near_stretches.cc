@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/near_stretches.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Facing = std::vector<std::pair<unsigned int, unsigned int>>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double opposed_within = pi / 3.; // [rad]
+/// Above the 54.7 degrees by which the normals of an octant leave their mean.
+constexpr double frame_within = 57. / 180. * pi; // [rad]
+/// Of the sum of directions over their number: below it, they point all around.
+constexpr double all_around = 0.2;
+
+double angle_between(const double cosine)
+{
+  return std::acos(std::clamp(cosine, -1., 1.));
+}
+
+/// A unit vector turned towards another one, by @p by of the angle between them.
+template <int dim>
+dealii::Tensor<1, dim>
+turned_towards(const dealii::Tensor<1, dim> &from, const dealii::Tensor<1, dim> &to, const double by)
+{
+  const dealii::Tensor<1, dim> across = to - (from * to) * from;
+  const double norm = across.norm();
+  if (norm == 0.)
+    return from;
+  const double angle = by * angle_between(from * to);
+  return std::cos(angle) * from + std::sin(angle) / norm * across;
+}
+
+/// Twice the direction from one sample to one that faces it. A corner has all normals of its cone: those that
+/// oppose each other best are taken, of two corners in equal shares.
+template <int dim>
+dealii::Tensor<1, dim> direction_of(const typename SampledSurface<dim>::Sample &a,
+                                    const typename SampledSurface<dim>::Sample &b)
+{
+  const double corners = a.corner + b.corner;
+  if (corners == 0.)
+    return a.normal - b.normal;
+  const double angle = angle_between(-(a.normal * b.normal)), share = std::min(1., corners / angle) / corners;
+  return turned_towards<dim>(a.normal, -b.normal, share * a.corner) -
+         turned_towards<dim>(b.normal, -a.normal, share * b.corner);
+}
+
+/// For every sample of @p a the nearest of @p b that faces it, as (of a, of b).
+template <int dim>
+void add_nearest(const SampledSurface<dim> &a,
+                 const SampledSurface<dim> &b,
+                 const double reach,
+                 const bool swapped,
+                 Facing &facing)
+{
+  std::vector<dealii::Point<dim>> places;
+  for (const auto &sample : b.samples)
+    places.push_back(sample.position);
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  // The sample that faces another one may lie to its side by as much as they are apart.
+  const double radius = std::hypot(reach, 0.5 * (a.spacing + b.spacing));
+  std::vector<unsigned int> found;
+  for (unsigned int i = 0; i < a.samples.size(); ++i)
+  {
+    const auto &sample = a.samples[i];
+    dealii::Point<dim> lower = sample.position, upper = sample.position;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower[d] -= radius;
+      upper[d] += radius;
+    }
+    found.clear();
+    tree.query(boost::geometry::index::intersects(dealii::BoundingBox<dim>({lower, upper})),
+               std::back_inserter(found));
+    double nearest = radius;
+    unsigned int best = b.samples.size();
+    for (const unsigned int j : found)
+    {
+      const auto &other = b.samples[j];
+      const double distance = sample.position.distance(other.position);
+      if (distance > nearest || (distance == nearest && j > best))
+        continue;
+      if (angle_between(-(sample.normal * other.normal)) > opposed_within + sample.corner + other.corner)
+        continue;
+      nearest = distance;
+      best = j;
+    }
+    if (best < b.samples.size())
+      facing.push_back(swapped ? std::make_pair(best, i) : std::make_pair(i, best));
+  }
+}
+
+/// Groups of things that have been joined.
+class Groups
+{
+public:
+  explicit Groups(const unsigned int n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
+  unsigned int of(const unsigned int i) { return parent[i] == i ? i : parent[i] = of(parent[i]); }
+  void join(const unsigned int i, const unsigned int j)
+  {
+    parent[std::max(of(i), of(j))] = std::min(of(i), of(j));
+  }
+
+private:
+  std::vector<unsigned int> parent;
+};
+
+/// The pairs in connected parts: where samples of @p a are side by side and those that face them are near
+/// each other on @p b, or the other way round.
+template <int dim>
+std::vector<Facing>
+connected(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const Facing &facing)
+{
+  Groups groups(facing.size());
+  std::multimap<unsigned int, unsigned int> by_a, by_b;
+  for (unsigned int k = 0; k < facing.size(); ++k)
+  {
+    by_a.emplace(facing[k].first, k);
+    by_b.emplace(facing[k].second, k);
+  }
+  const double near = 2. * (a.spacing + b.spacing);
+  const auto join_all = [&](const auto &pairs, const unsigned int i, const unsigned int j)
+  {
+    const auto [first, end] = pairs.equal_range(i);
+    const auto [other_first, other_end] = pairs.equal_range(j);
+    for (auto k = first; k != end; ++k)
+      for (auto l = other_first; l != other_end; ++l)
+      {
+        const auto &[a_k, b_k] = facing[k->second];
+        const auto &[a_l, b_l] = facing[l->second];
+        if (a.samples[a_k].position.distance(a.samples[a_l].position) <= near &&
+            b.samples[b_k].position.distance(b.samples[b_l].position) <= near)
+          groups.join(k->second, l->second);
+      }
+  };
+  for (unsigned int i = 0; i < a.samples.size(); ++i)
+    join_all(by_a, i, i);
+  for (unsigned int i = 0; i < b.samples.size(); ++i)
+    join_all(by_b, i, i);
+  for (const auto &[i, j] : a.neighbours)
+    join_all(by_a, i, j);
+  for (const auto &[i, j] : b.neighbours)
+    join_all(by_b, i, j);
+  std::map<unsigned int, Facing> parts;
+  for (unsigned int k = 0; k < facing.size(); ++k)
+    parts[groups.of(k)].push_back(facing[k]);
+  std::vector<Facing> result;
+  for (auto &[group, part] : parts)
+    result.push_back(std::move(part));
+  return result;
+}
+
+template <int dim>
+NearStretch<dim> stretch_of(const SampledSurface<dim> &a, const SampledSurface<dim> &b, Facing facing)
+{
+  NearStretch<dim> stretch;
+  dealii::Tensor<1, dim> sum, places;
+  for (const auto &[i, j] : facing)
+  {
+    sum += direction_of<dim>(a.samples[i], b.samples[j]);
+    places += (a.samples[i].position - dealii::Point<dim>()) + (b.samples[j].position - dealii::Point<dim>());
+  }
+  stretch.direction = sum.norm() > 0. ? sum / sum.norm() : a.samples[facing.front().first].normal;
+  stretch.middle = dealii::Point<dim>(places / (2. * facing.size()));
+  stretch.gap = std::numeric_limits<double>::max();
+  for (const auto &[i, j] : facing)
+    stretch.gap = std::min(stretch.gap, (b.samples[j].position - a.samples[i].position) * stretch.direction);
+  stretch.facing = std::move(facing);
+  return stretch;
+}
+
+/// Adds a stretch, in two parts where it turns too far.
+template <int dim>
+void add_parts(const SampledSurface<dim> &a,
+               const SampledSurface<dim> &b,
+               Facing facing,
+               std::vector<NearStretch<dim>> &stretches)
+{
+  NearStretch<dim> whole = stretch_of(a, b, std::move(facing));
+  const auto direction = [&](const std::pair<unsigned int, unsigned int> &pair)
+  { return direction_of<dim>(a.samples[pair.first], b.samples[pair.second]); };
+  dealii::Tensor<1, dim> sum, furthest;
+  double widest = 0.;
+  for (const auto &pair : whole.facing)
+  {
+    const dealii::Tensor<1, dim> way = direction(pair);
+    const double turned = way.norm() > 0. ? angle_between(way * whole.direction / way.norm()) : 0.;
+    sum += 0.5 / whole.facing.size() * way;
+    if (turned > widest)
+    {
+      widest = turned;
+      furthest = way;
+    }
+  }
+  // Across the mean direction, towards the one that is turned furthest; all around, halves by an axis of
+  // space, and these again, are their own mirror images.
+  const bool closed = sum.norm() < all_around;
+  dealii::Tensor<1, dim> side = furthest - (furthest * whole.direction) * whole.direction;
+  if (closed)
+  {
+    side = 0.;
+    side[0] = 1.;
+  }
+  Facing one, other;
+  if (closed || widest > frame_within)
+    for (const auto &pair : whole.facing)
+      (direction(pair) * side > 0. ? one : other).push_back(pair);
+  if (one.empty() || other.empty())
+  {
+    stretches.push_back(std::move(whole));
+    return;
+  }
+  // A plane may part what hangs together elsewhere, and leave pieces that do not.
+  for (const Facing *part : {&one, &other})
+    for (Facing &piece : connected(a, b, *part))
+      add_parts(a, b, std::move(piece), stretches);
+}
+} // namespace
+
+template <int dim>
+std::vector<NearStretch<dim>>
+near_stretches(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const double reach)
+{
+  Facing facing;
+  add_nearest(a, b, reach, false, facing);
+  add_nearest(b, a, reach, true, facing);
+  std::sort(facing.begin(), facing.end());
+  facing.erase(std::unique(facing.begin(), facing.end()), facing.end());
+  std::vector<NearStretch<dim>> stretches;
+  for (Facing &part : connected(a, b, facing))
+    add_parts(a, b, std::move(part), stretches);
+  return stretches;
+}
+
+template std::vector<NearStretch<2>>
+near_stretches(const SampledSurface<2> &, const SampledSurface<2> &, double);
+template std::vector<NearStretch<3>>
+near_stretches(const SampledSurface<3> &, const SampledSurface<3> &, double);
+} // namespace softgrain::mpm

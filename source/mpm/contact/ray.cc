@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/ray.h>
+
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Of Newton's method; it is quadratic from a place nearby.
+constexpr unsigned int max_iterations = 40;
+
+/// The deformed surface at a place.
+template <int dim>
+struct Deformed
+{
+  Deformed(const SurfacePlace<dim> &place, const PlaceFunctions<dim> &function, const Eigen::VectorXd &nodal)
+      : position(place.position + function.at(nodal))
+  {
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      tangent[k] = place.tangent[k] + function.along(nodal, place.tangent[k]);
+  }
+
+  dealii::Point<dim> position;
+  std::array<dealii::Tensor<1, dim>, dim - 1> tangent;
+};
+
+/// J_ij = across_i · x_j.
+template <int dim>
+dealii::Tensor<2, dim - 1> jacobian(const Ray<dim> &ray, const Deformed<dim> &surface)
+{
+  dealii::Tensor<2, dim - 1> J;
+  for (unsigned int i = 0; i < dim - 1; ++i)
+    for (unsigned int j = 0; j < dim - 1; ++j)
+      J[i][j] = ray.across[i] * surface.tangent[j];
+  return J;
+}
+
+/// Gives a side that has been met its height and derivatives.
+template <int dim>
+void derive(const Ray<dim> &ray,
+            const Deformed<dim> &surface,
+            const dealii::Tensor<2, dim - 1> &inverse,
+            const Eigen::VectorXd &nodal,
+            RaySide<dim> &side)
+{
+  side.height = (surface.position - ray.origin) * ray.direction;
+  side.normal = ray.direction;
+  for (unsigned int i = 0; i < dim - 1; ++i)
+  {
+    double slope = 0.;
+    for (unsigned int j = 0; j < dim - 1; ++j)
+    {
+      slope += inverse[j][i] * (ray.direction * surface.tangent[j]);
+      side.way[i] -= inverse[i][j] * ray.across[j];
+    }
+    side.normal -= slope * ray.across[i];
+  }
+  for (unsigned int i = 0; i < dim - 1; ++i)
+    for (unsigned int j = 0; j < dim - 1; ++j)
+    {
+      const dealii::Tensor<1, dim> &a = side.place.tangent[i], &b = side.place.tangent[j];
+      // The place goes on along the surface at rest, which bends, and the field bends it further.
+      dealii::Tensor<1, dim> second = side.function.along(nodal, a, b);
+      second -= side.place.bend[i][j] * (side.place.normal + side.function.along(nodal, side.place.normal));
+      side.sliding_twice += (side.normal * second) * outer_product(side.way[i], side.way[j]);
+    }
+}
+} // namespace
+
+template <int dim>
+RaySide<dim> meet(const Ray<dim> &ray,
+                  const RestSurface<dim> &surface,
+                  const BodyField<dim> &field,
+                  const Eigen::VectorXd &nodal,
+                  const SurfacePlace<dim> &guess)
+{
+  RaySide<dim> side;
+  side.place = guess;
+  double before = std::numeric_limits<double>::max();
+  for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
+  {
+    side.function = field.functions_at(side.place.position);
+    if (side.function.node.empty())
+      return side;
+    const Deformed<dim> here(side.place, side.function, nodal);
+    const dealii::Tensor<2, dim - 1> J = jacobian(ray, here);
+    // A surface that stands along the ray, or has been turned over, has no height.
+    if (!(determinant(J) * determinant(J) > 1e-6))
+      return side;
+    const dealii::Tensor<2, dim - 1> inverse = invert(J);
+    dealii::Tensor<1, dim - 1> off;
+    for (unsigned int i = 0; i < dim - 1; ++i)
+      off[i] = (here.position - ray.origin) * ray.across[i] - ray.offset[i];
+    const dealii::Tensor<1, dim - 1> way = -1. * (inverse * off);
+    const double error = off.norm();
+    // Rounding is reached where it does not fall any more.
+    if (error == 0. ||
+        (error >= 0.5 * before && error < 1e-9 * (here.position - dealii::Point<dim>()).norm()))
+    {
+      side.met = true;
+      derive(ray, here, inverse, nodal, side);
+      return side;
+    }
+    before = error;
+    const SurfacePlace<dim> next = surface.move(side.place, way);
+    if (next.at_edge && side.place.at_edge && next.position.distance(side.place.position) == 0.)
+      return side;
+    side.place = next;
+  }
+  return side;
+}
+
+template RaySide<2> meet(const Ray<2> &,
+                         const RestSurface<2> &,
+                         const BodyField<2> &,
+                         const Eigen::VectorXd &,
+                         const SurfacePlace<2> &);
+template RaySide<3> meet(const Ray<3> &,
+                         const RestSurface<3> &,
+                         const BodyField<3> &,
+                         const Eigen::VectorXd &,
+                         const SurfacePlace<3> &);
+} // namespace softgrain::mpm
