@@ -47,7 +47,7 @@ bool factorize_positive(Block &L)
 }
 
 /// L S Lᵀ in place, without pivoting, as the band asks for. @p negative takes the columns with the sign -,
-/// counted from @p first. @return whether there is one at most, and no pivot is zero
+/// counted from @p first. @return whether no pivot is zero
 bool factorize_with_signs(Block &L, const int first, std::vector<int> &negative)
 {
   const int n = L.rows();
@@ -62,8 +62,6 @@ bool factorize_with_signs(Block &L, const int first, std::vector<int> &negative)
     sign[j] = pivot > 0. ? 1. : -1.;
     if (pivot < 0.)
       negative.push_back(first + j);
-    if (negative.size() > 1)
-      return false;
     L(j, j) = std::sqrt(std::abs(pivot));
     for (int r = j + 1; r < n; ++r)
     {
@@ -233,13 +231,16 @@ bool BandedSolver::factorize(SystemMatrix &matrix)
     Kernels::In left = below;
     if (negative.size() > n_negative_before)
     {
-      const int column = negative.back() - own.first;
-      for (int i = 0; i < n_below; ++i)
-        *below.at(i, column) *= -1.;
+      const auto turn_back = [&](double *const first_row)
+      {
+        for (std::size_t n = n_negative_before; n < negative.size(); ++n)
+          for (int i = 0; i < n_below; ++i)
+            first_row[i + (negative[n] - own.first) * below.stride] *= -1.;
+      };
+      turn_back(below.data);
       turned.assign(panel.data, panel.data + static_cast<std::size_t>(own.height()) * block);
       left = {turned.data() + block, below.stride};
-      for (int i = 0; i < n_below; ++i)
-        turned[block + i + column * below.stride] *= -1.;
+      turn_back(turned.data() + block);
     }
     parallel_for((n_below + block - 1) / block, 4,
                  [&](const std::size_t begin, const std::size_t end)

@@ -23,7 +23,7 @@ bool CholeskySolver::factorize(SystemMatrix &matrix)
     matrix.clear_pattern_flag();
   }
   factor->ldlt.factorize(matrix.lower());
-  return factor->ldlt.info() == Eigen::Success && *n_negative() <= 1;
+  return factor->ldlt.info() == Eigen::Success;
 }
 
 std::optional<unsigned int> CholeskySolver::n_negative() const

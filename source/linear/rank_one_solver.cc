@@ -17,8 +17,10 @@ bool RankOneSolver::factorize(SystemMatrix &matrix)
   if (!inner->factorize(matrix))
     return false;
   const std::optional<unsigned int> n_negative = inner->n_negative();
+  if (n_negative.value_or(0) > (factor == 0. ? 0u : 1u))
+    return false;
   if (factor == 0.)
-    return n_negative.value_or(0) == 0;
+    return true;
   inner->solve(direction, effect);
   // det(B + k r rᵀ) = det B (1 + k rᵀ B⁻¹ r), and an update with k > 0 lifts one eigenvalue at most above 0:
   // the sum is positive definite when the sign fits the number of negative pivots.

@@ -84,10 +84,42 @@ void check(const std::string &name)
   solver.set_update(at.rotation, 0.);
   std::cout << ", none: " << (solver.factorize(at.matrix) ? "yes" : "no") << '\n';
 }
+/// The same matrix less more and more mass: the solvers themselves count its negative eigenvalues.
+template <class Solver>
+void count(const std::string &name)
+{
+  for (const double less : {1., 30., 300.})
+  {
+    Squeezed at;
+    at.matrix.add_mass<2>(at.body.mass, -less * at.body.law->young_modulus() / at.body.mass.sum());
+    const Eigen::MatrixXd A = at.dense(0.);
+    const unsigned int n =
+        (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().array() < 0.).count();
+    Solver solver;
+    const bool fine = solver.factorize(at.matrix);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1., 2.);
+    Eigen::VectorXd x;
+    solver.solve(b, x);
+    LinearSolver::Rows rows(b.size(), 1);
+    for (unsigned int i = 0; i < b.size(); i += 3)
+      rows.insert(i, 0) = 1.;
+    rows.makeCompressed();
+    Eigen::MatrixXd W;
+    solver.condense(rows, W);
+    const Eigen::VectorXd h = rows;
+    const double exact = h.dot(A.partialPivLu().solve(h));
+    std::cout << name << ", less mass: negative eigenvalues " << n << ", factorised " << (fine ? "yes" : "no")
+              << ", counted right " << (solver.n_negative() == n ? "yes" : "no") << ", residual "
+              << below(1e-7, (A * x - b).norm() / b.norm()) << ", Delassus operator "
+              << below(1e-6, std::abs(W(0, 0) / exact - 1.)) << '\n';
+  }
+}
 } // namespace
 
 int main()
 {
   check<BandedSolver>("banded");
   check<CholeskySolver>("sparse");
+  count<BandedSolver>("banded");
+  count<CholeskySolver>("sparse");
 }

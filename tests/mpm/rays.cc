@@ -196,8 +196,8 @@ void check(const std::string &name,
   double off = 0.;
   for (unsigned int k = 0; k < dim - 1; ++k)
     off += ray.offset[k] * ray.offset[k];
-  std::cout << name << ": height at rest off by " << at_rest.height - (std::sqrt(2.3 * 2.3 - off) - 2.5)
-            << '\n';
+  std::cout << name << ": height at rest off by less than 1e-7 "
+            << (std::abs(at_rest.height - (std::sqrt(2.3 * 2.3 - off) - 2.5)) < 1e-7) << '\n';
 }
 
 /// An ellipse or a circle through n vertices.

@@ -51,7 +51,7 @@ private:
 
   int block = 0; ///< columns of a panel
   int n_panels = 0;
-  std::vector<int> negative;       ///< unknowns, in their new order, whose pivot is negative; at most one
+  std::vector<int> negative;       ///< unknowns, in their new order, whose pivot is negative
   std::vector<int> order;          ///< new place of every unknown
   std::vector<std::size_t> target; ///< place in values of every entry of the matrix
   std::vector<Panel> panels;

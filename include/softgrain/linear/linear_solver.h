@@ -23,10 +23,10 @@ public:
 
   virtual ~LinearSolver() = default;
 
-  /// @return false when the matrix is singular or has more than one negative eigenvalue; solvers that cannot
-  /// tell, or that need a positive definite matrix, may also refuse one.
+  /// @return false when the matrix is singular. It may have negative eigenvalues, which n_negative() counts;
+  /// solvers that cannot tell, or that need a positive definite matrix, may refuse these.
   virtual bool factorize(SystemMatrix &matrix) = 0;
-  /// Of the matrix last factorised, 0 or 1; nothing when the solver cannot tell.
+  /// Negative eigenvalues of the matrix last factorised; nothing when the solver cannot tell.
   virtual std::optional<unsigned int> n_negative() const { return 0; }
   /// x = A^-1 b. @throw ComputationError when an iterative solver does not converge.
   virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;

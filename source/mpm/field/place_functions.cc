@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The field of a body at any place, with derivatives.
 #include <softgrain/mpm/field/body_field.h>
+#include <softgrain/mpm/field/place_functions.h>
 
 namespace softgrain::mpm
 {
