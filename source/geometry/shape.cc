@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/shape_pairs.h>
 #include <softgrain/geometry/shapes_2d.h>
 
 #include <algorithm>
@@ -109,18 +110,33 @@ double Shape<2>::size() const
 
 bool overlap(const Shape<2> &a, const Shape<2> &b, const double tolerance)
 {
+  return overlap_when_moved(a, b, dealii::Tensor<1, 2>(), tolerance);
+}
+
+bool overlap_when_moved(const Shape<2> &a,
+                        const Shape<2> &b,
+                        const dealii::Tensor<1, 2> &shift,
+                        const double tolerance)
+{
   const auto box_a = a.bounding_box(), box_b = b.bounding_box();
   for (unsigned int d = 0; d < 2; ++d)
-    if (box_a.second[d] < box_b.first[d] + tolerance || box_b.second[d] < box_a.first[d] + tolerance)
+    if (box_a.second[d] < box_b.first[d] + shift[d] + tolerance ||
+        box_b.second[d] + shift[d] < box_a.first[d] + tolerance)
       return false;
   const auto *const disk_a = dynamic_cast<const Disk2D *>(&a), *const disk_b =
                                                                    dynamic_cast<const Disk2D *>(&b);
+  const auto moved_disk = [&]() -> Disk2D {
+    return {disk_b->center + shift, disk_b->radius, disk_b->inner_radius};
+  };
   if (disk_a != nullptr && disk_b != nullptr)
-    return disks_overlap(*disk_a, *disk_b, tolerance);
-  if (disk_a != nullptr)
-    return disk_overlaps_polygon(*disk_a, b.corners(), tolerance);
+    return disks_overlap(*disk_a, moved_disk(), tolerance);
   if (disk_b != nullptr)
-    return disk_overlaps_polygon(*disk_b, a.corners(), tolerance);
-  return polygons_overlap(a.corners(), b.corners(), tolerance);
+    return disk_overlaps_polygon(moved_disk(), a.corners(), tolerance);
+  Polygon corners = b.corners();
+  for (dealii::Point<2> &corner : corners)
+    corner += shift;
+  if (disk_a != nullptr)
+    return disk_overlaps_polygon(*disk_a, corners, tolerance);
+  return polygons_overlap(a.corners(), corners, tolerance);
 }
 } // namespace softgrain

@@ -3,6 +3,7 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/shape_pairs.h>
 #include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/scene_checks.h>
@@ -124,18 +125,6 @@ void check_walls(const std::vector<WallDescription<2>> &walls)
                          "' leave no room between them: " + number((a->point - b->point) * b->normal) + " m");
 }
 
-void check_bodies_apart(const std::vector<BodyDescription<2>> &bodies)
-{
-  std::vector<double> sizes;
-  for (const BodyDescription<2> &body : bodies)
-    sizes.push_back(body.shape->size());
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (overlap(*bodies[a].shape, *bodies[b].shape, touching * std::max(sizes[a], sizes[b])))
-        throw InputError("the bodies '" + bodies[b].name + "' and '" + bodies[a].name +
-                         "' overlap at the start");
-}
-
 bool repeats(const WallDescription<2> &wall)
 {
   return wall.type == WallDescription<2>::Type::periodic;
@@ -200,6 +189,24 @@ void check_cell(const Scene<2> &scene)
       }
     }
 }
+
+/// Bodies may touch at the start, but not overlap: directly or through the sides of a cell.
+void check_bodies_apart(const Scene<2> &scene)
+{
+  std::vector<CellSide<2>> sides;
+  for (const WallDescription<2> &wall : scene.walls)
+    if (repeats(wall))
+      sides.push_back({wall.point, wall.normal});
+  std::vector<const Shape<2> *> shapes;
+  for (const BodyDescription<2> &body : scene.bodies)
+    shapes.push_back(body.shape.get());
+  if (const auto found = find_overlap(shapes, make_cell<2>(sides, 0.), touching))
+    throw InputError("the bodies '" + scene.bodies[found->first].name + "' and '" +
+                     scene.bodies[found->second].name + "' overlap at the start" +
+                     (overlap(*shapes[found->first], *shapes[found->second], 0.)
+                          ? ""
+                          : ", through a side of the cell that repeats"));
+}
 } // namespace
 
 void check_scene(const Scene<2> &scene)
@@ -236,6 +243,6 @@ void check_scene(const Scene<2> &scene)
             check_outside(body, obstacle);
         });
   mistakes.end();
-  check_bodies_apart(scene.bodies);
+  check_bodies_apart(scene);
 }
 } // namespace softgrain

@@ -40,7 +40,7 @@ void compact(const std::string &what, const std::vector<std::string> &changes)
   const double width = walls[3].position - walls[2].position, height = walls[1].position - walls[0].position;
   std::cout << what << ": packing fraction " << model->solid_area() / (width * height) << ", rejected steps "
             << rejected << ", unbalanced force " << below(1.0001e-4, unbalanced) << ", penetration in cells "
-            << below(1e-6, penetration / 4e-4) << ", stress on top " << walls[1].normal_force / width
+            << below(0.05, penetration / 4e-4) << ", stress on top " << walls[1].normal_force / width
             << " Pa, energy that is neither stored nor booked " << below(0.02, not_booked(*model)) << '\n';
   if (walls[0].normal_force > 0. && changes.empty())
     std::cout << "  top over bottom " << walls[1].normal_force / walls[0].normal_force << ", right over left "

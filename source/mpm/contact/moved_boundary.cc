@@ -201,6 +201,8 @@ void MovedBoundary::move_markers(const ContactScene<2> &scene)
     for (Point &x : position)
       x = center + grow * (x - center);
   }
+  if (scene.places_only)
+    return;
   find_normals();
   if (!is_free)
     find_looking(scene);

@@ -90,6 +90,22 @@ std::vector<Ranks::Message> messages(std::vector<std::vector<double>> &of_ranks)
 }
 } // namespace
 
+MovedOutlines move_outlines(const ContactScene<2> &scene)
+{
+  MovedOutlines moved;
+  moved.boundaries.resize(scene.bodies.size());
+  parallel_for(scene.bodies.size(), 8,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   moved.boundaries[b] = MovedBoundary(scene.bodies[b], scene);
+               });
+  moved.folds = fold_into_cell(scene, moved.boundaries);
+  moved.tasks =
+      find_tasks(scene, ContactReach(scene, ObstacleContact(scene).largest_way()), moved.boundaries);
+  return moved;
+}
+
 MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scene)
 {
   const std::vector<Body<2>> &bodies = scene.bodies;

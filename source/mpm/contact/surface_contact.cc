@@ -4,6 +4,7 @@
 #include <softgrain/mpm/contact/obstacle_contact.h>
 #include <softgrain/mpm/contact/row_ends.h>
 #include <softgrain/mpm/contact/seekers.h>
+#include <softgrain/mpm/contact/share_outlines.h>
 #include <softgrain/mpm/contact/sliding_places.h>
 #include <softgrain/mpm/contact/surface_contact.h>
 
@@ -309,22 +310,6 @@ private:
   std::vector<unsigned int> segments;
   mutable std::optional<std::shared_ptr<const PlaceSlide<2>>> slide; ///< made when there is a row
 };
-
-/// Of all bodies.
-MovedOutlines move_outlines(const ContactScene<2> &scene, const ContactReach &reach)
-{
-  MovedOutlines moved;
-  moved.boundaries.resize(scene.bodies.size());
-  parallel_for(scene.bodies.size(), 8,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   moved.boundaries[b] = MovedBoundary(scene.bodies[b], scene);
-               });
-  moved.folds = fold_into_cell(scene, moved.boundaries);
-  moved.tasks = find_tasks(scene, reach, moved.boundaries);
-  return moved;
-}
 } // namespace
 
 void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
@@ -332,7 +317,7 @@ void SurfaceContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2
   const std::size_t n = scene.bodies.size();
   const ObstacleContact obstacles(scene);
   const ContactReach reach(scene, obstacles.largest_way());
-  const MovedOutlines moved = scene.moved != nullptr ? std::move(*scene.moved) : move_outlines(scene, reach);
+  const MovedOutlines moved = scene.moved != nullptr ? std::move(*scene.moved) : move_outlines(scene);
   const std::vector<MovedBoundary> &boundaries = moved.boundaries;
   const std::vector<PeriodicCell<2>::Image> &folds = moved.folds;
   const std::vector<std::vector<ContactTask>> &tasks = moved.tasks;

@@ -201,9 +201,10 @@ void declare_contact(dealii::ParameterHandler &prm)
                           "Distance of the markers on a boundary that look for contact. Units: cells.");
         prm.declare_entry(
             "Largest penetration", "0.1", Double(1e-6, 1e6),
-            "Deepest overlap of bodies and walls at the end of an implicit step. A step that ends "
-            "deeper, and deeper than it began, is repeated with half its length. Where rows follow the "
-            "bodies (condensed surface contact with moreau_jean or quasi_static). "
+            "How deep bodies may lie in each other, in walls and in obstacles at the end of a step, told by "
+            "their outlines. A step that ends deeper, and deeper than it began, is repeated with half its "
+            "length; below the smallest step the run ends. Where rows do not follow the bodies (explicit, "
+            "newmark, or Solver = lumped) no less than 0.5 is allowed, and 2 with Geometry = nodes. "
             "Units: cells.");
         prm.declare_entry("Sub-grid compliance", "true", Bool(),
                           "Whether light contacts of round bodies get the dent that is narrower "

@@ -3,6 +3,7 @@
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step_rows.h>
@@ -117,6 +118,9 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   if (!work.contact.empty())
     for (const double g : end_gaps(state, work, increment, motion, dt))
       outcome.max_penetration = std::max(outcome.max_penetration, -g);
+  outcome.reason = judge_step(problem, state, work, motion, dt, increment, outcome);
+  if (!outcome.reason.empty())
+    return outcome;
   // Impulses act between the velocities before and after: their work is that of the mean, which makes the
   // energy balance of symplectic Euler exact up to the stored energy.
   Vectors rate(n_bodies);

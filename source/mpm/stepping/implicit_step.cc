@@ -7,6 +7,7 @@
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/following_rows.h>
 #include <softgrain/mpm/stepping/given_energy.h>
+#include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/newton_search.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -238,7 +239,9 @@ std::string ImplicitStep::at_end(const bool settled)
     return outcome.law_asks ? outcome.reason : overlap;
   outcome.gives_energy =
       GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled, outcome.max_penetration);
-  return outcome.gives_energy ? "contact would give energy: rows and bodies do not settle" : "";
+  if (outcome.gives_energy)
+    return "contact would give energy: rows and bodies do not settle";
+  return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
 }
 
 // Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/contact/overlap_judge.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/mpm/stepping/step.h>
 
@@ -54,18 +54,13 @@ Flight flight_of(const Body<2> &body, const Vector &drive)
   }
   const std::vector<dealii::Point<2>> &markers = body.boundary.position;
   flight.lower = flight.upper = markers.front();
-  double perimeter = 0.;
-  for (unsigned int m = 0; m < markers.size(); ++m)
-  {
-    perimeter += markers[m].distance(markers[body.boundary.next(m)]);
+  for (const dealii::Point<2> &x : markers)
     for (unsigned int d = 0; d < 2; ++d)
     {
-      flight.lower[d] = std::min(flight.lower[d], markers[m][d]);
-      flight.upper[d] = std::max(flight.upper[d], markers[m][d]);
+      flight.lower[d] = std::min(flight.lower[d], x[d]);
+      flight.upper[d] = std::max(flight.upper[d], x[d]);
     }
-  }
-  // The diameter of a disk, twice the width of a strip: half of it is always inside.
-  flight.width = 4. * body.rest_area / perimeter;
+  flight.width = width_of(body);
   return flight;
 }
 
@@ -119,7 +114,7 @@ double safe_from_bodies(const Problem &problem,
   // Gravity pulls all bodies alike: it adds to the way to what is driven alone.
   const double pull = problem.scene.gravity.norm();
   // Most steps are short: no pair need be looked at.
-  if (time_of_way(std::min(0.25 * narrowest, reach), 2. * fastest, pull) >= dt)
+  if (time_of_way(std::min(largest_way_in_widths * narrowest, reach), 2. * fastest, pull) >= dt)
     return dt;
   double step = dt;
   for (unsigned int a = 0; a < flights.size(); ++a)
@@ -130,15 +125,55 @@ double safe_from_bodies(const Problem &problem,
         continue;
       const Flight &one = flights[a], &other = flights[b];
       const double speed = (one.velocity - other.velocity).norm() + one.spread + other.spread;
-      const double allowed = std::min(0.25 * std::min(one.width, other.width), reach);
+      const double allowed = std::min(largest_way_in_widths * std::min(one.width, other.width), reach);
       step = std::min(step, time_of_way(std::max(allowed, distance(one, other)), speed,
                                         one_driven || other_driven ? pull : 0.));
     }
   return step;
 }
-/// The same in a cell that repeats, where every body may be near any other.
-double
-safe_in_cell(const Problem &problem, const State &state, const std::vector<Flight> &flights, const double dt)
+
+/// The longest step, up to @p dt, in which no body can pass through an obstacle.
+double safe_from_obstacles(const Problem &problem,
+                           const State &state,
+                           const std::vector<Flight> &flights,
+                           const double reach,
+                           const double dt)
+{
+  double step = dt;
+  for (Obstacle obstacle : state.obstacles)
+  {
+    obstacle.plan(state.time, dt);
+    double speed = 0.;
+    Flight line;
+    line.lower = dealii::Point<2>(std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
+    line.upper = -line.lower;
+    for (const Curve &piece : obstacle.description.pieces)
+      for (const dealii::Point<2> &drawn : piece.line(0.1))
+      {
+        const dealii::Point<2> here = obstacle.way.start.placed(drawn);
+        speed = std::max(speed, obstacle.way.velocity(drawn).norm());
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          line.lower[d] = std::min(line.lower[d], here[d]);
+          line.upper[d] = std::max(line.upper[d], here[d]);
+        }
+      }
+    for (unsigned int b = 0; b < flights.size(); ++b)
+      if (!state.bodies[b].driven)
+        step = std::min(step, time_of_way(std::max(std::min(largest_way_in_widths * flights[b].width, reach),
+                                                   distance(flights[b], line)),
+                                          flights[b].velocity.norm() + flights[b].spread + speed,
+                                          problem.scene.gravity.norm()));
+  }
+  return step;
+}
+
+/// The same of bodies in a cell that repeats, where every body may be near any other.
+double safe_in_cell(const Problem &problem,
+                    const State &state,
+                    const std::vector<Flight> &flights,
+                    const double reach,
+                    const double dt)
 {
   double fastest = 0., narrowest = std::numeric_limits<double>::max(), widest = 0.;
   for (const Flight &flight : flights)
@@ -155,8 +190,9 @@ safe_in_cell(const Problem &problem, const State &state, const std::vector<Fligh
                     (wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed) * wall.normal() +
                         (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(state.time, dt)) *
                             wall.tangent());
-  return std::min(dt, time_of_way(0.25 * narrowest, 2. * fastest + cell.gradient.norm() * widest,
-                                  problem.scene.gravity.norm()));
+  return std::min(dt,
+                  time_of_way(std::min(largest_way_in_widths * narrowest, reach),
+                              2. * fastest + cell.gradient.norm() * widest, problem.scene.gravity.norm()));
 }
 } // namespace
 
@@ -165,7 +201,7 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
   // Rows that follow the bodies see all that they come to meet, and an overlap that is left repeats the step;
   // others are those of the start or the middle of the step.
   const bool follow = problem.settings.rows_follow();
-  if (follow && state.bodies.size() < 2)
+  if (follow && state.bodies.size() < 2 && state.obstacles.empty())
     return dt;
   const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();
   const auto told = work.share.numbers<8>(state.bodies, [&](const Body<2> &body)
@@ -174,8 +210,9 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
   for (const Body<2> &body : state.bodies)
     flights.push_back(body.driven ? flight_of(body, work.drive[body.index]) : flight_of(told[body.index]));
   if (state.repeats())
-    return safe_in_cell(problem, state, flights, dt);
+    return safe_in_cell(problem, state, flights, reach, dt);
   double step = safe_from_bodies(problem, state, flights, reach, dt);
+  step = safe_from_obstacles(problem, state, flights, reach, step);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)
       if (!state.bodies[b].driven)

@@ -192,6 +192,37 @@ GapsByRow true_gaps_of_all(const Problem &problem,
   return gaps_where_found(search.rows);
 }
 
+Verdict judge(const Problem &problem,
+              const State &state,
+              const Workspace &work,
+              const std::vector<WallMotion<2>> &motion,
+              const double dt,
+              const std::vector<Eigen::VectorXd> &increment,
+              const double share)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "overlap check");
+  Search search(problem, state, work, motion, dt, &increment, share);
+  search.where.foresight = 1.; // boxes that meet anywhere on their ways
+  search.where.places_only = true;
+  if (work.share.alone())
+    return judge_outlines(search.where, move_outlines(search.where));
+  const MovedOutlines moved = share_outlines(work.share, search.where);
+  const Ranks &ranks = work.share.ranks;
+  std::vector<Verdict::Numbers> of_ranks(ranks.number(), Verdict().numbers());
+  ranks.together([&]() { of_ranks[ranks.here()] = judge_outlines(search.where, moved).numbers(); },
+                 [&]()
+                 {
+                   std::vector<Ranks::Piece> pieces;
+                   for (unsigned int r = 0; r < of_ranks.size(); ++r)
+                     pieces.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
+                   return pieces;
+                 });
+  Verdict verdict;
+  for (const Verdict::Numbers &numbers : of_ranks)
+    verdict.take(Verdict::of(numbers));
+  return verdict;
+}
+
 std::vector<double> end_gaps(const State &state,
                              const Workspace &work,
                              const std::vector<Eigen::VectorXd> &increment,

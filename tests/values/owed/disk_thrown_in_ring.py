@@ -1,21 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-A disk of radius 3 mm flies at 0.5 m/s from the centre of a ring of inner radius 7 mm. It meets the ring after 8 ms and pushes it
-along: after 20 ms the ring moves, and the disk is still within it.
+A disk, and an ellipse, of radius 3 mm fly at 0.5 m/s from the centre of a ring of inner radius 7 mm. They meet the ring after 8 ms
+and push it along: after 16 ms the ring moves, and what flew is still within it, whether there is friction or not.
 """
+import re
+
+ELLIPSE = ["Bodies/disk/Shape=ellipse", "Bodies/disk/Semi-axes=3e-3, 2e-3", "Bodies/disk/Radius=0"]
 
 
 def measure(start):
-    run = start("disk_thrown_in_ring.prm")
-    bodies = run.states[-1].bodies
-    ring, disk = bodies.center_m[:, 0]
-    return {"code": run.code, "says": run.error, "apart_m": disk - ring, "ring_m_per_s": bodies.velocity_m_per_s[0, 0]}
+    found = []
+    for shape in ([], ELLIPSE):
+        run = start("disk_thrown_in_ring.prm", "Stop/End time=0.016", *shape)
+        bodies = run.states[-1].bodies
+        ring, disk = bodies.center_m[:, 0]
+        found.append({"code": run.code, "says": run.error, "apart_m": disk - ring, "ring_m_per_s": bodies.velocity_m_per_s[0, 0],
+                      "time_s": run.history["time_s"][-1]})
+    return found
 
 
 def is_right(found):
-    return found["code"] == 0 and found["apart_m"] < 4.2e-3 and found["ring_m_per_s"] > 0.01
+    return all(case["code"] == 0 and case["apart_m"] < 4.2e-3 and case["ring_m_per_s"] > 0.01 for case in found)
 
 
 def is_known(found):
-    """Nothing is said at all: the disk leaves the ring."""
-    return found["code"] == 0 and abs(found["apart_m"] - 10e-3) < 1e-4 and abs(found["ring_m_per_s"]) < 1e-9
+    """The search for contact does not see that they meet; the outlines do, where and when it happens."""
+    for case in found:
+        place = re.search(r"body 'ring' and body 'disk' lie (\S+) cells deep in each other at \((\S+) ", case["says"])
+        if case["code"] != 1 or place is None or abs(float(place[2]) - 7e-3) > 1e-4 or abs(case["time_s"] - 8.1e-3) > 2e-4:
+            return False
+    return True

@@ -39,7 +39,8 @@ struct ContactScene
   /// Rows are wanted where bodies are nearer than this many times the way by which they approach each other
   /// over the step. A search that is followed by others for what comes out needs less.
   double foresight = 2.;
-  bool gaps_only = false; ///< of rows `key` and `gap_where_found` are all that is asked for
+  bool gaps_only = false;   ///< of rows `key` and `gap_where_found` are all that is asked for
+  bool places_only = false; ///< of outlines no more is asked than where their markers are and how they move
   const std::vector<Obstacle> *obstacles = nullptr; ///< with their way in the step; null: none
   const CellMotion *cell = nullptr;                 ///< null: nothing repeats
   const BodyShare *looking = nullptr;               ///< bodies of this rank look for contact; null: all do

@@ -65,6 +65,7 @@ public:
   const Boundary<2> &boundary() const { return body->boundary; }
   unsigned int n_markers() const { return position.size(); }
   const Point &marker(const unsigned int m) const { return position[m]; }
+  const std::vector<Point> &markers() const { return position; }
   const Vector &normal(const unsigned int m) const { return normals[m]; }
 
   /// The place @p share of the way from marker @p m to the next.

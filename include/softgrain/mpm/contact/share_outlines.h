@@ -14,6 +14,9 @@ namespace softgrain::mpm
  * rank does not know by which weights nodes of other ranks' bodies move their markers.
  */
 MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scene);
+
+/// The same where there is one rank, or where each has all that it needs.
+MovedOutlines move_outlines(const ContactScene<2> &scene);
 } // namespace softgrain::mpm
 
 #endif

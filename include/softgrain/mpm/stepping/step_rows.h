@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_step_rows_h
 #define softgrain_mpm_stepping_step_rows_h
 
+#include <softgrain/mpm/contact/overlap_judge.h>
 #include <softgrain/mpm/stepping/step.h>
 
 #include <vector>
@@ -48,6 +49,16 @@ GapsByRow true_gaps_of_all(const Problem &problem,
                            double dt,
                            const std::vector<Eigen::VectorXd> &increment,
                            double share);
+
+/// What outlines say of a step with displacements @p increment: of the bodies of all ranks, on all of them.
+/// @param share 1: where bodies end, 0: where they begin
+Verdict judge(const Problem &problem,
+              const State &state,
+              const Workspace &work,
+              const std::vector<WallMotion<2>> &motion,
+              double dt,
+              const std::vector<Eigen::VectorXd> &increment,
+              double share);
 
 /// Gap of every row at the end of the step, to first order in the increments [m].
 std::vector<double> end_gaps(const State &state,
