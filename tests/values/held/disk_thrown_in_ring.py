@@ -14,8 +14,3 @@ def measure(start):
 
 def is_right(found):
     return found["code"] == 0 and found["apart_m"] < 4.2e-3 and found["ring_m_per_s"] > 0.01
-
-
-def is_known(found):
-    """Nothing is said at all: the disk leaves the ring."""
-    return found["code"] == 0 and abs(found["apart_m"] - 10e-3) < 1e-4 and abs(found["ring_m_per_s"]) < 1e-9
