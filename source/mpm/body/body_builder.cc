@@ -107,9 +107,8 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   find_corners(boundary);
   boundary.smooth = description.shape->round() && !boundary.corner.empty() &&
                     std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
-  boundary.circular =
-      boundary.smooth &&
-      is_circle(Polygon(boundary.position.begin(), boundary.position.begin() + boundary.loop_start[1]));
+  // A hole must look for contact, too, which places that stand in space do not do for it.
+  boundary.circular = boundary.smooth && boundary.n_loops() == 1 && is_circle(boundary.position);
 }
 } // namespace
 

@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/row_velocity.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace softgrain::mpm
 {
+double Opening::share(const Body<2> &body, const double dt) const
+{
+  if (length == 0.)
+    return 1.;
+  const double crossed = dt * std::sqrt(body.law->young_modulus() / body.density) / length;
+  return std::min(1., crossed * crossed);
+}
+
 std::vector<double> row_velocity(const State &state,
                                  const Workspace &work,
                                  const std::vector<Eigen::VectorXd> &v,
@@ -10,7 +21,7 @@ std::vector<double> row_velocity(const State &state,
                                  const std::vector<double> &start_relative,
                                  const double theta,
                                  const double dt,
-                                 const bool reopen,
+                                 const Opening &opening,
                                  const bool with_impulses)
 {
   const auto &rows = work.contact.contact_rows();
@@ -66,9 +77,11 @@ std::vector<double> row_velocity(const State &state,
     }
     q[r * components] -= end;
     double predicted = rows[r].gap;
+    if (opening.opens && predicted < 0.)
+      predicted *= opening.share(state.bodies[rows[r].body], dt);
     if (theta < 1.)
       predicted += (1. - theta) * dt * (start_relative[r * components] - start);
-    if (predicted > 0. || reopen)
+    if (predicted > 0. || opening.opens)
       q[r * components] += predicted / (theta * dt);
   }
   return q;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/account_contacts.h>
+#include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 
 namespace softgrain::mpm
@@ -23,9 +24,8 @@ void account_contacts(const Problem &problem,
     obstacle.arrive();
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   dealii::Tensor<2, 2> virial;
-  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
-  // half, so what a wall gives is the mean of both ends, and the impulses of this step are half of the force
-  // at its end.
+  // What a wall gives is the mean of both ends (ContactWork::acting()), and the impulses of this step are
+  // half of the force at its end.
   const bool half = problem.settings.scheme.stored_acceleration;
   // From balance to balance forces change steadily: their work is that of the mean of both ends.
   const bool balanced = !problem.settings.scheme.inertia;
@@ -49,70 +49,45 @@ void account_contacts(const Problem &problem,
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   const std::vector<double> &P = work.contact.impulses();
-  const std::vector<double> w =
-      rows.empty() ? std::vector<double>()
-                   : work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
+  const ContactWork contact(problem, state, work, dt, rate, motion);
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (unsigned int c = 0; c < components; ++c)
     {
-      const double impulse = P[r * components + c];
-      if (impulse == 0. && rows[r].pull == 0.)
+      if (!contact.acts(r, c))
         continue;
-      double relative = w[r * components + c];
-      double acting = impulse;
-      if (half || balanced)
-      {
-        const auto before = state.memory.impulses.find(rows[r].key);
-        const double old = before == state.memory.impulses.end() ? 0.
-                           : half                                ? before->second[c]
-                                                                 : before->second[c] * dt / state.memory.step;
-        acting = (half ? 1. : 0.5) * (impulse + old);
-      }
+      const double impulse = P[r * components + c], acting = contact.acting(r, c);
+      const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
       if (rows[r].obstacle)
       {
-        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         state.obstacles[rows[r].wall - state.walls.size()].give(given, rows[r].place, dt);
         state.balance.wall_impulse += given;
-        const double speed = rows[r].partner_velocity * rows[r].direction(c);
-        state.balance.wall_work += acting * speed;
-        relative -= speed;
+        state.balance.wall_work += acting * (rows[r].partner_velocity * rows[r].direction(c));
       }
       else if (rows[r].wall != ContactRow<2>::none)
       {
         Wall &wall = state.walls[rows[r].wall];
-        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         give(wall, given);
         if (half)
           wall.carried += 2. / dt * given;
-        // Slabs move in relative_velocity() already, planes do not.
-        const WallMotion<2> &moves = motion[rows[r].wall];
-        relative -= ((rows[r].partner == ContactRow<2>::none ? 0. : -moves.velocity) + moves.rate) *
-                    (wall.normal() * rows[r].direction(c));
-        if (rows[r].partner == ContactRow<2>::none && moves.slide != 0.)
-          relative -= moves.slide * (moves.tangent() * rows[r].direction(c));
       }
       else if (rows[r].partner != ContactRow<2>::none && state.bodies[rows[r].partner].driven)
       {
-        const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
         state.balance.wall_impulse += given;
         state.balance.wall_work += given * work.drive[rows[r].partner];
       }
       if (cell)
-      {
         virial += impulse / dt * outer_product(rows[r].resultant(c), rows[r].branch);
-        relative += cell->gradient * rows[r].branch * rows[r].resultant(c);
-      }
-      if (c == 0 && rows[r].pull > 0.)
+      if (c == 0)
       {
-        const double work = -(half ? 2. : 1.) * rows[r].pull * dt * relative;
-        state.balance.adhesion_work += work;
+        const double pulled = contact.adhesion_work(r);
+        state.balance.adhesion_work += pulled;
         if (!balanced)
-          state.balance.contact_loss += work;
+          state.balance.contact_loss += pulled;
       }
       // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
       // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
       if (c > 0 || !balanced)
-        state.balance.contact_loss -= acting * relative;
+        state.balance.contact_loss -= acting * contact.parting(r, c);
     }
   if (cell)
   {

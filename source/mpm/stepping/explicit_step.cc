@@ -2,6 +2,7 @@
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
@@ -33,7 +34,7 @@ void solve_contacts(const Problem &problem,
   work.contact.lump(state.bodies);
   // An open gap may close, but no further; a closed one holds at velocity level.
   const contact::SolverReport report = work.contact.solve(
-      row_velocity(state, work, v, motion, {}, 1., dt, false), problem.settings.contact_solver);
+      row_velocity(state, work, v, motion, {}, 1., dt, {}), problem.settings.contact_solver);
   outcome.contact_sweeps = report.sweeps;
   outcome.contact_residual = report.residual;
   if (!report.converged)
@@ -126,6 +127,10 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
     rate[b] = 0.5 * (state.bodies[b].velocity + v[b]);
+  const ContactWork contact(problem, state, work, dt, rate, motion);
+  outcome.reason = why_contact_gives(problem, state, work, contact, increment);
+  if (!outcome.reason.empty())
+    return outcome;
   FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0.};
   accept_step(problem, state, work, found);
   outcome.accepted = true;

@@ -14,7 +14,7 @@ constexpr double allowed = 1e-5; ///< share of what all bodies store that contac
 /// The same of a step with inertia whose rows have settled: bodies that go far past each other come to lie in
 /// each other, since gaps are not linear in their way.
 constexpr double allowed_on_the_way = 1.5e-3;
-constexpr double shallow = 1e-3;   ///< overlap in which such a step gives next to nothing [cells]
+constexpr double shallow = 1e-3;   ///< more of overlap in which such a step gives next to nothing [cells]
 constexpr double strongest = 100.; ///< regularisation of held steps so short that what they gain is rounding
 constexpr double floor_strain = 1e-7; ///< energy of such a strain is rounding
 
@@ -34,7 +34,7 @@ GivenEnergy::GivenEnergy(const Problem &problem,
 {
 }
 
-double GivenEnergy::work_of_overlaps(const double share) const
+double GivenEnergy::work_of_overlaps(const double share, const bool grown) const
 {
   const GapsByRow gaps = true_gaps_of_all(problem, state, work, motion, plan.dt, equations.increment, share);
   const auto &rows = work.contact.contact_rows();
@@ -43,9 +43,12 @@ double GivenEnergy::work_of_overlaps(const double share) const
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     const auto gap = gaps.find(rows[r].key);
-    if (gap != gaps.end())
-      sum += work.contact.impulses()[r * work.contact.n_components()] / plan.dt *
-             std::max(0., -gap->second - dents[r]);
+    if (gap == gaps.end())
+      continue;
+    double overlap = -gap->second - dents[r];
+    if (grown)
+      overlap -= std::max(0., -rows[r].gap);
+    sum += work.contact.impulses()[r * work.contact.n_components()] / plan.dt * std::max(0., overlap);
   }
   return sum;
 }
@@ -61,15 +64,17 @@ double GivenEnergy::work_of_free_walls() const
   return sum;
 }
 
-bool GivenEnergy::is_given(const bool settled, const double penetration) const
+bool GivenEnergy::is_given(const bool settled, const double deeper) const
 {
   const bool on_the_way = settled && problem.settings.scheme.inertia;
   if (!problem.settings.rows_follow() || !problem.slippery() || work.contact.empty() ||
       (settled && !plan.held && !on_the_way) || (plan.held && plan.regularisation >= strongest))
     return false;
-  if (on_the_way && penetration < shallow * problem.lattice->cell_size())
+  if (on_the_way && deeper < shallow * problem.lattice->cell_size())
     return false;
-  double gain = settled && !on_the_way ? 0. : work_of_overlaps(1.);
+  // What a step with inertia finds in each other is opened slowly (row_velocity()): it gives nothing that
+  // why_contact_gives() does not see.
+  double gain = settled && !on_the_way ? 0. : work_of_overlaps(1., problem.settings.scheme.inertia);
   if (!plan.held && gain == 0.)
     return false;
 

@@ -5,6 +5,7 @@
 #include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/following_rows.h>
 #include <softgrain/mpm/stepping/given_energy.h>
 #include <softgrain/mpm/stepping/judge_step.h>
@@ -93,6 +94,7 @@ private:
   std::string iterate();
   std::string at_end(bool settled);
   std::string too_deep();
+  std::string why_contact_would_give();
 
   const Problem &problem;
   const State &state;
@@ -237,11 +239,25 @@ std::string ImplicitStep::at_end(const bool settled)
   heed_laws(state.bodies, equations.stress_outcome(), outcome);
   if (outcome.law_asks || !overlap.empty())
     return outcome.law_asks ? outcome.reason : overlap;
-  outcome.gives_energy =
-      GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled, outcome.max_penetration);
+  outcome.gives_energy = GivenEnergy(problem, state, work, plan, motion, equations)
+                             .is_given(settled, outcome.max_penetration - rows.penetration_at_start());
   if (outcome.gives_energy)
     return "contact would give energy: rows and bodies do not settle";
-  return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
+  // What contact gives with newmark is a property of that scheme, not of a step (doc/theory.md).
+  const bool judged = problem.settings.scheme.inertia && !problem.settings.scheme.stored_acceleration;
+  const std::string given = judged ? why_contact_would_give() : "";
+  return given.empty() ? judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome)
+                       : given;
+}
+
+std::string ImplicitStep::why_contact_would_give()
+{
+  Vectors rate(trial.size());
+  for (unsigned int b = 0; b < trial.size(); ++b)
+    if (work.share.mine(b))
+      rate[b] = equations.increment[b] / plan.dt;
+  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, plan.dt, rate, motion),
+                           equations.increment);
 }
 
 // Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.

@@ -67,6 +67,14 @@ std::string StepContact::solve_lumped(const Vectors &trial)
   return solve(v, true);
 }
 
+// Without inertia nothing gets a velocity.
+Opening StepContact::opening() const
+{
+  const Settings &settings = problem.settings;
+  return {settings.scheme.theta == 1. || settings.rows_follow(),
+          settings.scheme.inertia ? problem.lattice->cell_size() : 0.};
+}
+
 std::string StepContact::solve(const Vectors &v, const bool relative)
 {
   dealii::TimerOutput::Scope section(*work.timer, "contact solve");
@@ -84,10 +92,9 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
       settings.tolerance =
           std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
   }
-  const contact::SolverReport report =
-      work.contact.solve(row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt,
-                                      theta == 1. || problem.settings.rows_follow(), relative),
-                         settings, relative);
+  const contact::SolverReport report = work.contact.solve(
+      row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt, opening(), relative),
+      settings, relative);
   outcome.contact_sweeps += report.sweeps;
   outcome.contact_residual = report.residual;
   // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a

@@ -10,6 +10,23 @@
 namespace softgrain::mpm
 {
 /**
+ * @brief How closed gaps open again.
+ *
+ * A stretch of outline that is found in something all at once is to be pushed out without getting a velocity.
+ * Opened in one short step its velocity would be its depth over the step. So of a closed gap a step opens the
+ * share (c dt / length)^2, and all in steps in which a wave crosses the length: the velocity falls with the
+ * step, and so does the energy that the body gets.
+ */
+struct Opening
+{
+  bool opens = false; ///< else a gap that is closed stays as it is
+  double length = 0;  ///< 0: always at once [m]
+
+  /// Of a closed gap of @p body, that opens in a step of @p dt [s]; c = sqrt(E/rho).
+  double share(const Body<2> &body, double dt) const;
+};
+
+/**
  * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
  * [m/s].
  *
@@ -19,7 +36,7 @@ namespace softgrain::mpm
  * @param start_relative H v at the start of the step; empty when theta is 1 [m/s]
  * @param with_impulses whether @p v holds the effect of the present impulses; the speeds of free walls then
  * do too
- * @param reopen whether a closed gap, too, enters, so that it is open again at the end of the step
+ * @param opening what becomes of closed gaps
  */
 std::vector<double> row_velocity(const State &state,
                                  const Workspace &work,
@@ -28,7 +45,7 @@ std::vector<double> row_velocity(const State &state,
                                  const std::vector<double> &start_relative,
                                  double theta,
                                  double dt,
-                                 bool reopen,
+                                 const Opening &opening,
                                  bool with_impulses = false);
 } // namespace softgrain::mpm
 

@@ -28,13 +28,14 @@ public:
               const StepEquations &equations);
 
   /// @param settled     whether the rows are those of the step as it came out
-  /// @param penetration how deep bodies are in each other at its end [m]
+  /// @param deeper      how much deeper bodies are in each other at its end than they were [m]
   /// @return whether contact gives more than rounding and tolerances do
-  bool is_given(bool settled, double penetration) const;
+  bool is_given(bool settled, double deeper) const;
 
 private:
   /// Work of the present contact forces on the overlaps of bodies at a share of the step, 0 or 1 [J/m].
-  double work_of_overlaps(double share) const;
+  /// @param grown only on what they have grown by since the start of the step
+  double work_of_overlaps(double share, bool grown = false) const;
   /// What pressures and shear stresses do on the walls that they move, in a held step: loads stay as they are
   /// [J/m].
   double work_of_free_walls() const;

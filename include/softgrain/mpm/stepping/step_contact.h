@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_step_contact_h
 #define softgrain_mpm_stepping_step_contact_h
 
+#include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 
@@ -48,6 +49,8 @@ public:
 
 private:
   std::string solve(const Vectors &v, bool relative);
+  /// What becomes of closed gaps in a step.
+  Opening opening() const;
 
   const Problem &problem;
   const State &state;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_contact_work_h
+#define softgrain_mpm_stepping_contact_work_h
+
+#include <softgrain/mpm/stepping/step.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What contact rows do in a step: which impulses act, and how fast the two sides of a row part meanwhile.
+/// The balances of an accepted step are made of it, and so is the question whether a step may be accepted.
+class ContactWork
+{
+public:
+  /// All but @p rate are kept by reference. All ranks make it together.
+  /// @param dt     length of the step [s]
+  /// @param rate   mean velocity of the nodes, with which impulses do their work [m/s]
+  /// @param motion of the walls
+  ContactWork(const Problem &problem,
+              const State &state,
+              const Workspace &work,
+              double dt,
+              const std::vector<Eigen::VectorXd> &rate,
+              const std::vector<WallMotion<2>> &motion);
+
+  /// Whether a component of a row does anything.
+  bool acts(unsigned int row, unsigned int component) const;
+  /// Impulse that acts over the step [N s/m].
+  double acting(unsigned int row, unsigned int component) const;
+  /// How fast the body parts from what it meets, the motion of walls, obstacles and the cell counted [m/s].
+  double parting(unsigned int row, unsigned int component) const;
+  /// Of adhesion, which pulls what comes nearer; part of what the row does [J/m].
+  double adhesion_work(unsigned int row) const;
+
+  /// Energy that contact gives the bodies, beyond what walls, obstacles and adhesion do on them.
+  struct Gift
+  {
+    double energy = 0;    ///< of all rows; negative where contact takes energy [J/m]
+    unsigned int row = 0; ///< the one that gives most
+  };
+  Gift gift() const;
+
+private:
+  const Problem &problem;
+  const State &state;
+  const Workspace &work;
+  const double dt;
+  const std::vector<WallMotion<2>> &motion;
+  const std::optional<CellMotion> cell;
+  const unsigned int components;
+  std::vector<double> relative; ///< of bodies, and of what is driven [m/s]
+};
+
+/**
+ * @brief Why a step with inertia may not be accepted: contact gives the bodies more than a thousandth of the
+ * energy that they have. Contact takes energy or keeps it. Where it gives some, what lies in each other has
+ * been found too late, or rows are not those of the bodies. @return what to say of it; empty when contact
+ * gives nothing
+ *
+ * @param increment displacements over the step, see StepEquations [m]
+ */
+std::string why_contact_gives(const Problem &problem,
+                              const State &state,
+                              const Workspace &work,
+                              const ContactWork &contact,
+                              const std::vector<Eigen::VectorXd> &increment);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/contact_work.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/stored_energy.h>
+
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double allowed = 1e-3; ///< share of the energy of all bodies that contact may give in a step
+/// Energy of such a strain is within the tolerance of the contact problem.
+constexpr double floor_strain = 1e-6;
+
+std::string partner_of(const State &state, const ContactRow<2> &row)
+{
+  if (row.obstacle)
+    return "obstacle '" + state.obstacles[row.wall - state.walls.size()].description.name + "'";
+  if (row.wall != ContactRow<2>::none)
+    return "wall '" + state.walls[row.wall].description.name + "'";
+  return "body '" + state.bodies[row.partner].name + "'";
+}
+} // namespace
+
+ContactWork::ContactWork(const Problem &problem,
+                         const State &state,
+                         const Workspace &work,
+                         const double dt,
+                         const std::vector<Eigen::VectorXd> &rate,
+                         const std::vector<WallMotion<2>> &motion)
+    : problem(problem)
+    , state(state)
+    , work(work)
+    , dt(dt)
+    , motion(motion)
+    , cell(state.cell_motion(motion))
+    , components(work.contact.n_components())
+{
+  if (!work.contact.contact_rows().empty())
+    relative = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
+}
+
+bool ContactWork::acts(const unsigned int row, const unsigned int component) const
+{
+  return work.contact.impulses()[row * components + component] != 0. ||
+         work.contact.contact_rows()[row].pull != 0.;
+}
+
+double ContactWork::acting(const unsigned int row, const unsigned int component) const
+{
+  const double impulse = work.contact.impulses()[row * components + component];
+  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
+  // half. And from balance to balance forces change steadily: their work is that of the mean of both ends.
+  const bool half = problem.settings.scheme.stored_acceleration;
+  if (!half && problem.settings.scheme.inertia)
+    return impulse;
+  const auto before = state.memory.impulses.find(work.contact.contact_rows()[row].key);
+  const double old = before == state.memory.impulses.end() ? 0.
+                     : half                                ? before->second[component]
+                            : before->second[component] * dt / state.memory.step;
+  return (half ? 1. : 0.5) * (impulse + old);
+}
+
+double ContactWork::parting(const unsigned int row, const unsigned int component) const
+{
+  const ContactRow<2> &of_row = work.contact.contact_rows()[row];
+  const dealii::Tensor<1, 2> direction = of_row.direction(component);
+  double speed = relative[row * components + component];
+  if (of_row.obstacle)
+    speed -= of_row.partner_velocity * direction;
+  else if (of_row.wall != ContactRow<2>::none)
+  {
+    // Slabs move in relative_velocity() already, planes do not.
+    const bool plane = of_row.partner == ContactRow<2>::none;
+    const WallMotion<2> &moves = motion[of_row.wall];
+    speed -= ((plane ? 0. : -moves.velocity) + moves.rate) * (state.walls[of_row.wall].normal() * direction);
+    if (plane && moves.slide != 0.)
+      speed -= moves.slide * (moves.tangent() * direction);
+  }
+  if (cell)
+    speed += cell->gradient * of_row.branch * of_row.resultant(component);
+  return speed;
+}
+
+double ContactWork::adhesion_work(const unsigned int row) const
+{
+  const double pull = work.contact.contact_rows()[row].pull;
+  return pull > 0. ? -(problem.settings.scheme.stored_acceleration ? 2. : 1.) * pull * dt * parting(row, 0)
+                   : 0.;
+}
+
+ContactWork::Gift ContactWork::gift() const
+{
+  Gift gift;
+  double most = 0.;
+  for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
+  {
+    double given = -adhesion_work(r);
+    for (unsigned int c = 0; c < components; ++c)
+      if (acts(r, c))
+        given += acting(r, c) * parting(r, c);
+    gift.energy += given;
+    if (given > most)
+    {
+      most = given;
+      gift.row = r;
+    }
+  }
+  return gift;
+}
+
+std::string why_contact_gives(const Problem &problem,
+                              const State &state,
+                              const Workspace &work,
+                              const ContactWork &contact,
+                              const std::vector<Eigen::VectorXd> &increment)
+{
+  const ContactWork::Gift gift = contact.gift();
+  double kinetic = 0., floor = 0.;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+    {
+      kinetic += body.kinetic_energy();
+      floor += floor_strain * floor_strain * body.law->young_modulus() * body.mass.sum() / body.density;
+    }
+  // Most steps end here; what is stored takes a look at every point.
+  if (gift.energy <= allowed * kinetic + floor)
+    return "";
+  const double held = kinetic + elastic_energy(state, work.share, &increment);
+  if (gift.energy <= allowed * held + floor)
+    return "";
+  const ContactRow<2> &row = work.contact.contact_rows()[gift.row];
+  std::ostringstream text;
+  text << "contact would give the bodies " << short_number(gift.energy) << " J/m where they have "
+       << short_number(held) << " J/m, most of it where body '" << state.bodies[row.body].name << "' meets "
+       << partner_of(state, row) << " near (" << short_number(row.place[0]) << ", "
+       << short_number(row.place[1]) << ") m, with a gap of "
+       << short_number(row.gap / problem.lattice->cell_size()) << " cells at the start of the step";
+  return text.str();
+}
+} // namespace softgrain::mpm

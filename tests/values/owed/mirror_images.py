@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+A disk, a ring and an ellipse are squeezed between two plates, with and without friction. Mirrored at x = 0, with body, plates
+and mesh, each does the mirror image: its centre to 1e-9 of a cell, the force on a plate to 1e-7.
+"""
+from images import Image, are_images, differences
+
+
+def measure(start):
+    return differences(start, Image(((-1, 0), (0, 1))))
+
+
+def is_right(found):
+    return are_images(found)
+
+
+def is_known(found):
+    """Places that look for contact begin at +x, in a number that four need not divide: the image of a disk or a ring has others."""
+    return 1e-9 < max(apart for apart, force in found.values()) < 0.05
