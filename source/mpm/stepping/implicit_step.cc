@@ -68,9 +68,10 @@ public:
       if (outcome.newton_iterations == problem.settings.max_newton)
         return "Newton did not converge in " + std::to_string(problem.settings.max_newton) +
                " iterations ('Newton/Maximum iterations'); relative residual " +
-               short_number(outcome.newton_residual);
-      const std::string trouble = newton_step();
-      if (!trouble.empty())
+               short_number(outcome.newton_residual) + ", 'Newton/Residual tolerance' is " +
+               short_number(problem.settings.residual_tolerance) + "; most of it at " +
+               equations.worst_body();
+      if (std::string trouble = newton_step(); !trouble.empty())
         return trouble;
     }
   }
@@ -238,7 +239,10 @@ std::string ImplicitStep::at_end(const bool settled)
     return outcome.law_asks ? outcome.reason : overlap;
   outcome.gives_energy =
       GivenEnergy(problem, state, work, plan, motion, equations).is_given(settled, outcome.max_penetration);
-  return outcome.gives_energy ? "contact would give energy: rows and bodies do not settle" : "";
+  return outcome.gives_energy
+             ? "contact would give energy: rows and bodies do not settle; most is unbalanced at " +
+                   equations.worst_body()
+             : "";
 }
 
 // Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.
