@@ -34,14 +34,14 @@ struct Felt
   Pose now;
   ObstacleMotion way;
   dealii::Tensor<1, 2> force;
-  double torque;
+  double torque, work;
 };
 
 std::vector<Felt> felt_by(const std::vector<Obstacle> &obstacles)
 {
   std::vector<Felt> felt;
   for (const Obstacle &one : obstacles)
-    felt.push_back({one.now, one.way, one.force, one.torque});
+    felt.push_back({one.now, one.way, one.force, one.torque, one.work});
   return felt;
 }
 
@@ -53,6 +53,7 @@ void put_back(const std::vector<Felt> &felt, std::vector<Obstacle> &obstacles)
     obstacles[o].way = felt[o].way;
     obstacles[o].force = felt[o].force;
     obstacles[o].torque = felt[o].torque;
+    obstacles[o].work = felt[o].work;
   }
 }
 } // namespace
@@ -132,7 +133,7 @@ StepReport BpmModel::advance(const double dt_limit)
     DynamicsReport done;
     try
     {
-      done = dynamics->step(dt, moving_walls, acceleration);
+      done = dynamics->step(dt, moving_walls, acceleration, scene.gravity);
     }
     catch (const Interrupted &)
     {
@@ -187,8 +188,7 @@ void BpmModel::check_ranks_agree(const StepReport &report) const
 
 void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  // Whoever holds a wall gives it the energy of its motion, and takes it.
-  balance.wall_work += softgrain::take_drives(moving_walls, drives, now);
+  softgrain::take_drives(moving_walls, drives, now);
 }
 
 void BpmModel::keep_books(const DynamicsReport &report)
@@ -199,8 +199,9 @@ void BpmModel::keep_books(const DynamicsReport &report)
   balance.body_force_impulse += report.cell_impulse;
   balance.body_force_impulse += report.force_impulse;
   balance.note_momentum(dynamics->moving());
-  balance.wall_work += report.wall_work;
-  balance.body_force_work += report.force_work;
+  balance.cell_work += report.cell_work;
+  balance.gravity_work += report.gravity_work;
+  balance.body_force_work += report.force_work - report.gravity_work;
   balance.contact_loss += report.contact_loss;
   balance.adhesion_work += report.adhesion_work;
   balance.wall_damping_loss += report.damping_loss;
@@ -219,7 +220,7 @@ Energies BpmModel::energies() const
     energies.kinetic += wall.kinetic_energy();
   energies.elastic = dynamics->attraction_energy();
   energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
-  energies.external_work = balance.external_work();
+  energies.external_work = external_work(balance, moving_walls, moving_obstacles);
   return energies;
 }
 
@@ -238,12 +239,20 @@ SizeReport BpmModel::size_report() const
 
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 {
-  std::vector<std::pair<std::string, double>> columns = {
-      {"contacts", static_cast<double>(dynamics->n_contacts())},
-      {"plain_solves", static_cast<double>(fallbacks)}};
-  if (settings.dynamics.pairs.adhere())
-    columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
-  return columns;
+  return {{"contacts", static_cast<double>(dynamics->n_contacts())},
+          {"plain_solves", static_cast<double>(fallbacks)}};
+}
+
+std::vector<std::pair<std::string, double>> BpmModel::works() const
+{
+  Workers workers;
+  workers.gravity = scene.gravity.norm_square() > 0.;
+  workers.body_forces =
+      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
+  workers.cell =
+      std::any_of(moving_walls.begin(), moving_walls.end(), [](const Wall &wall) { return wall.repeats(); });
+  workers.adhesion = settings.dynamics.pairs.adhere();
+  return columns_of_work(balance, moving_walls, moving_obstacles, workers);
 }
 
 std::map<std::string, double> BpmModel::phases() const

@@ -138,9 +138,10 @@ void Dynamics::take_along(const double dt, std::vector<Wall> &walls, DynamicsRep
     for (unsigned int d = 0; d < 2; ++d)
     {
       primaries.position[i][d] += way[b][d];
-      report.wall_work += primaries.mass[i] * change[b][d] * (primaries.velocity[i][d] + 0.5 * change[b][d]);
+      report.cell_work += primaries.mass[i] * change[b][d] * (primaries.velocity[i][d] + 0.5 * change[b][d]);
       primaries.velocity[i][d] += change[b][d];
     }
   }
+  report.wall_work += report.cell_work;
 }
 } // namespace softgrain::bpm

@@ -51,6 +51,13 @@ contact::NeighbourList::Range range_of(const double contact_reach,
       range.stretch = std::max(range.stretch, law->range());
   return range;
 }
+
+/// Work that @p wall has done in the step.
+void book(const double work, Wall &wall, DynamicsReport &report)
+{
+  wall.work += work;
+  report.wall_work += work;
+}
 } // namespace
 
 bool DynamicsSettings::rotations() const
@@ -191,7 +198,7 @@ void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, Dynam
                                       : v[0] * wall.tangent()[0] + v[1] * wall.tangent()[1];
   // The damping took what neither the load nor the primaries gave.
   const double load = dt * wall.slide_load, damping = mass * (before - after) + load + push;
-  report.wall_work += load * 0.5 * (before + after);
+  book(load * 0.5 * (before + after), wall, report);
   report.damping_loss += damping * 0.5 * (before + after);
   report.contact_loss +=
       0.5 * mass * (before * before - after * after) + (load - damping) * 0.5 * (before + after);
@@ -230,12 +237,12 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     else if (wall.slide_speed != 0.)
     {
       const double work = -dt * wall.slide_speed * (wall.force * wall.tangent());
-      report.wall_work += work;
+      book(work, wall, report);
       report.contact_loss += work;
     }
     if (wall.prescribed())
     {
-      report.wall_work += normal_impulse[w] * wall.speed;
+      book(normal_impulse[w] * wall.speed, wall, report);
       report.contact_loss += normal_impulse[w] * wall.speed;
     }
     else
@@ -246,7 +253,7 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
                                                 bodies.velocity[n + w][1] * wall.normal()[1];
       // The damping took what neither the load nor the primaries gave.
       const double damping = mass * (before - after) + dt * wall.load - normal_impulse[w];
-      report.wall_work += dt * wall.load * 0.5 * (before + after);
+      book(dt * wall.load * 0.5 * (before + after), wall, report);
       report.damping_loss += damping * 0.5 * (before + after);
       report.contact_loss += 0.5 * mass * (before * before - after * after) +
                              (dt * wall.load - damping) * 0.5 * (before + after);
@@ -258,13 +265,14 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
 
 void Dynamics::account(const double dt,
                        const std::vector<std::array<double, 2>> &acceleration,
+                       const dealii::Tensor<1, 2> &gravity,
                        DynamicsReport &report) const
 {
   // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
   // but for the work of the attraction, which is compared with its potential.
   struct Work
   {
-    ExactSum loss, force, impulse[2];
+    ExactSum loss, force, gravity, impulse[2];
   };
   const std::size_t n = n_own(), n_pieces = n / grain + 1;
   const bool pulled = !acceleration.empty();
@@ -277,7 +285,7 @@ void Dynamics::account(const double dt,
                  {
                    if (inverse_mass[i] == 0.)
                      continue;
-                   double kinetic_loss = 0., attraction = 0., force_work = 0.;
+                   double kinetic_loss = 0., attraction = 0., force_work = 0., gravity_work = 0.;
                    for (unsigned int d = 0; d < 2; ++d)
                    {
                      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
@@ -287,6 +295,7 @@ void Dynamics::account(const double dt,
                        continue;
                      const double impulse = dt * primaries.mass[i] * acceleration[i][d];
                      force_work += impulse * 0.5 * (before + after);
+                     gravity_work += dt * primaries.mass[i] * gravity[d] * 0.5 * (before + after);
                      work.impulse[d].add(impulse);
                    }
                    if (rotations)
@@ -296,11 +305,13 @@ void Dynamics::account(const double dt,
                                      (before - after) * (before + after);
                    }
                    work.loss.add(kinetic_loss + attraction + force_work);
-                   if (pulled)
-                     work.force.add(force_work);
+                   if (!pulled)
+                     continue;
+                   work.force.add(force_work);
+                   work.gravity.add(gravity_work);
                  }
                });
-  std::vector<ExactSum> all(4);
+  std::vector<ExactSum> all(5);
   for (const Work &work : of_piece)
   {
     all[0].add(work.loss);
@@ -309,11 +320,13 @@ void Dynamics::account(const double dt,
     all[1].add(work.force);
     all[2].add(work.impulse[0]);
     all[3].add(work.impulse[1]);
+    all[4].add(work.gravity);
   }
   if (share)
     add_over_ranks(all, share->of_ranks());
   report.contact_loss += all[0].value();
   report.force_work += all[1].value();
+  report.gravity_work += all[4].value();
   report.force_impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
 }
 
@@ -340,7 +353,8 @@ void Dynamics::move_primaries(const double dt)
 
 DynamicsReport Dynamics::step(const double dt,
                               std::vector<Wall> &walls,
-                              const std::vector<std::array<double, 2>> &acceleration)
+                              const std::vector<std::array<double, 2>> &acceleration,
+                              const dealii::Tensor<1, 2> &gravity)
 {
   DynamicsReport report;
   {
@@ -366,7 +380,7 @@ DynamicsReport Dynamics::step(const double dt,
     move_walls(dt, walls, report);
     if (obstacles != nullptr)
       move_obstacles(dt, report);
-    account(dt, acceleration, report);
+    account(dt, acceleration, gravity, report);
     report.contact_loss += report.adhesion_work;
     note_contacts(dt);
     alike([&]() { move_primaries(dt); });

@@ -113,6 +113,7 @@ void Dynamics::move_obstacles(const double dt, DynamicsReport &report)
     double work = given * obstacle.way.velocity(obstacle_rows[k].drawn);
     if (!rows.rolling_impulse.empty())
       work += rows.rolling_impulse[first + k] * obstacle.way.spin();
+    obstacle.work += work;
     report.wall_work += work;
     report.contact_loss += work;
   }

@@ -300,7 +300,7 @@ double Simulation::fraction_done() const
 
 RunState Simulation::run_state() const
 {
-  return {model, walls_at_start, planner.slack(), 0., scene.gravity};
+  return {model, walls_at_start, planner.slack(), 0., scene.gravity, nullptr, stop.end_time() > 0.};
 }
 
 void Simulation::settle_if_written(StepReport &report)

@@ -120,6 +120,9 @@ HistoryRow Simulation::history_row(const Energies &energies) const
   row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
   row.emplace_back("elastic_energy_J_per_m", energies.elastic);
   row.emplace_back("dissipated_energy_J_per_m", energies.dissipated);
+  row.emplace_back("external_work_J_per_m", energies.external_work);
+  const HistoryRow works = model.works();
+  row.insert(row.end(), works.begin(), works.end());
   row.emplace_back("contact_residual", last_report.contact_residual);
   row.emplace_back("max_penetration_m", last_report.max_penetration);
   row.emplace_back("newton_iterations", last_report.newton_iterations);

@@ -87,6 +87,33 @@ double Growth<dim>::energy(const double grown, const double J, const double firs
 }
 
 template <int dim>
+double Growth<dim>::supply(const double growth, const double *old, const double *fresh) const
+{
+  if (growth == 0)
+    return 0.;
+  // Gauss's rule with four points: next to exact for any growth in a step that is not absurd.
+  constexpr double place[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263},
+                   weight[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                               0.1739274225687269};
+  const double exponent = directions.size() == 1 ? 2. : 1., more_volume = std::log(fresh[1] / old[1]),
+               more_shared = std::log(fresh[3] / old[3]), rest = old[2] - old[3],
+               more_rest = fresh[2] - fresh[3] - rest;
+  double sum = 0.;
+  for (unsigned int g = 0; g < 4; ++g)
+  {
+    const double s = place[g], grown = old[0] * std::exp(s * growth), J = old[1] * std::exp(s * more_volume),
+                 shared = old[3] * std::exp(s * more_shared), first = rest + s * more_rest + shared;
+    // d psi / d ln J_g at constant F.
+    const double rate =
+        energy(grown, J, first, shared) +
+        grown * (this->mu * (1 - exponent / 2 * shared / (directions.size() == 1 ? grown * grown : grown)) -
+                 this->lambda * std::log(J / grown));
+    sum += weight[g] * rate;
+  }
+  return growth * sum;
+}
+
+template <int dim>
 std::string Growth<dim>::why_refused(const Inputs<dim> &point) const
 {
   const double growth = growth_in_step(point.time, point.dt), grown = point.history_old[0] * std::exp(growth);
@@ -137,13 +164,12 @@ std::size_t Growth<dim>::update(const Inputs<dim> &in, const Outputs<dim> &out) 
     if (out.energy)
       out.energy[q] = energy(grown, J, first, shared);
     if (out.dissipation)
-      out.dissipation[q] =
-          growth == 0 ? 0. : energy(old[0], old[1], old[2], old[3]) - energy(grown, old[1], old[2], old[3]);
+      out.dissipation[q] = 0;
+    const double fresh[] = {grown, J, first, shared};
+    if (out.supply)
+      out.supply[q] = supply(growth, old, fresh);
     if (out.history_new)
-    {
-      const double fresh[] = {grown, J, first, shared};
       std::copy(std::begin(fresh), std::end(fresh), out.history_new + q * n_history());
-    }
   }
   return in.n_points;
 }

@@ -9,7 +9,7 @@ namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 7; // that the state of an obstacle is made of
+constexpr std::size_t n_numbers = 8; // that the state of an obstacle is made of
 
 /// Where a line goes straight on, up to about a degree, there is no corner.
 constexpr double straight_on = 0.9998;
@@ -87,7 +87,7 @@ std::vector<Obstacle> make_obstacles(const Scene<2> &scene)
   std::vector<Obstacle> obstacles;
   for (const ObstacleDescription<2> &description : scene.obstacles)
   {
-    obstacles.push_back({description, {}, {}, {}, 0.});
+    obstacles.push_back({description, {}, {}, {}, 0., 0.});
     obstacles.back().plan(0., 0.);
     obstacles.back().arrive();
   }
@@ -114,9 +114,9 @@ void save_obstacles(StateWriter &out, const std::string &name, const std::vector
     return;
   std::vector<double> numbers;
   for (const Obstacle &obstacle : obstacles)
-    numbers.insert(numbers.end(),
-                   {obstacle.force[0], obstacle.force[1], obstacle.torque, obstacle.way.dt,
-                    obstacle.way.start.shift[0], obstacle.way.start.shift[1], obstacle.way.start.angle});
+    numbers.insert(numbers.end(), {obstacle.force[0], obstacle.force[1], obstacle.torque, obstacle.way.dt,
+                                   obstacle.way.start.shift[0], obstacle.way.start.shift[1],
+                                   obstacle.way.start.angle, obstacle.work});
   out.write(name, numbers);
 }
 
@@ -140,6 +140,7 @@ void load_obstacles(const StateReader &in,
     obstacle.way.start.angle = v[6];
     obstacle.force = dealii::Tensor<1, 2>({v[0], v[1]});
     obstacle.torque = v[2];
+    obstacle.work = v[7];
   }
 }
 } // namespace softgrain

@@ -7,10 +7,18 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace softgrain
 {
+namespace
+{
+constexpr double hardly_longer = 10.;     ///< over the smallest step, for one that counts as short
+constexpr unsigned int most_short = 1000; ///< steps in a row, after which a run gives up
+} // namespace
+
 void StepSettings::declare_parameters(dealii::ParameterHandler &prm,
                                       const std::string &zero,
                                       const std::string &smallest_step)
@@ -28,15 +36,54 @@ void StepSettings::parse_parameters(const dealii::ParameterHandler &prm)
   smallest_step = prm.get_double("Smallest step");
 }
 
+void StepControl::note(const double dt, const double floor)
+{
+  if (dt >= hardly_longer * floor)
+  {
+    n_short = 0;
+    way_of_short = 0.;
+    return;
+  }
+  ++n_short;
+  way_of_short += dt;
+}
+
 StepTaken StepControl::advance(const StepSettings &settings,
                                const double wanted,
                                const double dt_limit,
                                const double time,
-                               const std::function<Attempt(double dt)> &attempt)
+                               const std::function<Attempt(double dt)> &attempt,
+                               const SafeStep &safe)
 {
+  std::ostringstream message;
+  const double asked = std::min(wanted, dt_limit), floor = settings.smallest_step * asked;
+  if (safe.dt < std::min(asked, safe.shortest))
+  {
+    message << "at time " << time << " s time no longer moves: a safe step is " << safe.dt
+            << " s long, the smallest is " << std::min(asked, safe.shortest) << " s: " << safe.cause();
+    throw ComputationError(message.str());
+  }
+  if (n_short >= most_short)
+  {
+    message << "at time " << time << " s time hardly moves: " << n_short << " steps in a row took "
+            << way_of_short << " s together, where one is to take " << wanted << " s ('Time/Smallest step')"
+            << (last_refusal.empty() ? "" : "; the last one that failed: " + last_refusal);
+    throw ComputationError(message.str());
+  }
+  // A step below this is lost in the time that it is added to.
+  const double rounding = 4. * std::numeric_limits<double>::epsilon() * std::abs(time);
+  const double limit = std::min(dt_limit, safe.dt);
+  const double shortest = std::max(settings.smallest_step * std::min(wanted, limit), rounding);
+  if (std::min(wanted * scale, limit) < std::min(rounding, dt_limit))
+  {
+    message << "at time " << time << " s time no longer moves: a step of " << std::min(wanted * scale, limit)
+            << " s is lost in its rounding"
+            << (last_refusal.empty() ? "" : "; the last step that failed: " + last_refusal);
+    throw ComputationError(message.str());
+  }
   const double scale_before = scale;
   StepTaken step;
-  for (step.dt = std::min(wanted * scale, dt_limit);; ++step.attempts)
+  for (step.dt = std::min(wanted * scale, limit);; ++step.attempts)
   {
     Attempt done;
     try
@@ -52,13 +99,16 @@ StepTaken StepControl::advance(const StepSettings &settings,
     {
       if (done.may_grow)
         scale = std::min(1., growth * scale);
+      // What is due soon makes a step short, too.
+      if (step.dt < dt_limit)
+        note(step.dt, floor);
       return step;
     }
+    last_refusal = done.reason;
     step.dt *= std::clamp(done.share, 0.1, 0.9);
     scale = std::min(scale, step.dt / wanted);
-    if (step.dt < settings.smallest_step * std::min(wanted, dt_limit))
+    if (step.dt < shortest)
     {
-      std::ostringstream message;
       message << "at time " << time << " s no step longer than " << step.dt << " s succeeds: " << done.reason;
       throw ComputationError(message.str());
     }

@@ -94,12 +94,15 @@ namespace
 /// @p state as the condition sees it whose memory is @p own.
 RunState with_memory(const RunState &state, const std::vector<double> &own)
 {
-  return {state.model, state.walls_at_start, state.time_slack, state.begin, state.gravity, &own};
+  return {state.model, state.walls_at_start, state.time_slack, state.begin, state.gravity,
+          &own,        state.ends_anyway};
 }
 } // namespace
 
-void StopConditions::note(const RunState &state, StopMemory &memory) const
+void StopConditions::note(const RunState &now, StopMemory &memory) const
 {
+  RunState state = now;
+  state.ends_anyway = state.ends_anyway || end_time() > 0.;
   for (const Asked &one : asked)
     one.condition->note(state, one.limit, memory[one.condition->key()]);
 }

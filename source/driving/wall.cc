@@ -14,7 +14,7 @@ namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 11; // that the state of a wall is made of
+constexpr std::size_t n_numbers = 12; // that the state of a wall is made of
 
 bool keeps_slide(const Wall &wall)
 {
@@ -128,25 +128,25 @@ double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
   return n > 0 ? sum / n : 0.;
 }
 
-double take_drives(std::vector<Wall> &walls,
-                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
-                   const double time)
+void take_drives(std::vector<Wall> &walls,
+                 const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                 const double time,
+                 const bool inertia)
 {
-  double energy = 0.;
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     if (!drives[w])
       continue;
     Wall &wall = walls[w];
-    energy -= wall.kinetic_energy();
+    const double energy_before = wall.kinetic_energy();
     wall.description.drive = drives[w];
     wall.drive_begin = time;
     wall.travel_before = wall.travel;
     wall.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.usual_mass);
     wall.slide_mass = wall.slides_freely() ? drives[w]->inertia().mass.value_or(wall.usual_mass) : 0.;
-    energy += wall.kinetic_energy();
+    if (inertia)
+      wall.work += wall.kinetic_energy() - energy_before;
   }
-  return energy;
 }
 
 void check_free_walls(const Scene<2> &scene)
@@ -222,7 +222,7 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
   for (const Wall &wall : walls)
     numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
                                    wall.impulse[1], wall.carried[0], wall.carried[1], wall.pressure_before,
-                                   wall.drive_begin, wall.travel_before});
+                                   wall.drive_begin, wall.travel_before, wall.work});
   out.write(name, numbers);
   if (std::none_of(walls.begin(), walls.end(), keeps_slide))
     return;
@@ -246,6 +246,7 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].pressure = walls[w].pressure_before = v[8];
     walls[w].drive_begin = v[9];
     walls[w].travel_before = v[10];
+    walls[w].work = v[11];
   }
   if (!in.contains(name + "_sliding"))
     return;

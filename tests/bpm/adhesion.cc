@@ -101,7 +101,7 @@ void energy(const double dt)
   run(*model, 2.);
   const Energies end = model->energies();
   double work = 0.;
-  for (const auto &[name, value] : model->extra_history())
+  for (const auto &[name, value] : model->works())
     if (name == "adhesion_work_J_per_m")
       work = value;
   // The pull acts from contact to the end of its range, and on the last step that begins within it.

@@ -51,7 +51,8 @@ std::string steps(bpm::BpmModel &model, const unsigned int from, const unsigned 
     const Energies energies = model.energies();
     text << model.time() << ' ' << report.contact_sweeps << ' ' << report.contact_residual << ' '
          << energies.kinetic << ' ' << energies.elastic << ' ' << energies.dissipated << ' '
-         << model.momentum_error() << ' ' << model.solid_area() << ' ' << model.coordination();
+         << energies.external_work << ' ' << model.momentum_error() << ' ' << model.solid_area() << ' '
+         << model.coordination();
     for (const auto &wall : model.walls())
       text << ' ' << wall.normal_force << ' ' << wall.tangential_force << ' ' << wall.position;
     text << '\n';

@@ -18,7 +18,7 @@ struct LawPoint
   Tensor<2, dim> F = dealii::unit_symmetric_tensor<dim>();
   std::vector<double> history;
   Response<dim> last;
-  double time = 0, work = 0, dissipated = 0;
+  double time = 0, work = 0, dissipated = 0, supplied = 0;
 
   LawPoint(const std::string &name, const Settings &settings)
       : law(make_law<dim>(name, settings)), history(initial_history(*law))
@@ -38,6 +38,7 @@ struct LawPoint
     for (unsigned int i = 0; i < dim; ++i)
       work += (before[i][i] + last.stress[i][i]) / 2 * std::log(F_new[i][i] / F[i][i]);
     dissipated += last.dissipation;
+    supplied += last.supply;
     history = last.history;
     F = F_new;
     time += dt;

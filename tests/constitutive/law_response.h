@@ -56,6 +56,7 @@ struct Response
   double out_of_plane_stress = 0;
   double energy = 0;
   double dissipation = 0;
+  double supply = 0;
   std::vector<double> history;
   std::size_t n_good = 0;
 };
@@ -79,8 +80,9 @@ Response<dim> evaluate(const Law<dim> &law, const Step<dim> &step)
   const Inputs<dim> in = {
       1,        finite ? &F : nullptr, finite ? nullptr : &step.increment, step.history_old.data(), step.dt,
       step.time};
-  const Outputs<dim> out = {&r.stress, &r.tangent,     &r.out_of_plane_stress,
-                            &r.energy, &r.dissipation, r.history.data()};
+  Outputs<dim> out = {&r.stress, &r.tangent,     &r.out_of_plane_stress,
+                      &r.energy, &r.dissipation, r.history.data()};
+  out.supply = &r.supply;
   r.n_good = law.update(in, out);
   return r;
 }

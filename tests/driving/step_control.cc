@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Steps above a limit fail: they are halved until one passes, grow again by the factor given but not above
 // the wanted step, and a run that finds no step says why. An interrupted step leaves the length as it was.
+// A run ends where time no longer moves: steps that are lost in it, safe steps that are far too short, and a
+// thousand steps in a row that are hardly longer than the smallest; not where what is due makes steps short.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/driving/step_control.h>
@@ -63,4 +65,35 @@ int main()
   {
     std::cout << "interrupted at attempt " << calls << ", then " << control.scale << '\n';
   }
+  const auto why = [](const std::function<void()> &run)
+  {
+    try
+    {
+      run();
+      std::cout << "goes on\n";
+    }
+    catch (const ComputationError &error)
+    {
+      std::cout << error.what() << '\n';
+    }
+  };
+  const auto good = [](const double) -> Attempt { return {true, "", false}; };
+  StepControl late(1.5), fast(1.5), slow(1.5), due(1.5);
+  why([&]() { late.advance(settings, 1., 10., 1e16, good); });
+  SafeStep safe;
+  safe.cause = []() { return std::string("body 'a' at (0 0) m moves at 1e+30 m/s"); };
+  safe.dt = 1e-3;
+  safe.shortest = 1e-4;
+  why([&]() { fast.advance(settings, 1., 10., 7., good, safe); });
+  safe.dt = 1e-5;
+  why([&]() { fast.advance(settings, 1., 10., 7., good, safe); });
+  const auto often = [&](StepControl &of, const double dt_limit, const unsigned int n)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      of.advance(settings, 1., dt_limit, 7., good);
+  };
+  slow.scale = 0.05;
+  why([&]() { often(slow, 10., 1000); });
+  why([&]() { often(slow, 10., 1); });
+  why([&]() { often(due, 0.05, 2000); });
 }

@@ -83,7 +83,7 @@ void torn(const std::string &title, const std::vector<std::string> &changes)
   EnergyWatch energy(*model);
   run_until(*model, 0.03, [&](const StepReport &) { energy.look(*model); });
   double work = 0.;
-  for (const auto &[name, value] : model->extra_history())
+  for (const auto &[name, value] : model->works())
     if (name == "adhesion_work_J_per_m")
       work = value;
   std::cout << title << ": " << (height(*model, 1) > 16e-3 ? "torn" : "NOT torn")

@@ -21,7 +21,7 @@ std::string state(const mpm::MpmModel &model, const StepReport &report)
   std::ostringstream text;
   text << std::hexfloat << model.time() << ' ' << report.contact_sweeps << ' ' << report.newton_residual
        << ' ' << model.energies().elastic << ' ' << model.energies().dissipated << ' '
-       << model.momentum_error();
+       << model.energies().external_work << ' ' << model.momentum_error();
   for (const auto &body : model.bodies())
     text << ' ' << body.velocity.sum() << ' ' << body.displacement.squaredNorm();
   for (const auto &wall : model.walls())

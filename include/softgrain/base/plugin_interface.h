@@ -6,7 +6,7 @@
 
 /// Raised with every change of a header that a library of parts must be built anew
 /// for.
-#define SOFTGRAIN_PLUGIN_INTERFACE "4"
+#define SOFTGRAIN_PLUGIN_INTERFACE "5"
 
 namespace softgrain
 {

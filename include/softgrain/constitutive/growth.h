@@ -19,9 +19,10 @@ namespace softgrain::constitutive
  *
  *   psi = J_g psi_e(Fe),  tau = J_g tau_e(Fe),  c = J_g c_e(Fe),
  *
- * Rodriguez, Hoger and McCulloch, Journal of Biomechanics 27 (1994). Growth in a step comes first, at the
- * deformation before it: what it brings in is the rise of psi there, told as a negative dissipation. The
- * mass of a point stays.
+ * Rodriguez, Hoger and McCulloch, Journal of Biomechanics 27 (1994). What growth brings in is the integral of
+ * d psi / d ln J_g at constant F over the growth of a step, along a straight way of ln J_g and of the
+ * logarithms of what psi depends on: of second order in the step, exact where growth is confined, and nothing
+ * where it is free. The mass of a point stays.
  */
 template <int dim>
 class Growth final : public ElasticLaw<dim>, public Refusal<dim>
@@ -44,6 +45,9 @@ private:
   /// What a point has grown by, ln J_g, in a step that ends at @p time [s]. NaN where the formula has none.
   double growth_in_step(double time, double dt) const;
   double energy(double grown, double J, double first, double shared) const;
+  /// Energy that growth brings in from the old history to the new one [J/m^3]. @param growth ln J_g of the
+  /// step
+  double supply(double growth, const double *old, const double *fresh) const;
 
   Expression rate;
   mutable std::mutex rate_mutex; ///< a formula is evaluated by one thread at a time

@@ -81,7 +81,8 @@ public:
   /// Whether update() may ask for a shorter step by Outputs::step_share. Default: false.
   virtual bool limits_step() const;
 
-  /// Whether the law brings in energy of its own, as growth does. Default: false.
+  /// Whether the law brings in energy of its own, as growth does, and tells it by Outputs::supply. Default:
+  /// false.
   virtual bool is_active() const;
 
   /// Modulus of pressure waves at rest, lambda + 2 mu [Pa]: their speed is sqrt(wave_modulus / density).

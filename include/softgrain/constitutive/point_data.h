@@ -49,14 +49,16 @@ struct Outputs
   double *out_of_plane_stress = nullptr;
   /// Stored energy per reference volume [J/m^3].
   double *energy = nullptr;
-  /// Energy dissipated over the step per reference volume [J/m^3], never negative; of laws with
-  /// Law::is_active() less what they bring in, so that it may be.
+  /// Energy dissipated over the step per reference volume [J/m^3], never negative.
   double *dissipation = nullptr;
   /// n_points rows of Law::n_history() values at the end of the step.
   double *history_new = nullptr;
   /// One number for the batch, which a law with Law::limits_step() lowers to the largest share of dt that it
   /// allows: below 1 the step is tried again shorter. The other outputs are valid nevertheless.
   double *step_share = nullptr;
+  /// Of laws with Law::is_active(): energy that they bring in over the step per reference volume [J/m^3]; may
+  /// be negative. Starts from 0 for laws that do not write it.
+  double *supply = nullptr;
 };
 } // namespace softgrain::constitutive
 

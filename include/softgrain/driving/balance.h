@@ -18,8 +18,12 @@ class StateWriter;
 struct Balance
 {
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
-  double largest_momentum = 0;                                 ///< scale of the momentum error [N s/m]
-  double wall_work = 0, body_force_work = 0, contact_loss = 0; ///< [J/m]
+  double largest_momentum = 0;                  ///< scale of the momentum error [N s/m]
+  double gravity_work = 0, body_force_work = 0; ///< done by gravity, and by body forces beside it [J/m]
+  double driven_work = 0;                       ///< done by driven bodies [J/m]
+  double growth_work = 0;                       ///< energy that active laws brought in [J/m]
+  double cell_work = 0;    ///< of a cell that deforms, beside that of its sides: see CellMotion [J/m]
+  double contact_loss = 0; ///< [J/m]
   double adhesion_work =
       0; ///< done by adhesion, which pulls what comes nearer; not part of contact_loss [J/m]
   double wall_damping_loss = 0; ///< in the damping of walls that are free to move [J/m]
@@ -30,8 +34,11 @@ struct Balance
   /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term.
   double momentum_error(const dealii::Tensor<1, 2> &momentum) const;
 
-  /// Done by walls, body forces and adhesion [J/m].
-  double external_work() const { return wall_work + body_force_work + adhesion_work; }
+  /// Done by all but walls and obstacles, which keep their own [J/m].
+  double work_beside_walls() const
+  {
+    return gravity_work + body_force_work + driven_work + growth_work + cell_work + adhesion_work;
+  }
 
   void save(StateWriter &out, const std::string &name) const;
   void load(const StateReader &in, const std::string &name);

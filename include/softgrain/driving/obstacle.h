@@ -43,6 +43,7 @@ struct Obstacle
   ObstacleMotion way;         ///< of the step to come, or of the last one
   dealii::Tensor<1, 2> force; ///< on it, mean over the last step [N/m]
   double torque = 0;          ///< of these forces about the pivot, counter-clockwise [N]
+  double work = 0;            ///< done by it since the start [J/m]
 
   /// Makes ready for a step of @p dt from @p time on; 0: it stands [s].
   void plan(double time, double dt);

@@ -3,6 +3,7 @@
 #define softgrain_driving_step_control_h
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace dealii
@@ -38,6 +39,15 @@ struct Attempt
   double share = 0.5;   ///< of the length of a step that is not accepted with which it is tried again
 };
 
+/// A limit on the next step beside what is due and what is wanted, as that in which nothing can pass unseen.
+struct SafeStep
+{
+  double dt = std::numeric_limits<double>::infinity(); ///< [s]
+  /// The run ends where safe steps are shorter than this [s].
+  double shortest = 0;
+  std::function<std::string()> cause; ///< of the limit: names body and place
+};
+
 /// What StepControl::advance() did.
 struct StepTaken
 {
@@ -60,22 +70,32 @@ public:
    * @param settings the smallest step
    * @param wanted   the step that the model wants to make [s]
    * @param dt_limit the longest that is allowed [s]
-   * @param time     for the message [s]
+   * @param time     at the start of the step [s]
    * @param attempt  leaves the state as it was when it does not accept
-   * @throw ComputationError when no acceptable step is found, Interrupted as @p attempt does: the length of
-   * steps is then that before the call
+   * @param safe     another limit
+   * @throw ComputationError when no acceptable step is found, and when time no longer moves: steps that are
+   * lost in the rounding of the time, safe steps that are too short, or thousand steps in a row of which none
+   * was ten times as long as 'Smallest step' allows. Interrupted as @p attempt does: the length of steps is
+   * then that before the call
    */
   StepTaken advance(const StepSettings &settings,
                     double wanted,
                     double dt_limit,
                     double time,
-                    const std::function<Attempt(double dt)> &attempt);
+                    const std::function<Attempt(double dt)> &attempt,
+                    const SafeStep &safe = SafeStep());
 
   /// Length of the steps over that wanted, after cuts; what a checkpoint keeps.
   double scale = 1.;
 
 private:
+  /// Takes note of an accepted step.
+  void note(double dt, double floor);
+
   const double growth;
+  unsigned int n_short = 0; ///< steps in a row that were hardly longer than the smallest
+  double way_of_short = 0.; ///< their lengths together [s]
+  std::string last_refusal; ///< why the last step that failed did
 };
 } // namespace softgrain
 

@@ -30,6 +30,7 @@ struct RunState
   double begin = 0;                            ///< from when times count [s]
   dealii::Tensor<1, 2> gravity = {};           ///< [m/s^2]
   const std::vector<double> *memory = nullptr; ///< what note() has kept; of this condition alone
+  bool ends_anyway = false;                    ///< whether the run ends at some time, whatever happens
 };
 
 /**
@@ -100,7 +101,7 @@ public:
   /// Whether what the bodies do may end it before.
   bool depend_on_bodies() const;
   /// After every step. @p memory of all conditions, empty at the start
-  void note(const RunState &state, StopMemory &memory) const;
+  void note(const RunState &now, StopMemory &memory) const;
   double fraction_done(const RunState &state, const StopMemory &memory) const;
   /// "t = 1 s, axial strain 0.3".
   std::string in_words() const;

@@ -43,6 +43,8 @@ struct Wall
   double damping = 0;           ///< force against its motion, per velocity, under its load [kg/(m s)]
   dealii::Tensor<1, 2> force;   ///< on the wall, mean over the last step [N/m]
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
+  /// Done since the start by what drives it: a wall of prescribed velocity, or the load on a free one [J/m].
+  double work = 0;
   dealii::Tensor<1, 2>
       carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
 
@@ -149,10 +151,12 @@ FreeWallStep free_slide_step(const Wall &wall, double dt, double theta, double i
 std::vector<Wall> make_walls(const Scene<2> &scene);
 
 /// Drives walls from @p time on as @p drives say, one per wall; null: as before.
-/// @return the kinetic energy that walls which are free now have, less that of those which were free [J/m]
-double take_drives(std::vector<Wall> &walls,
-                   const std::vector<std::shared_ptr<const WallDrive>> &drives,
-                   double time);
+/// @param inertia whether walls have kinetic energy: who holds a wall then gives it the energy of its motion,
+/// and takes it, which is work
+void take_drives(std::vector<Wall> &walls,
+                 const std::vector<std::shared_ptr<const WallDrive>> &drives,
+                 double time,
+                 bool inertia = true);
 
 /// Whether the pressure of a free wall has a length to act on.
 /// @throw InputError

@@ -119,6 +119,9 @@ public:
 
   /// Sizes, CFL step, ratio of the time step to it, estimate of cost: printed before step 0.
   virtual SizeReport size_report() const = 0;
+  /// What was done on the bodies since the start, by whom [J/m]: columns of history.csv. Their sum is
+  /// external_work of energies().
+  virtual std::vector<std::pair<std::string, double>> works() const { return {}; }
   /// Names of the columns that this model adds to history.csv, and their values.
   virtual std::vector<std::pair<std::string, double>> extra_history() const { return {}; }
   /// Seconds spent per phase since the start.

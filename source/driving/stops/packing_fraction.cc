@@ -10,11 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace softgrain
 {
 namespace
 {
+/// Steps in a row in which the box grew, and its growth since the start, after which nobody waits for it to
+/// close again where nothing else ends the run.
+constexpr double most_growing = 1000., far_too_large = 4.;
+
 class PackingFractionReached final : public StopCondition
 {
 public:
@@ -48,6 +53,25 @@ public:
       throw InputError("'Stop/" + key() + "' = '" + number_in_words(limit) +
                        "' is already reached: the bodies fill " + number_in_words(fraction) +
                        " of the box at the start");
+  }
+
+  void note(const RunState &state, const double limit, std::vector<double> &memory) const override
+  {
+    // In a row: steps in which the box grew. Then the box.
+    const double area = std::abs(box_of(state.model.walls())->volume());
+    memory.resize(2, 0.);
+    memory[0] = area > memory[1] && memory[1] > 0. ? memory[0] + 1. : 0.;
+    memory[1] = area;
+    if (state.ends_anyway || memory[0] < most_growing ||
+        area < far_too_large * std::abs(box_of(state.walls_at_start)->volume()))
+      return;
+    std::ostringstream message;
+    message << "at time " << state.model.time() << " s the packing fraction is "
+            << packing_fraction(state.model.walls(), state.model.solid_area()).value_or(0.)
+            << " and is to be " << limit << " ('Stop/" << key() << "'), but the walls have moved apart for "
+            << memory[0] << " steps, to a box more than " << far_too_large
+            << " times that of the start: drive them together, or set 'Stop/End time' too";
+    throw ComputationError(message.str());
   }
 
   double fraction_done(const RunState &state, const double limit) const override

@@ -94,8 +94,14 @@ StepReport MpmModel::try_steps(const double dt_limit)
     return {true, "",
             !cut_by_law && outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};
   };
-  const double limit = safe_step(problem, state, work, std::min(dt_limit, wanted));
-  const StepTaken taken = step_control.advance(settings.step, wanted, limit, state.time, try_step);
+  SafeStep safe;
+  const double asked = std::min(dt_limit, wanted);
+  if (const double limit = safe_step(problem, state, work, asked); limit < asked)
+    safe.dt = limit;
+  // Bodies that go by their size in so small a share of a usual step are far faster than sound.
+  safe.shortest = settings.step.smallest_step * std::min(wanted, settings.cfl_multiple * cfl_step());
+  safe.cause = [this]() { return fastest_body(); };
+  const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, state.time, try_step, safe);
   report.attempts = taken.attempts;
   report.dt = last_dt = taken.dt;
   ++steps;
@@ -107,6 +113,23 @@ StepReport MpmModel::try_steps(const double dt_limit)
   update_momentum_scale();
   check_ranks_agree(report);
   return report;
+}
+
+std::string MpmModel::fastest_body() const
+{
+  const Body<2> *fastest = nullptr;
+  double speed = -1.;
+  for (const Body<2> &body : state.bodies)
+    if (const double of_body = body.driven ? -1. : body.momentum().norm() / body.mass.sum(); of_body > speed)
+    {
+      speed = of_body;
+      fastest = &body;
+    }
+  if (fastest == nullptr)
+    return "nothing can move";
+  std::ostringstream text;
+  text << "body '" << fastest->name << "' at (" << fastest->center() << ") m moves at " << speed << " m/s";
+  return text.str();
 }
 
 void MpmModel::settle(StepReport &report)
@@ -139,10 +162,7 @@ void MpmModel::settle(StepReport &report)
 
 void MpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  // Whoever holds a wall gives it the energy of its motion, and takes it.
-  const double energy = softgrain::take_drives(state.walls, drives, state.time);
-  if (problem.settings.scheme.inertia)
-    state.balance.wall_work += energy;
+  softgrain::take_drives(state.walls, drives, state.time, problem.settings.scheme.inertia);
 }
 
 void MpmModel::check_energy() const

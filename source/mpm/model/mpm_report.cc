@@ -48,8 +48,24 @@ Energies MpmModel::energies() const
   }
   energies.elastic = stored_energy(state, work.share);
   energies.dissipated = state.balance.dissipated();
-  energies.external_work = state.balance.external_work();
+  energies.external_work = state.external_work();
   return energies;
+}
+
+std::vector<std::pair<std::string, double>> MpmModel::works() const
+{
+  Workers workers;
+  workers.gravity = problem.scene.gravity.norm_square() > 0.;
+  for (const BodyDescription<2> &body : problem.scene.bodies)
+    workers.driven_bodies = workers.driven_bodies || body.driven;
+  for (const Body<2> &body : state.bodies)
+  {
+    workers.body_forces = workers.body_forces || !body.body_force.empty();
+    workers.growth = workers.growth || (!body.driven && body.law->is_active());
+  }
+  workers.cell = state.repeats();
+  workers.adhesion = problem.pairs.adhere();
+  return columns_of_work(state.balance, state.walls, state.obstacles, workers);
 }
 
 std::size_t MpmModel::n_points() const

@@ -213,8 +213,6 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
       {"rotational_energy_J_per_m", rotational_energy()},
       {"scheme_damping_J_per_m", balance.scheme_damping},
       {"regularisation_work_J_per_m", balance.regularisation_work}};
-  if (problem.pairs.adhere())
-    columns.emplace_back("adhesion_work_J_per_m", balance.adhesion_work);
   if (!problem.settings.scheme.inertia)
     columns.insert(columns.end(),
                    {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});

@@ -50,8 +50,18 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
       for (unsigned int d = 0; d < 2; ++d)
         body.velocity[2 * i + d] += change[d];
     state.balance.body_force_impulse += mass * change;
-    state.balance.body_force_work += (momentum + 0.5 * mass * change) * change;
+    state.balance.cell_work += (momentum + 0.5 * mass * change) * change;
   }
+}
+
+/// Of @p gravity on a body whose nodes move at @p rate [W/m].
+double gravity_work(const Body<2> &body, const dealii::Tensor<1, 2> &gravity, const Eigen::VectorXd &rate)
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      sum += body.mass[i] * gravity[d] * rate[2 * i + d];
+  return sum;
 }
 
 /// Gives the points what the step has come to.
@@ -91,13 +101,18 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     else if (step.external[body.index].size() > 0)
     {
       const Eigen::VectorXd &force = step.external[body.index];
-      state.balance.body_force_work += force.dot(step.rate[body.index]) * dt;
+      const double work_done = force.dot(step.rate[body.index]) * dt,
+                   of_gravity = body.body_force.empty()
+                                    ? work_done
+                                    : gravity_work(body, problem.scene.gravity, step.rate[body.index]) * dt;
+      state.balance.gravity_work += of_gravity;
+      state.balance.body_force_work += work_done - of_gravity;
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
           work.load[body.index][d] += force[2 * i + d];
       load += work.load[body.index];
     }
-  std::vector<double> law_loss(state.bodies.size(), 0.);
+  std::vector<double> law_loss(state.bodies.size(), 0.), law_supply = law_loss;
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   std::vector<dealii::Point<2>> centers;
   if (cell && cell->deforms())
@@ -128,16 +143,21 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
         if (body.law->n_history() > 0)
           for (unsigned int p = 0; p < body.points.size(); ++p)
             law_loss[body.index] += trial.dissipation[p] * trial.volume[p];
+        for (unsigned int p = 0; p < trial.supply.size(); ++p)
+          law_supply[body.index] += trial.supply[p] * trial.volume[p];
       },
       [&](BodyShare::Message &message)
       {
         message.add(law_loss);
+        message.add(law_supply);
         for (Body<2> &body : state.bodies)
           if (!body.driven && !problem.outlines_everywhere())
             message.add_outline(body);
       });
   for (const double loss : law_loss)
     state.balance.law_loss += loss;
+  for (const double supply : law_supply)
+    state.balance.growth_work += supply;
   if (cell && problem.settings.scheme.inertia)
     measure_against_cell(state, *cell, dt);
   state.balance.body_force_impulse += half ? 0.5 * dt * (load + state.balance.carried_load) : dt * load;

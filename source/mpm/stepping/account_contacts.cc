@@ -20,8 +20,12 @@ void account_contacts(const Problem &problem,
     state.walls[w].speed = motion[w].rate;
     state.walls[w].slide_speed = motion[w].slide;
   }
+  std::vector<std::pair<dealii::Tensor<1, 2>, double>> felt_before; // by obstacles: force and torque
   for (Obstacle &obstacle : state.obstacles)
+  {
+    felt_before.emplace_back(obstacle.force, obstacle.torque);
     obstacle.arrive();
+  }
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   dealii::Tensor<2, 2> virial;
   // What a wall gives is the mean of both ends (ContactWork::acting()), and the impulses of this step are
@@ -33,7 +37,7 @@ void account_contacts(const Problem &problem,
   {
     wall.give(given, dt);
     state.balance.wall_impulse += given;
-    state.balance.wall_work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
+    wall.work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
   if (half)
     for (Wall &wall : state.walls)
@@ -59,9 +63,11 @@ void account_contacts(const Problem &problem,
       const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
       if (rows[r].obstacle)
       {
-        state.obstacles[rows[r].wall - state.walls.size()].give(given, rows[r].place, dt);
+        Obstacle &obstacle = state.obstacles[rows[r].wall - state.walls.size()];
+        obstacle.give(given, rows[r].place, dt);
         state.balance.wall_impulse += given;
-        state.balance.wall_work += acting * (rows[r].partner_velocity * rows[r].direction(c));
+        if (!balanced)
+          obstacle.work += acting * (rows[r].partner_velocity * rows[r].direction(c));
       }
       else if (rows[r].wall != ContactRow<2>::none)
       {
@@ -73,7 +79,7 @@ void account_contacts(const Problem &problem,
       else if (rows[r].partner != ContactRow<2>::none && state.bodies[rows[r].partner].driven)
       {
         state.balance.wall_impulse += given;
-        state.balance.wall_work += given * work.drive[rows[r].partner];
+        state.balance.driven_work += acting * (rows[r].direction(c) * work.drive[rows[r].partner]);
       }
       if (cell)
         virial += impulse / dt * outer_product(rows[r].resultant(c), rows[r].branch);
@@ -92,20 +98,25 @@ void account_contacts(const Problem &problem,
   if (cell)
   {
     load_sides(state.walls, cell->cell, virial);
-    for (const Wall &wall : state.walls)
+    for (Wall &wall : state.walls)
       if (wall.repeats())
-        state.balance.wall_work -=
-            dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
+        wall.work -= dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
+  }
+  for (unsigned int o = 0; balanced && o < state.obstacles.size(); ++o)
+  {
+    Obstacle &obstacle = state.obstacles[o];
+    const ObstacleMotion &way = obstacle.way;
+    if (way.dt > 0.)
+      obstacle.work -= 0.5 * (felt_before[o].first + obstacle.force) * (way.end.shift - way.start.shift) +
+                       0.5 * (felt_before[o].second + obstacle.torque) * (way.end.angle - way.start.angle);
   }
   if (balanced)
     for (unsigned int w = 0; w < state.walls.size(); ++w)
     {
-      const Wall &wall = state.walls[w];
-      state.balance.wall_work +=
-          0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+      Wall &wall = state.walls[w];
+      wall.work += 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
       if (wall.slide_speed != 0.)
-        state.balance.wall_work +=
-            0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
+        wall.work += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
     }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,

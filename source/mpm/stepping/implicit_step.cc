@@ -70,9 +70,10 @@ public:
       if (outcome.newton_iterations == problem.settings.max_newton)
         return "Newton did not converge in " + std::to_string(problem.settings.max_newton) +
                " iterations ('Newton/Maximum iterations'); relative residual " +
-               short_number(outcome.newton_residual);
-      const std::string trouble = newton_step();
-      if (!trouble.empty())
+               short_number(outcome.newton_residual) + ", 'Newton/Residual tolerance' is " +
+               short_number(problem.settings.residual_tolerance) + "; most of it at " +
+               equations.worst_body();
+      if (std::string trouble = newton_step(); !trouble.empty())
         return trouble;
     }
   }
@@ -242,7 +243,8 @@ std::string ImplicitStep::at_end(const bool settled)
   outcome.gives_energy = GivenEnergy(problem, state, work, plan, motion, equations)
                              .is_given(settled, outcome.max_penetration - rows.penetration_at_start());
   if (outcome.gives_energy)
-    return "contact would give energy: rows and bodies do not settle";
+    return "contact would give energy: rows and bodies do not settle; most is unbalanced at " +
+           equations.worst_body();
   // What contact gives with newmark is a property of that scheme, not of a step (doc/theory.md).
   const bool judged = problem.settings.scheme.inertia && !problem.settings.scheme.stored_acceleration;
   const std::string given = judged ? why_contact_would_give() : "";

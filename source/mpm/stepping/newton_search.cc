@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/newton_search.h>
+#include <softgrain/mpm/stepping/refused_step.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,9 @@ bool NewtonSearch::converged() const
 {
   const Settings &settings = problem.settings;
   const double residual = equations.residual();
-  if (residual > settings.residual_tolerance)
+  // Below its rounding nothing is found, whatever is asked for.
+  const bool rounded = stands_still && equations.at_rounding();
+  if (residual > settings.residual_tolerance && !rounded)
     return false;
   if (!settings.scheme.inertia)
     return true;
@@ -36,7 +39,7 @@ bool NewtonSearch::converged() const
   return last_length <= 1e-10 * equations.trial_length() ||
          (last_length <= settings.displacement_tolerance * first_length &&
           std::abs(last_work) <= settings.energy_tolerance * std::abs(first_work)) ||
-         residual <= 0.1 * settings.residual_tolerance;
+         residual <= 0.1 * settings.residual_tolerance || rounded;
 }
 
 std::string NewtonSearch::go(Vectors &trial,
@@ -74,11 +77,24 @@ std::string NewtonSearch::go(Vectors &trial,
       factors_serve =
           now <= 0.03 * slope.merit || (problem.settings.coupling == ContactCoupling::lumped &&
                                         equations.residual() <= problem.settings.residual_tolerance);
+      stands_still = now > 0.1 * slope.merit;
       return "";
     }
   }
   return best == std::numeric_limits<double>::max() ? equations.why_not()
-                                                    : "the line search found no smaller residual";
+                                                    : end_of_search(trial, direction, best / slope.merit);
+}
+
+std::string NewtonSearch::end_of_search(Vectors &trial, const Vectors &direction, const double least)
+{
+  if (!equations.evaluate_on_way({x, direction, from}, 0., trial))
+    return equations.why_not();
+  stands_still = true;
+  factors_serve = false;
+  if (equations.at_rounding())
+    return "";
+  return "the line search found no residual below " + short_number(least * equations.residual()) +
+         ", and 'Newton/Residual tolerance' is " + short_number(problem.settings.residual_tolerance);
 }
 
 /// Without inertia a step looks for least energy. With pressure that follows, the matrix is not the

@@ -163,7 +163,7 @@ void account_free_wall(const Problem &problem,
                damping = slides ? wall.slide_damping : wall.damping;
   const double theta = problem.settings.scheme.theta;
   const double moving = (1. - theta) * free.start_speed + theta * free.speed;
-  state.balance.wall_work += dt * load * rate;
+  wall.work += dt * load * rate;
   state.balance.wall_damping_loss += dt * damping * moving * rate;
   const double change = free.speed - free.start_speed;
   if (scheme_damping)

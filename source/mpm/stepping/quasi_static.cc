@@ -55,7 +55,7 @@ StepOutcome held_step(const Problem &problem, State &state, Workspace &work, con
 /// Energy that no column of the balance explains [J/m].
 double not_booked(const State &state, const BodyShare &share)
 {
-  return stored_energy(state, share) + state.balance.dissipated() - state.balance.external_work();
+  return stored_energy(state, share) + state.balance.dissipated() - state.external_work();
 }
 
 std::string largest_move_in_cells(const Problem &problem, const StepOutcome &held)
@@ -86,6 +86,71 @@ double unsettled_adhesion(const Problem &problem, const State &state, const Work
   return all > 0. ? differs / all : 0.;
 }
 
+/// Of a body, now or over all: where its centre of mass is [m].
+std::vector<dealii::Point<2>> centers_of(const State &state)
+{
+  std::vector<dealii::Point<2>> centers;
+  for (const Body<2> &body : state.bodies)
+    centers.push_back(body.center());
+  return centers;
+}
+
+/// Whether the step left a force between the body and something that is not free to go with it.
+bool touches(const Workspace &work, const unsigned int b)
+{
+  const auto &rows = work.contact.contact_rows();
+  for (unsigned int r = 0; r < rows.size(); ++r)
+    if ((rows[r].body == b || rows[r].partner == b) && work.contact.carries_force(r))
+      return true;
+  return false;
+}
+
+/// Held steps have taken a body through all of the mesh: it will find no balance.
+/// @throw ComputationError that names it, and what would hold it
+void check_way_of_bodies(const Problem &problem,
+                         const State &state,
+                         const Workspace &work,
+                         const std::vector<dealii::Point<2>> &before,
+                         const std::vector<Vector> &loads,
+                         const unsigned int n_steps)
+{
+  // In a cell that repeats bodies may go anywhere.
+  const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
+  for (const Body<2> &body : state.bodies)
+  {
+    const Vector way = body.center() - before[body.index];
+    if (body.driven || state.repeats() || way.norm() <= room)
+      continue;
+    const Vector &load = loads[body.index];
+    std::ostringstream message;
+    message.precision(3);
+    message << "at time " << state.time << " s nothing holds body '" << body.name << "': ";
+    if (load.norm() > 0.)
+      message << "its load of (" << load << ") N/m ";
+    else
+      message << "what pushes it ";
+    message << "has taken it (" << way << ") m far in " << n_steps
+            << " held steps, further than the mesh is wide, and "
+            << (touches(work, body.index) ? "what it touches does not keep it from sliding or rolling on"
+                                          : "it touches nothing")
+            << "; without inertia ('Time/Scheme' = 'quasi_static') a wall, an obstacle, a driven body or "
+               "friction must bear every load";
+    throw ComputationError(message.str());
+  }
+}
+
+/// Loads of all bodies now [N/m].
+std::vector<Vector> loads_of(const Problem &problem, const State &state, const Workspace &work)
+{
+  std::vector<Vector> loads(state.bodies.size());
+  const std::vector<Eigen::VectorXd> forces =
+      external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
+  for (unsigned int b = 0; b < forces.size(); ++b)
+    for (unsigned int i = 0; 2 * i < forces[b].size(); ++i)
+      loads[b] += Vector({forces[b][2 * i], forces[b][2 * i + 1]});
+  return loads;
+}
+
 StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   const Settings &settings = problem.settings;
@@ -99,6 +164,7 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   };
   sum.unbalanced = unbalanced();
   Relaxation relaxation(problem, state, dt);
+  const std::vector<dealii::Point<2>> centers = centers_of(state);
   StepOutcome step;
   double slid = 0.;
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
@@ -113,6 +179,8 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
       continue;
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
+    if (sum.largest_move > problem.lattice->cell_size())
+      check_way_of_bodies(problem, state, work, centers, loads_of(problem, state, work), sum.held_steps + 1);
     const double before = of_bodies;
     of_bodies = unbalanced_force_here(problem, state, work, dt);
     sum.unbalanced = unbalanced();
@@ -136,7 +204,8 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   std::ostringstream message;
   message << "at time " << state.time << " s the bodies are not in balance after " << sum.held_steps
           << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced
-          << ", they still move by " << largest_move_in_cells(problem, step) << " cells";
+          << " ('Quasi-static/Unbalanced force' is " << settings.unbalanced_force << "), they still move by "
+          << largest_move_in_cells(problem, step) << " cells";
   throw ComputationError(message.str());
 }
 } // namespace
@@ -145,13 +214,7 @@ double unbalanced_force_here(const Problem &problem, State &state, Workspace &wo
 {
   // With rows where the bodies are: those of the step may be some way off.
   find_rows(problem, state, work, wall_motion(state, work, {dt, true, 0.}), dt, nullptr, 0., true);
-  std::vector<Vector> loads(state.bodies.size());
-  const std::vector<Eigen::VectorXd> forces =
-      external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
-  for (unsigned int b = 0; b < forces.size(); ++b)
-    for (unsigned int i = 0; 2 * i < forces[b].size(); ++i)
-      loads[b] += Vector({forces[b][2 * i], forces[b][2 * i + 1]});
-  return unbalanced_force(problem, state, work, dt, loads);
+  return unbalanced_force(problem, state, work, dt, loads_of(problem, state, work));
 }
 
 double unbalanced_force(const Problem &problem,

@@ -102,6 +102,7 @@ void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
   if (body.law->n_history() > 0)
   {
     s.dissipation.resize(n);
+    s.supply.assign(body.law->is_active() ? n : 0, 0.);
     s.history_old.resize(n * body.law->n_history());
     s.history.resize(n * body.law->n_history());
   }
@@ -252,6 +253,7 @@ StressOutcome evaluate(const Body<dim> &body,
       in.history_old = &s.history_old[first * n_history];
       out.history_new = &s.history[first * n_history];
       out.dissipation = &s.dissipation[first];
+      out.supply = s.supply.empty() ? nullptr : &s.supply[first];
     }
     double allowed = 1.;
     if (limits_step)

@@ -10,6 +10,7 @@
 #include <softgrain/driving/folded_bodies.h>
 #include <softgrain/driving/step_control.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/driving/works.h>
 #include <softgrain/model/model.h>
 #include <softgrain/scene/scene.h>
 
@@ -69,6 +70,7 @@ public:
   std::size_t n_points() const override { return dynamics->n_all(); }
   std::size_t n_bodies() const override { return scene.bodies.size(); }
   SizeReport size_report() const override;
+  std::vector<std::pair<std::string, double>> works() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
   RankTimes rank_times() const override { return ranks.taken(); }

@@ -60,9 +60,11 @@ struct DynamicsReport
   dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
   double contact_loss = 0;           ///< kinetic energy that contacts took beside adhesion [J/m]
   double adhesion_work = 0;          ///< done by adhesion [J/m]
-  double wall_work = 0;    ///< done by walls of prescribed velocity, and by the loads of the others [J/m]
-  double damping_loss = 0; ///< in the damping of walls [J/m]
-  double force_work = 0;   ///< done by body forces [J/m]
+  double wall_work = 0; ///< done by walls of prescribed velocity, by loads of others, obstacles, cell [J/m]
+  double cell_work = 0; ///< of it, by a cell that deforms beside its sides: see CellMotion [J/m]
+  double damping_loss = 0;            ///< in the damping of walls [J/m]
+  double force_work = 0;              ///< done by body forces, gravity among them [J/m]
+  double gravity_work = 0;            ///< of it, by gravity [J/m]
   dealii::Tensor<1, 2> force_impulse; ///< of body forces [N s/m]
   double max_penetration = 0;         ///< after the step [m]
   dealii::Tensor<1, 2> cell_impulse;  ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
@@ -103,10 +105,13 @@ public:
    * @param walls with the speed they are to have (prescribed) or had and the load on them (free); come back
    * moved
    * @param acceleration of every primary by body forces [m/s^2], or empty
+   * @param gravity what of it is gravity [m/s^2]
    * @throw ComputationError when something is not finite.
    */
-  DynamicsReport
-  step(double dt, std::vector<Wall> &walls, const std::vector<std::array<double, 2>> &acceleration);
+  DynamicsReport step(double dt,
+                      std::vector<Wall> &walls,
+                      const std::vector<std::array<double, 2>> &acceleration,
+                      const dealii::Tensor<1, 2> &gravity = dealii::Tensor<1, 2>());
 
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
   void set_obstacles(std::vector<Obstacle> *list) { obstacles = list; }
@@ -318,8 +323,10 @@ private:
   void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report);
   void move_primaries(double dt);
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
-  void
-  account(double dt, const std::vector<std::array<double, 2>> &acceleration, DynamicsReport &report) const;
+  void account(double dt,
+               const std::vector<std::array<double, 2>> &acceleration,
+               const dealii::Tensor<1, 2> &gravity,
+               DynamicsReport &report) const;
 
   Primaries primaries;
   std::vector<std::shared_ptr<const Attraction>> laws;

@@ -24,6 +24,7 @@ struct StepState
   std::vector<dealii::SymmetricTensor<4, dim>> tangent; ///< [Pa]
   std::vector<double> energy, out_of_plane_stress;      ///< of measures only: per rest volume [J/m^dim], [Pa]
   std::vector<double> dissipation;                      ///< of laws with history, per rest volume [J/m^dim]
+  std::vector<double> supply;               ///< of active laws: energy brought in, per rest volume [J/m^dim]
   std::vector<double> history_old, history; ///< rows of Law::n_history() values, start and end of the step
   Eigen::VectorXd nodal, nodal_increment;   ///< scratch, all nodes
   std::vector<double> of_cells;             ///< scratch, dim per node of every cell

@@ -51,6 +51,7 @@ public:
   std::size_t n_bodies() const override;
   RankTimes rank_times() const override { return work.share.ranks.taken(); }
   SizeReport size_report() const override;
+  std::vector<std::pair<std::string, double>> works() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
   void save(StateWriter &) const override;
@@ -72,6 +73,8 @@ private:
   bool laws_limit_step() const;
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   StepReport try_steps(double dt_limit);
+  /// Its name, place and speed, for messages.
+  std::string fastest_body() const;
   /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
   bool keeps_state_before_step() const { return !problem.settings.scheme.inertia; }
   void renew_grids();

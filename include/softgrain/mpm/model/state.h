@@ -8,6 +8,7 @@
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall.h>
+#include <softgrain/driving/works.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
@@ -63,6 +64,9 @@ struct State
   Adhesion adhesion;
   Balance balance;
   double time = 0; ///< [s]
+
+  /// Done on the bodies since the start, by walls, loads and all else [J/m].
+  double external_work() const { return softgrain::external_work(balance, walls, obstacles); }
 
   /// Finds the order of the bodies' points after some were added or sorted.
   void order_points();

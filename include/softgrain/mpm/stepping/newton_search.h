@@ -30,6 +30,9 @@ public:
 
 private:
   bool still_goes_down(const Vectors &direction, double work_at_start) const;
+  /// When no way along @p direction leaves less: back to where it began. @return why the search ends there,
+  /// empty when what is left is rounding
+  std::string end_of_search(Vectors &trial, const Vectors &direction, double least);
 
   const Problem &problem;
   const State &state;
@@ -38,6 +41,7 @@ private:
   /// Of the bodies of this rank, where the last search began; kept, for fresh memory is dear.
   Vectors x, from;
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
+  bool stands_still = false; ///< the last direction left nearly as much as there was
 };
 } // namespace softgrain::mpm
 

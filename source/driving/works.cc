@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/works.h>
+
+namespace softgrain
+{
+double
+external_work(const Balance &balance, const std::vector<Wall> &walls, const std::vector<Obstacle> &obstacles)
+{
+  double sum = balance.work_beside_walls();
+  for (const Wall &wall : walls)
+    sum += wall.work;
+  for (const Obstacle &obstacle : obstacles)
+    sum += obstacle.work;
+  return sum;
+}
+
+std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balance,
+                                                            const std::vector<Wall> &walls,
+                                                            const std::vector<Obstacle> &obstacles,
+                                                            const Workers &workers)
+{
+  std::vector<std::pair<std::string, double>> columns;
+  const auto add = [&columns](const bool there, const std::string &name, const double work)
+  {
+    if (there)
+      columns.emplace_back(name + "_work_J_per_m", work);
+  };
+  for (const Wall &wall : walls)
+    add(true, wall.description.name, wall.work);
+  for (const Obstacle &obstacle : obstacles)
+    add(true, obstacle.description.name, obstacle.work);
+  add(workers.gravity, "gravity", balance.gravity_work);
+  add(workers.body_forces, "body_force", balance.body_force_work);
+  add(workers.driven_bodies, "driven_bodies", balance.driven_work);
+  add(workers.growth, "growth", balance.growth_work);
+  add(workers.cell, "cell", balance.cell_work);
+  add(workers.adhesion, "adhesion", balance.adhesion_work);
+  return columns;
+}
+} // namespace softgrain

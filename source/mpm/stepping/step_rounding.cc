@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of StepEquations that knows how exact what is unbalanced can be.
+#include <softgrain/mpm/stepping/step_equations.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+double StepEquations::rounding(const Body<2> &body) const
+{
+  const unsigned int b = body.index, n = body.field.nodes_per_cell();
+  const StepState<2> &trial = work.trial[b];
+  // A strain is a difference of numbers of order one, and of displacements over the size of a cell: that is
+  // what stresses round by, times the modulus, whatever their own size.
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * body.field.n_nodes()), own;
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+  {
+    const unsigned int *const nodes = body.field.point_nodes(p);
+    const dealii::Tensor<1, 2> *const slope = body.field.slopes(p);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int d = 0; d < 2; ++d)
+        all[2 * nodes[k] + d] += trial.volume[p] * slope[k].norm();
+  }
+  body.field.restrict(all, own);
+  const double moved = body.displacement.lpNorm<Eigen::Infinity>() / problem.settings.finest_cell();
+  Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
+  work.contact.add_impulses(b, contact);
+  double summed =
+      dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact.norm() + dt * internal[b].norm();
+  if (external[b].size() > 0)
+    summed += dt * external[b].norm();
+  if (scheme.inertia)
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      summed += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+  return std::numeric_limits<double>::epsilon() * summed;
+}
+
+bool StepEquations::at_rounding() const
+{
+  const auto of_bodies = work.share.numbers<1>(state.bodies, [&](const Body<2> &body)
+                                               { return std::array<double, 1>{rounding(body)}; });
+  for (const Body<2> &body : state.bodies)
+    // What is not a number is not rounding.
+    if (!body.driven && !(measured[body.index][1] <= of_bodies[body.index][0]))
+      return false;
+  return true;
+}
+
+std::string StepEquations::worst_body() const
+{
+  const Body<2> *worst = nullptr;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven && (worst == nullptr || !(measured[body.index][1] <= measured[worst->index][1])))
+      worst = &body;
+  std::ostringstream text;
+  if (worst != nullptr)
+    text << "body '" << worst->name << "' at (" << worst->center() << ") m";
+  return text.str();
+}
+} // namespace softgrain::mpm
