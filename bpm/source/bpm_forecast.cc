@@ -4,6 +4,7 @@
 #include <softgrain/bpm/strip_share.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/strip_grid.h>
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/scene/contact_pairs.h>
 
 #include <deal.II/base/numbers.h>
@@ -63,9 +64,18 @@ std::string text(const double value, const std::string &unit)
   return s.str();
 }
 
-std::vector<std::string> warnings(const double relative_step, const RunOutline &run, const double per_body)
+std::vector<std::string> warnings(const Scene<2> &scene,
+                                  const Settings &settings,
+                                  const double relative_step,
+                                  const RunOutline &run,
+                                  const double per_body)
 {
   std::vector<std::string> list;
+  if ((has_friction(scene) || rough(scene.obstacles)) && per_body > 1.5 &&
+      settings.dynamics.rolling_resistance == 0.)
+    list.push_back(
+        "friction hardly acts on bonded bodies whose primaries roll, and 'Contact/Rolling resistance' is "
+        "0: set it and 'Contact/Inner rolling resistance' to 1 or more (doc/bonded-particles.md, Friction)");
   if (relative_step > 0.3)
     list.push_back("the time step is " + text(relative_step, " sqrt(m a0/F0)") +
                    ": from 0.3 on steps are cut for overlap, and stresses are 5 % too high and more");
@@ -123,7 +133,7 @@ Forecast forecast(const Scene<2> &scene,
     result.divided = {1., 1., 1., 0.5 * tiles};
   else if (fitted::contacts * result.n_points > contact::contacts_to_share)
     result.divided = {1., fitted::divided_work, 0., 0.5 * tiles};
-  result.warnings = warnings(relative_step, run, fewest);
+  result.warnings = warnings(scene, settings, relative_step, run, fewest);
   result.sizes = {{"primaries", "about " + count_in_words(result.n_points)},
                   {"mean diameter", "about " + text(diameter, " m")},
                   {"time step", natural_time > 0.

@@ -71,8 +71,9 @@ void BpmModel::drive_walls(const double dt)
       wall.shear(wall.demanded_shear(now, dt), pressed_length(moving_walls, w));
     else
       wall.slide_speed = wall.demanded_slide(now, dt);
+    // A place that is asked for has a mean velocity in a step, none in a moment: that of the first step.
     if (wall.prescribed())
-      wall.speed = wall.demand(now, dt).velocity;
+      wall.speed = wall.demand(now, dt > 0. ? dt : wanted_step()).velocity;
     else
       wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w), share_of_damping);
   }
@@ -101,16 +102,37 @@ double BpmModel::wanted_step() const
   return settings.step.wanted(settings.step_fraction * natural_time);
 }
 
+std::string BpmModel::cause_of_no_solution() const
+{
+  // Sweeps carry the weight of a body through lighter ones in about as many steps as their masses differ.
+  constexpr double too_much = 1e4;
+  std::ostringstream cause;
+  cause.precision(2);
+  if (contrast > too_much)
+    cause << "a primary of body '" << scene.bodies[heaviest].name << "' is " << contrast
+          << " times as heavy as one of body '" << scene.bodies[lightest].name
+          << "': sweeps find no forces where such a difference rests on light bodies, bring 'Density' and "
+             "sizes nearer to each other";
+  else if (std::any_of(moving_walls.begin(), moving_walls.end(),
+                       [](const Wall &wall) { return wall.speed != 0. || !wall.prescribed(); }))
+    cause << "walls that close on a full box leave no room";
+  else
+    cause << "a smaller 'Time/Time step' or more sweeps may help";
+  return cause.str();
+}
+
 std::string BpmModel::why_not(const DynamicsReport &report, const double limit) const
 {
   std::ostringstream reason;
-  if (report.solver.converged)
+  if (report.solver.converged && report.on_the_way > limit)
+    reason << "the last one moved primaries through each other or through an obstacle, " << report.on_the_way
+           << " m deep, allowed is " << limit << " m ('Contact/Largest penetration')";
+  else if (report.solver.converged)
     reason << "the last one left primaries that overlap by " << report.max_penetration << " m, allowed is "
            << limit << " m ('Contact/Largest penetration')";
   else
     reason << "the contact solver is at a residual of " << report.solver.residual << " after "
-           << report.solver.sweeps
-           << " sweeps ('Contact/Maximum sweeps'); walls that close on a full box leave no room";
+           << report.solver.sweeps << " sweeps ('Contact/Maximum sweeps'); " << cause_of_no_solution();
   return reason.str();
 }
 
@@ -209,7 +231,18 @@ void BpmModel::keep_books(const DynamicsReport &report)
 
 double BpmModel::momentum_error() const
 {
-  return balance.momentum_error(dynamics->momentum());
+  return balance.momentum_error(dynamics->momentum(), mass * rounded_velocity());
+}
+
+double BpmModel::rounded_velocity() const
+{
+  // Places are known to some 1e-16 of the size of a scene, which is thousands of diameters at most.
+  return 1e-12 * dynamics->mean_diameter() / wanted_step();
+}
+
+double BpmModel::energy_of_rounding() const
+{
+  return mass * rounded_velocity() * rounded_velocity();
 }
 
 Energies BpmModel::energies() const

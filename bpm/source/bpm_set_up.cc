@@ -2,6 +2,7 @@
 // The part of BpmModel that makes primaries from a scene.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/base/preparation.h>
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/aggregate_library.h>
 #include <softgrain/bpm/bpm_model.h>
@@ -14,6 +15,8 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -52,6 +55,9 @@ void share(std::vector<Aggregate> &made, const Ranks &ranks)
   ranks.share(pieces);
 }
 
+/// Bodies of one form share fillings when there are more than so many of them.
+constexpr std::size_t enough_fillings = 100;
+
 /// Sees to it that @p library has the aggregates of all bodies. @return their keys.
 std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
                                             const Settings &settings,
@@ -65,19 +71,30 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
   // Every body its own random numbers, or those of its variant; the same whoever comes first.
   std::vector<std::uint64_t> seeds(n);
   std::vector<std::string> keys(n);
+  std::map<std::string, std::vector<std::size_t>> alike; // bodies of the same form
   std::vector<std::size_t> missing; // one body for every key that the library does not have
   std::set<std::string> known;
   for (std::size_t b = 0; b < n; ++b)
   {
     const BodyDescription<2> &body = scene.bodies[b];
     const unsigned int variants = settings.primaries.variants;
-    seeds[b] = settings.primaries.seed * 1000003u + (variants > 0 ? b % variants : b);
+    std::size_t filling = variants > 0 ? b % variants : b;
+    if (variants == 0)
+    {
+      std::vector<std::size_t> &same =
+          alike[aggregate_key(body, density[b], law_texts[body.material], settings, 0)];
+      if (same.size() >= enough_fillings)
+        filling = same[same.size() % enough_fillings];
+      same.push_back(b);
+    }
+    seeds[b] = settings.primaries.seed * 1000003u + filling;
     keys[b] = aggregate_key(body, density[b], law_texts[body.material], settings, seeds[b]);
     if (library.find(keys[b]) == nullptr && known.insert(keys[b]).second)
       missing.push_back(b);
   }
   std::vector<Aggregate> made(missing.size());
   std::vector<std::exception_ptr> errors(missing.size());
+  Preparation telling("aggregates", missing.size());
   const auto make_own = [&](const std::size_t begin, const std::size_t end)
   {
     for (std::size_t k = begin; k < end; ++k)
@@ -87,6 +104,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
         if (maker(k, ranks) == ranks.here())
           made[k] =
               make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material], settings, seeds[b]);
+        telling.advance();
       }
       catch (...)
       {
@@ -164,6 +182,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (is_loaded)
     disks.start = disks.position;
   is_pulled = is_loaded || scene.gravity.norm() > 0.;
+  weigh(disks);
   is_graded = !disks.strength.empty();
   rotates = disks.rotate();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
@@ -175,10 +194,29 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (!known)
     check_places();
   dynamics->part(moving_walls);
-  dynamics->detect(moving_walls);
   drive_walls(0.);
+  dynamics->detect(moving_walls);
   area_at_start = outlined_areas();
   balance.initial_momentum = dynamics->momentum();
+}
+
+void BpmModel::weigh(const Primaries &disks)
+{
+  double least = std::numeric_limits<double>::max(), most = 0.;
+  for (std::size_t i = 0; i < disks.size(); ++i)
+  {
+    const double own = disks.mass[i];
+    if (fixed[disks.body[i]])
+      continue;
+    mass += own;
+    if (own < least)
+      lightest = disks.body[i];
+    if (own > most)
+      heaviest = disks.body[i];
+    least = std::min(least, own);
+    most = std::max(most, own);
+  }
+  contrast = most > 0. ? most / least : 1.;
 }
 
 Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attraction>> &laws,

@@ -76,6 +76,7 @@ Dynamics::Dynamics(Primaries disks,
     , fixed(std::move(fixed_bodies))
 {
   diameter = primaries.mean_diameter();
+  smallest = 2. * *std::min_element(primaries.radius.begin(), primaries.radius.end());
   if (settings.pairs.adhere())
     adhesion = Adhesion(settings.contact_law, touching * diameter);
   weigh();
@@ -387,9 +388,10 @@ DynamicsReport Dynamics::step(const double dt,
     if (cell)
       take_along(dt, walls, report);
     remember();
+    report.on_the_way = deepest_on_the_way(dt);
   }
   detect(walls);
-  report.max_penetration = deepest;
+  report.max_penetration = std::max(deepest, report.on_the_way);
   return report;
 }
 } // namespace softgrain::bpm

@@ -8,60 +8,55 @@ namespace softgrain::bpm
 {
 using Vector = dealii::Tensor<1, 2>;
 
+void Dynamics::set_obstacles(std::vector<Obstacle> *list)
+{
+  obstacles = list;
+  feet.reset();
+  if (list != nullptr)
+    feet.emplace(*list);
+}
+
 void Dynamics::collect_obstacles(const std::size_t n_walls)
 {
   obstacle_rows.clear();
   rows.wall_slip.clear();
-  // Rows and memory run through walls, pieces and primaries in order.
-  std::size_t remembered = 0;
-  std::uint32_t surface = n_walls;
-  for (std::uint32_t o = 0; o < obstacles->size(); ++o)
-    for (std::size_t k = 0; k < (*obstacles)[o].description.pieces.size(); ++k)
-      meet(o, k, surface++, n_walls, remembered);
+  std::vector<std::uint32_t> first_surface(1, n_walls);
+  for (std::size_t o = 0; o < obstacles->size(); ++o)
+    first_surface.push_back(first_surface.back() + feet->n_pieces(o));
+  for (const ObstacleFeet::Foot &foot :
+       feet->find(primaries.position, primaries.radius, contact_reach() * diameter))
+  {
+    const std::uint32_t o = foot.obstacle, i = foot.disk, surface = first_surface[o] + foot.piece;
+    const Obstacle &obstacle = (*obstacles)[o];
+    const std::array<double, 2> n = {foot.normal[0], foot.normal[1]}, &v = primaries.velocity[i];
+    const Vector own = obstacle.way.velocity(foot.drawn);
+    if (inverse_mass[i] == 0. || !closes({v[0] - own[0], v[1] - own[1]}, n, foot.gap))
+      continue;
+    resize_rows(rows.size() + 1);
+    set_row(rows.size() - 1, i, primaries.size() + n_walls + o, n, foot.gap, obstacle.description.friction,
+            primaries.radius[i] * settings.rolling_resistance,
+            remembered_at(surface, i, first_surface[o], first_surface[o + 1]));
+    obstacle_rows.push_back({o, surface, foot.drawn});
+  }
 }
 
-void Dynamics::meet(const std::uint32_t o,
-                    const std::size_t k,
-                    const std::uint32_t surface,
-                    const std::size_t n_walls,
-                    std::size_t &remembered)
+contact::PairMemory::Impulses Dynamics::remembered_at(const std::uint32_t surface,
+                                                      const std::uint32_t primary,
+                                                      const std::uint32_t first,
+                                                      const std::uint32_t end) const
 {
-  const Obstacle &obstacle = (*obstacles)[o];
-  const std::vector<Curve> &pieces = obstacle.description.pieces;
-  const double far = contact_reach() * diameter;
-  for (std::uint32_t i = 0; i < primaries.size(); ++i)
+  const std::uint32_t n = end - first, k = surface - first;
+  // A primary that has come from the piece beside brings along what it remembers.
+  for (const std::uint32_t at : {surface, first + (k + n - 1) % n, first + (k + 1) % n})
   {
-    if (inverse_mass[i] == 0.)
-      continue;
-    const std::array<double, 2> &x = primaries.position[i];
-    const dealii::Point<2> center(x[0], x[1]), drawn = obstacle.now.drawn(center);
-    const dealii::Point<2> touched = pieces[k].foot(drawn).place;
-    const Vector arm = center - obstacle.now.placed(touched);
-    const double distance = arm.norm(), opening = distance - primaries.radius[i];
-    if (opening > far)
-      continue;
-    // In a corner both pieces have the same nearest place: it is one contact.
-    if (k > 0 && touched == pieces[k].begin() && pieces[k - 1].foot(drawn).place == touched)
-      continue;
-    // A centre on the line has no side; any one gets it away.
-    const Vector normal = distance > 0. ? arm / distance : Vector({0., 1.});
-    const std::array<double, 2> n = {normal[0], normal[1]}, &v = primaries.velocity[i];
-    const Vector own = obstacle.way.velocity(touched);
-    if (!closes({v[0] - own[0], v[1] - own[1]}, n, opening))
-      continue;
-    while (remembered < remembered_at_walls.size() &&
-           (remembered_at_walls[remembered].wall < surface ||
-            (remembered_at_walls[remembered].wall == surface && remembered_at_walls[remembered].primary < i)))
-      ++remembered;
-    const bool known = remembered < remembered_at_walls.size() &&
-                       remembered_at_walls[remembered].wall == surface &&
-                       remembered_at_walls[remembered].primary == i;
-    resize_rows(rows.size() + 1);
-    set_row(rows.size() - 1, i, primaries.size() + n_walls + o, n, opening, obstacle.description.friction,
-            primaries.radius[i] * settings.rolling_resistance,
-            known ? remembered_at_walls[remembered].impulse : contact::PairMemory::Impulses{});
-    obstacle_rows.push_back({o, surface, touched});
+    const auto found =
+        std::lower_bound(remembered_at_walls.begin(), remembered_at_walls.end(), std::make_pair(at, primary),
+                         [](const WallMemory &memory, const std::pair<std::uint32_t, std::uint32_t> &wanted)
+                         { return std::make_pair(memory.wall, memory.primary) < wanted; });
+    if (found != remembered_at_walls.end() && found->wall == at && found->primary == primary)
+      return found->impulse;
   }
+  return {};
 }
 
 Vector Dynamics::obstacle_velocity(const std::size_t row) const

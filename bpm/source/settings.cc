@@ -50,7 +50,9 @@ void declare_primaries(dealii::ParameterHandler &prm)
   prm.declare_entry(
       "Variants", "0", Integer(0),
       "Number of different fillings for bodies of the same shape and size, which are used in turn, so that "
-      "large assemblies of equal grains are prepared sooner. 0: every body has its own. Units: none.");
+      "large assemblies of equal grains are prepared sooner. 0: the first hundred bodies of the same form "
+      "have their own, "
+      "and those after them the same hundred in turn. Units: none.");
   prm.declare_entry(
       "Strength", "1", dealii::Patterns::Anything(),
       "Attraction of a primary over that of its law, a formula of its place in the body: x and y "
@@ -82,9 +84,13 @@ void declare_contact(dealii::ParameterHandler &prm)
   prm.enter_subsection("Contact");
   prm.declare_entry(
       "Rolling resistance", "0", Double(0.),
-      "Coefficient mu_r of (2.12) between primaries of different bodies and at walls. Units: none.");
-  prm.declare_entry("Inner rolling resistance", "0", Double(0.),
-                    "Coefficient mu_r of (2.12) between primaries of one body. Units: none.");
+      "Coefficient mu_r of (2.12) between primaries of different bodies and at walls. Without it friction "
+      "hardly "
+      "acts on bonded bodies, for their primaries roll; from 1 on it acts wholly. Units: none.");
+  prm.declare_entry(
+      "Inner rolling resistance", "0", Double(0.),
+      "Coefficient mu_r of (2.12) between primaries of one body; between bodies friction needs it too. "
+      "Units: none.");
   prm.declare_entry("Restitution", "0", Double(0., 1.),
                     "Coefficient of normal restitution of all contacts. Units: none.");
   prm.declare_entry("Gap correction", "1", Double(0., 1.),

@@ -68,7 +68,7 @@ NUMBERS = (
 
 
 def add_numbers(section, entries):
-    rows = [(text, [form(entry.summary[key]) if key in entry.summary else "" for entry in entries], "")
+    rows = [(text, [form(entry.summary[key]) if entry.summary.get(key) is not None else "" for entry in entries], "")
             for key, text, form in NUMBERS if any(key in entry.summary for entry in entries)]
     last = [entry.run.history_table if os.path.exists(entry.run.path("history.csv")) else {} for entry in entries]
     for column in ("axial_strain", "packing_fraction", "coordination"):
@@ -97,10 +97,10 @@ def warnings_of_run(entry):
     elif entry.status != "completed":
         yield f"the run was {entry.status}; `softgrain run` with --restart goes on from its newest checkpoint" \
             if entry.status == "interrupted" else f"the run {entry.status}"
-    if summary.get("energy_balance_error", 0) > OFF_BALANCE:
+    if (summary.get("energy_balance_error") or 0) > OFF_BALANCE:
         yield f"the energy balance is off by {summary['energy_balance_error']:.2g} of its largest term"
     tolerance = run.parameters.get("Contact/Tolerance")
-    if isinstance(tolerance, (int, float)) and summary.get("max_contact_residual", 0) > 1.001 * tolerance > 0:
+    if isinstance(tolerance, (int, float)) and (summary.get("max_contact_residual") or 0) > 1.001 * tolerance > 0:
         yield (f"contact was not solved to its tolerance in every step: the largest residual is "
                f"{summary['max_contact_residual']:.1e}, the tolerance {tolerance:g}")
 

@@ -16,6 +16,7 @@
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/base/parallel.h>
+#include <softgrain/base/preparation.h>
 #include <softgrain/base/ranks.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/output/checkpoint.h>
@@ -241,6 +242,7 @@ std::unique_ptr<Input> CommandLine::read_input() const
 bool CommandLine::run() const
 {
   const Ranks ranks;
+  const PreparationLog telling(ranks.first());
   if (!ranks.alone())
     await_telling_of_interruption();
   const std::unique_ptr<Input> read = read_input();
@@ -301,6 +303,7 @@ bool CommandLine::run() const
 
 void CommandLine::check() const
 {
+  const PreparationLog telling(Ranks().first());
   const std::unique_ptr<Input> read = read_input();
   Input &input = *read;
   if (n_ranks > 1)

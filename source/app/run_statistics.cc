@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
 
 namespace softgrain
 {
@@ -29,17 +32,27 @@ void RunStatistics::add_step(const StepReport &report)
   max_penetration = std::max(max_penetration, report.max_penetration);
 }
 
-void RunStatistics::add_energies(const Energies &energies)
+void RunStatistics::add_energies(const Energies &energies, const double of_rounding)
 {
-  for (const double term : {energies.kinetic, energies.elastic, energies.dissipated, energies.external_work})
+  rounding = of_rounding;
+  const std::pair<const char *, double> terms[] = {{"kinetic energy", energies.kinetic},
+                                                   {"elastic energy", energies.elastic},
+                                                   {"dissipated energy", energies.dissipated},
+                                                   {"work of walls and forces", energies.external_work}};
+  for (const auto &[name, term] : terms)
+  {
+    if (!std::isfinite(term))
+      throw ComputationError(std::string("the ") + name + " is not finite");
     largest_energy = std::max(largest_energy, std::abs(term));
+  }
   energy_error =
       energies.kinetic + energies.elastic + energies.dissipated - energies.external_work - energy_at_start;
 }
 
 double RunStatistics::energy_balance_error() const
 {
-  return largest_energy > 0 ? std::abs(energy_error) / largest_energy : 0.;
+  return largest_energy > rounding ? std::abs(energy_error) / largest_energy
+                                   : std::numeric_limits<double>::quiet_NaN();
 }
 
 double RunStatistics::wall_seconds() const

@@ -86,7 +86,7 @@ void Simulation::write_last_state()
 Energies Simulation::note_energies()
 {
   const Energies energies = model.energies();
-  statistics.add_energies(energies);
+  statistics.add_energies(energies, model.energy_of_rounding());
   return energies;
 }
 

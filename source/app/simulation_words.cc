@@ -8,6 +8,7 @@
 #include <deal.II/base/config.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -31,6 +32,11 @@ void Simulation::print_end(const std::string &status)
   log.both() << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
              << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
              << summary.microseconds_per_point_step() << " us per point and step)\n";
+  for (const auto &[what, error] : {std::make_pair("energy", summary.energy_balance_error),
+                                    std::make_pair("momentum", summary.momentum_error)})
+    if (!std::isfinite(error))
+      log.both() << "there is no balance of " << what << ": no " << what
+                 << " was above what rounding makes of it\n";
   if (status == "interrupted")
     log.both() << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
                << "; the same command with --restart goes on from there\n";

@@ -3,6 +3,7 @@
 #include <softgrain/model/state_file.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace softgrain
 {
@@ -11,10 +12,12 @@ void Balance::note_momentum(const double moving)
   largest_momentum = std::max({largest_momentum, moving, wall_impulse.norm(), body_force_impulse.norm()});
 }
 
-double Balance::momentum_error(const dealii::Tensor<1, 2> &momentum) const
+double Balance::momentum_error(const dealii::Tensor<1, 2> &momentum, const double rounding) const
 {
   const auto error = momentum - initial_momentum - wall_impulse - body_force_impulse;
-  return largest_momentum > 0. ? error.norm() / largest_momentum : error.norm();
+  if (!(largest_momentum > rounding))
+    return std::numeric_limits<double>::quiet_NaN();
+  return error.norm() / largest_momentum;
 }
 
 void Balance::save(StateWriter &out, const std::string &name) const

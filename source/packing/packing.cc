@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/preparation.h>
 #include <softgrain/packing/packing.h>
 #include <softgrain/packing/shaken_box.h>
 #include <softgrain/packing/shrinking_box.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 namespace softgrain
@@ -17,6 +19,8 @@ namespace
 {
 /// Share of area that disks thrown at random reach at once.
 constexpr double loose_fraction = 0.40;
+/// And where they jam, about: for what is told of progress alone.
+constexpr double jammed_fraction = 0.84;
 /// Share that the length of the box loses in a step, and steps at rest, where it counts as jammed: when that
 /// is not wanted, and when it is.
 struct Jamming
@@ -50,6 +54,12 @@ bool shrink(ShrinkingBox &box, const double end, const double mean, const Packin
 {
   const Jamming jamming = protocol.jam ? wanted : avoided;
   const double allowed = allowed_overlap * mean;
+  // Those who are impatient make many small packings, and tell of them themselves.
+  std::optional<Preparation> telling;
+  if (protocol.patient)
+    telling.emplace("the packing", box.disks().size());
+  const double begin = box.scale(), expected = begin * std::sqrt(loose_fraction / jammed_fraction);
+  const double way = std::log(begin / (protocol.jam ? expected : end));
   double shrinkage = ShrinkingBox::largest_shrinkage;
   while (box.scale() > end * (1. + 1e-12))
   {
@@ -68,6 +78,8 @@ bool shrink(ShrinkingBox &box, const double end, const double mean, const Packin
       continue;
     }
     shrinkage = std::min(ShrinkingBox::largest_shrinkage, 1.2 * shrinkage);
+    if (telling)
+      telling->reach(std::log(begin / box.scale()) / way);
   }
   return false;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/preparation.h>
 #include <softgrain/packing/shaken_box.h>
 
 #include <algorithm>
@@ -112,6 +113,8 @@ bool ShakenBox::scale(const double factor)
 bool ShakenBox::shrink(const double end, Uniform &random)
 {
   double shrinkage = largest_shrinkage, remembered = edges[0];
+  Preparation telling("the packing", list.size());
+  const double begin = edges[0], way = std::log(begin / end);
   for (unsigned int round = 1; edges[0] > end * (1. + 1e-12); ++round)
   {
     shake(random);
@@ -123,6 +126,7 @@ bool ShakenBox::shrink(const double end, Uniform &random)
       if (!shrunk)
         shrinkage *= 0.5;
     }
+    telling.reach(std::log(begin / edges[0]) / way);
     shrinkage = std::clamp(shrunk ? 1.5 * shrinkage : shrinkage, 1e-7, largest_shrinkage);
     if (round % patience == 0)
     {

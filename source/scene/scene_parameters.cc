@@ -29,7 +29,10 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   walls.declare_parameters(prm);
   obstacles.declare_parameters(prm);
   prm.enter_subsection("Contact");
-  prm.declare_entry("Friction", "0", Double(0), "Coefficient of friction between bodies. Units: none.");
+  prm.declare_entry(
+      "Friction", "0", Double(0),
+      "Coefficient of friction between bodies. With Model = bpm it hardly acts while the primaries of "
+      "bodies may roll: see 'Contact/Rolling resistance'. Units: none.");
   const std::string table =
       "Other values for pairs, \"first / second: value; ...\". Each name is that of a material, of a body or "
       "of "

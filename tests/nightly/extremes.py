@@ -38,7 +38,8 @@ def judge_result(case, folder):
     rows = finite_rows(folder)
     if rows is None:
         return {}, "a number in history.csv is not finite"
-    seen = {"energy": summary["energy_balance_error"], "momentum": summary["momentum_error"],
+    # A balance that cannot be formed, for all of its terms are rounding, is null.
+    seen = {"energy": summary["energy_balance_error"] or 0., "momentum": summary["momentum_error"] or 0.,
             "penetration": summary["max_penetration_m"] / case.length, "residual": summary["max_contact_residual"]}
     for name, value in seen.items():
         if not value <= case.limits.get(name, {"energy": 0.05, "momentum": 1e-6, "penetration": 0.02,

@@ -22,13 +22,15 @@ public:
   explicit RunStatistics(const Model<2> &model);
 
   void add_step(const StepReport &report);
-  /// Of a recorded step.
-  void add_energies(const Energies &energies);
+  /// Of a recorded step, and what rounding alone can make of energies then [J/m].
+  /// @throw ComputationError when one is no number
+  void add_energies(const Energies &energies, double rounding);
 
   /// Counts @p seconds as spent on output.
   void add_output_seconds(double seconds) { output_seconds += seconds; }
 
-  /// |stored + dissipated - work done - stored at the start| over the largest of these terms so far.
+  /// |stored + dissipated - work done - stored at the start| over the largest of these terms so far. No
+  /// number (NaN) while all of them are what rounding makes.
   double energy_balance_error() const;
 
   double wall_seconds() const;
@@ -46,6 +48,7 @@ private:
   double max_penetration = 0;
   double energy_at_start;
   double largest_energy;
+  double rounding = 0;     ///< of energies [J/m]
   double energy_error = 0; ///< now [J/m]
 };
 } // namespace softgrain

@@ -31,8 +31,13 @@ struct Balance
   /// Sees to the scale: @p moving is the sum of the sizes of momenta, which may cancel in their sum [N s/m].
   void note_momentum(double moving);
 
-  /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term.
-  double momentum_error(const dealii::Tensor<1, 2> &momentum) const;
+  /**
+   * @brief |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum
+   * term.
+   *
+   * No number (NaN) while no term has been above @p rounding, what rounding alone makes of them [N s/m].
+   */
+  double momentum_error(const dealii::Tensor<1, 2> &momentum, double rounding = 0.) const;
 
   /// Done by all but walls and obstacles, which keep their own [J/m].
   double work_beside_walls() const

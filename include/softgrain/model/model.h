@@ -105,13 +105,15 @@ public:
   virtual double unbalanced_walls() const { return 0.; }
   /// May cost a pass over the points.
   virtual Energies energies() const = 0;
+  /// What rounding alone can make of energies [J/m]; no balance is formed of energies that are not above it.
+  virtual double energy_of_rounding() const { return 0.; }
 
   /// Sum of the areas that the outlines of the bodies enclose now [m^2], for the packing fraction.
   virtual double solid_area() const = 0;
   /// Mean number of bodies and walls a body touches.
   virtual double coordination() const = 0;
   /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term;
-  /// rounding only.
+  /// rounding only. No number while no momentum was above what rounding makes.
   virtual double momentum_error() const = 0;
 
   virtual std::size_t n_points() const = 0; ///< material points or primaries

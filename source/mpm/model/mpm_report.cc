@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What MpmModel tells of itself: sums, energies, sizes, times.
+#include <softgrain/geometry/shape.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace softgrain::mpm
 {
 namespace
 {
+/// Strains, and velocities over that of waves, up to this are rounding.
+constexpr double rounded_strain = 1e-12;
+
 std::string scheme_in_words(const TimeScheme &scheme)
 {
   if (!scheme.inertia || !scheme.implicit || scheme.stored_acceleration)
@@ -32,7 +38,24 @@ dealii::Tensor<1, 2> MpmModel::momentum() const
 
 double MpmModel::momentum_error() const
 {
-  return problem.settings.scheme.inertia ? state.balance.momentum_error(momentum()) : 0.;
+  if (!problem.settings.scheme.inertia)
+    return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+      sum += rounded_strain * problem.scene.bodies[body.index].shape->area() *
+             std::sqrt(body.law->wave_modulus() * body.density);
+  return state.balance.momentum_error(momentum(), sum);
+}
+
+double MpmModel::energy_of_rounding() const
+{
+  double sum = 0.;
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+      sum += rounded_strain * rounded_strain * problem.scene.bodies[body.index].shape->area() *
+             body.law->wave_modulus();
+  return sum;
 }
 
 Energies MpmModel::energies() const

@@ -64,6 +64,7 @@ public:
   std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
   Energies energies() const override;
+  double energy_of_rounding() const override;
   double solid_area() const override;
   double coordination() const override;
   double momentum_error() const override;
@@ -84,9 +85,14 @@ private:
   void grade(Primaries &disks) const;
   void check_places() const;
   double wanted_step() const;
+  /// Velocities up to this are rounding [m/s].
+  double rounded_velocity() const;
   /// @throw ComputationError when ranks have come to different steps
   void check_ranks_agree(const StepReport &report) const;
   void drive_walls(double dt);
+  void weigh(const Primaries &disks);
+  /// What is known of why the contact solver finds no solution.
+  std::string cause_of_no_solution() const;
   /// Why a step that was not good enough is refused; @p limit of the penetration [m].
   std::string why_not(const DynamicsReport &report, double limit) const;
   void accelerate();
@@ -127,6 +133,10 @@ private:
   std::vector<bool> fixed;
   std::vector<double> density; ///< of every body
   double natural_time = 0;     ///< attraction_time() of the mean primary of the strongest law, 0 without one
+  /// Bodies with the lightest and the heaviest primary that is free to move, and the ratio of these masses.
+  std::uint32_t lightest = 0, heaviest = 0;
+  double contrast = 1;
+  double mass = 0;                 ///< of all primaries that are free to move [kg/m]
   double characteristic_force = 0; ///< F0 of p_I, of the strongest law
   std::vector<std::vector<Expression>> body_force;
   bool is_pulled = false;                          ///< by gravity or body forces

@@ -12,6 +12,7 @@
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
+#include <softgrain/driving/obstacle_feet.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -66,7 +67,8 @@ struct DynamicsReport
   double force_work = 0;              ///< done by body forces, gravity among them [J/m]
   double gravity_work = 0;            ///< of it, by gravity [J/m]
   dealii::Tensor<1, 2> force_impulse; ///< of body forces [N s/m]
-  double max_penetration = 0;         ///< after the step [m]
+  double max_penetration = 0;         ///< after the step, and on the way to there [m]
+  double on_the_way = 0;              ///< the part of it between the ends of the step [m]
   dealii::Tensor<1, 2> cell_impulse;  ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 
@@ -114,7 +116,7 @@ public:
                       const dealii::Tensor<1, 2> &gravity = dealii::Tensor<1, 2>());
 
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
-  void set_obstacles(std::vector<Obstacle> *list) { obstacles = list; }
+  void set_obstacles(std::vector<Obstacle> *list);
 
   /// Ranks that all have the same primaries, and share the contact solve; null: none. They have to stay.
   void set_ranks(const Ranks *list) { ranks = list; }
@@ -280,11 +282,10 @@ private:
   void attract_and_find(std::size_t tile, Scratch &scratch);
   void collect(const std::vector<Wall> &walls);
   void collect_obstacles(std::size_t n_walls);
-  void meet(std::uint32_t obstacle,
-            std::size_t piece,
-            std::uint32_t surface,
-            std::size_t n_walls,
-            std::size_t &remembered);
+  /// Impulses of the last step of a primary at piece @p surface of the line with pieces from @p first to
+  /// @p end.
+  contact::PairMemory::Impulses
+  remembered_at(std::uint32_t surface, std::uint32_t primary, std::uint32_t first, std::uint32_t end) const;
   void drive_obstacles(std::size_t n_walls);
   /// Of the place of an obstacle that row @p row touches, in the step to come [m/s].
   dealii::Tensor<1, 2> obstacle_velocity(std::size_t row) const;
@@ -322,6 +323,12 @@ private:
   void remember();
   void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report);
   void move_primaries(double dt);
+  /// Deepest overlap, of primaries with each other and with obstacles, between the ends of the step that they
+  /// have just made; found from their ways alone, not from rows [m].
+  double deepest_on_the_way(double dt) const;
+  double deepest_of_disks(double dt, double limit) const;
+  double deepest_of_ranks(double dt, double limit) const;
+  double deepest_in_obstacles(double dt) const;
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
   void account(double dt,
                const std::vector<std::array<double, 2>> &acceleration,
@@ -333,6 +340,7 @@ private:
   DynamicsSettings settings;
   bool rotations;
   double diameter = 0; ///< mean
+  double smallest = 0; ///< diameter
   std::vector<double> inverse_mass;
 
   contact::NeighbourList list;
@@ -357,6 +365,7 @@ private:
   };
   std::vector<ObstacleRow> obstacle_rows;
   std::vector<Obstacle> *obstacles = nullptr;
+  std::optional<ObstacleFeet> feet; ///< where they are touched
   double stored_energy = 0, deepest = 0;
   std::size_t n_lists = 0;
 

@@ -44,6 +44,7 @@ public:
   std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
   Energies energies() const override;
+  double energy_of_rounding() const override;
   double solid_area() const override;
   double coordination() const override;
   double momentum_error() const override;
