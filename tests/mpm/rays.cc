@@ -196,7 +196,7 @@ void check(const std::string &name,
   double off = 0.;
   for (unsigned int k = 0; k < dim - 1; ++k)
     off += ray.offset[k] * ray.offset[k];
-  std::cout << name << ": height at rest off by less than 1e-7 "
+  std::cout << name << ": height at rest right to a ten-millionth of a cell "
             << (std::abs(at_rest.height - (std::sqrt(2.3 * 2.3 - off) - 2.5)) < 1e-7) << '\n';
 }
 
