@@ -86,6 +86,8 @@ def data_of(path):
     def note(name, item):
         if isinstance(item, h5py.Dataset) and name not in ("driver/statistics", "driver/parameters"):
             value = item[()]
+            if name == "contents":  # but for the size of what is left out above: it has the name of the folder
+                value = re.sub(rb"driver/parameters t \d+\n", b"", value[0])
             found[name] = (item.shape, value.tobytes() if hasattr(value, "tobytes") else value)
 
     with h5py.File(path) as file:
