@@ -54,7 +54,7 @@ void look(const std::string &what,
 
 int main(int, char **argv)
 {
-  const MPISession mpi(argv);
+  const softgrain::MPISession mpi(argv);
   look("lies", 6e-3, 100e-6 / 6e-3, 0.5e-3, 0.03);
   look("stands", 10e-3, 36e-6 / 10e-3, 0.25e-3, 0.03);
 }

@@ -223,7 +223,7 @@ void at_the_end_of_a_plate()
 
 int main(int, char **argv)
 {
-  const MPISession mpi(argv);
+  const softgrain::MPISession mpi(argv);
   on_two_ends();
   in_a_groove();
   at_the_end_of_a_plate();

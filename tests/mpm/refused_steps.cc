@@ -69,7 +69,7 @@ void refuse(const std::string &what, const std::vector<std::string> &changes)
 
 int main(int, char **argv)
 {
-  const MPISession mpi(argv);
+  const softgrain::MPISession mpi(argv);
   const std::string strain = "Newton/Largest strain=0.02";
   refuse("prescribed", {strain});
   refuse("pressure", {strain, "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5"});
