@@ -41,7 +41,8 @@ def generate(seed):
     else:
         soft.add_numerics(dice, scene, sizes, scheme, friction)
         add_mesh(dice, scene, grains, sizes)
-    tight = dice.random() < 0.7
+    # Newton's method on a grid that is new in every step does not reach small tolerances.
+    tight = dice.random() < 0.7 and "Material points/Grid update" not in scene.values
     if tight:
         bonded.tighten(scene) if scheme == "bpm" else soft.tighten(scene, scheme)
     scene.notes.append(f"tight: {'yes' if tight else 'no'}")
