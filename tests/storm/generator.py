@@ -11,8 +11,10 @@ import random
 
 import bodies as shapes
 import bonded
+import extras
 import soft
 import surroundings
+import tables
 from scene import Scene, number
 
 VERSION = 1  # another generator gives other scenes for the same seeds
@@ -41,7 +43,12 @@ def generate(seed):
     else:
         soft.add_numerics(dice, scene, sizes, scheme, friction)
         add_mesh(dice, scene, grains, sizes)
-    tight = dice.random() < 0.7
+    if family == "box" and dice.random() < 0.3:
+        extras.add_shear_stress(dice, scene, sizes, scheme)
+    if dice.random() < 0.3:
+        extras.add_to_bonded(dice, scene) if scheme == "bpm" else extras.add_to_soft(dice, scene, sizes, scheme, family)
+    # Newton's method on a grid that is new in every step does not reach small tolerances.
+    tight = dice.random() < 0.7 and "Material points/Grid update" not in scene.values
     if tight:
         bonded.tighten(scene) if scheme == "bpm" else soft.tighten(scene, scheme)
     scene.notes.append(f"tight: {'yes' if tight else 'no'}")
@@ -68,9 +75,9 @@ def add_bodies(dice, scene, sizes, scheme, family, materials):
         n = dice.choice([1, 1, 2, 2, 2, 3, 3, 4, 5, 6, 8]) if family != "flight" else dice.choice([2, 2, 3, 4])
         disks_only = dice.random() < (0.6 if scheme == "bpm" else 0.2)
         grains = shapes.cluster(dice, n, sizes.cell, dice.uniform(2.5, 5), gap, grain, disks_only)
-    if family in ("floor", "box", "cell") and all(set(g.values) == {"Shape", "Radius"} for g in grains) \
-            and len(materials) == 1 and dice.random() < 0.5:
-        add_table(dice, scene, grains)
+    plain = ({"Shape", "Radius"}, {"Shape", "Semi-axes", "Angle"})
+    if family in ("floor", "box", "cell") and all(set(g.values) in plain for g in grains) and dice.random() < 0.5:
+        tables.add_table(dice, scene, grains, materials)
         return grains
     names = [f"b{i + 1}" for i in range(len(grains))]
     scene.set("Bodies/Names", ", ".join(names))
@@ -99,28 +106,6 @@ def add_motion(dice, scene, name, body, sizes, family):
         scene.set(f"Bodies/{name}/Angular velocity", dice.choice([-1, 1]) * sizes.speed / body.radius())
     elif family in ("flight", "floor") and name == "b2" and dice.random() < 0.15:
         scene.set(f"Bodies/{name}/Driven", True)
-
-
-def add_table(dice, scene, grains):
-    """Disks as a table, or packed by the program in the same room."""
-    rows = [f"{number(g.place[0])},{number(g.place[1])},{number(g.values['Radius'])}" for g in grains]
-    if dice.random() < 0.6:
-        scene.set("Packing/File", "grains.csv")
-        scene.files["grains.csv"] = "x_m,y_m,radius_m\n" + "\n".join(rows) + "\n"
-        return
-    radii = [g.values["Radius"] for g in grains]
-    side = 2.2 * math.sqrt(sum((2 * r)**2 for r in radii))
-    low, high = shapes.around(grains)
-    center = [shapes.snapped(float(value), soft.GRAIN) for value in (low + high) / 2]
-    half = shapes.snapped(side / 2, soft.GRAIN)
-    scene.set("Packing/Number", len(grains))
-    scene.set("Packing/Smallest diameter", 2 * min(radii))
-    scene.set("Packing/Largest diameter", 2 * max(radii))
-    scene.set("Packing/Lower", (center[0] - half, center[1] - half))
-    scene.set("Packing/Upper", (center[0] + half, center[1] + half))
-    scene.set("Packing/Seed", dice.randrange(1, 1000))
-    # what surrounds the grains is built around the box
-    grains[:] = [shapes.rectangle(2 * half, 2 * half, 0.0).at(tuple(center))]
 
 
 def add_surroundings(dice, scene, grains, sizes, scheme, family):
@@ -175,3 +160,7 @@ def add_ends(dice, scene, sizes):
         scene.set("Output/Measures", "all")
     if dice.random() < 0.1:
         scene.set("Output/Fields every", sizes.time / 2)
+    if dice.random() < 0.15:
+        extras.add_stop(dice, scene, sizes)
+    if dice.random() < 0.2:
+        extras.add_outputs(dice, scene)

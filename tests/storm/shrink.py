@@ -80,7 +80,7 @@ def smaller(scene):
         for material in scene.names("Materials"):
             if scene.get(f"Materials/{material}/Law") != "neo_hookean":
                 yield with_law(scene, material)
-    if "Stop/End time" in scene.values:
+    if scene.number("Stop/End time") > 2 * scene.number("Time/Time step"):
         result = scene.copy()
         for path in ("Stop/End time", "Output/Snapshots every"):
             result.set(path, scene.number(path) / 2)

@@ -12,12 +12,13 @@ LAWS = {
     "ogden": ("Ogden", {"Exponents": ["2.0", "1.3, 5.0"]}),
     "maxwell": ("Maxwell", {"Shares": ["0.5", "0.3, 0.4"], "Relaxation times": ["T"]}),
     "growth": ("Growth", {"Rate": ["rate"], "Along": ["plane", "30.0"]}),
-    "j2_plastic": ("J2 plastic", {"Yield stress": ["E0.02", "E0.1"], "Hardening modulus": ["E0.0", "E0.1"],
+    "j2_plastic": ("J2 plastic", {"Yield stress": ["E0.02", "E0.1"], "Hardening modulus": ["E0.0", "E0.1"], "Saturation rate": [0.0, 5.0],
                                   "Kinematic modulus": ["E0.0", "E0.05"]}),
     "viscoplastic": ("Viscoplastic", {"Yield stress": ["E0.02"], "Drag stress": ["E0.05"], "Reference rate": ["1/T"],
-                                      "Exponent": [1.0, 3.0]}),
+                                      "Exponent": [1.0, 3.0], "Hardening modulus": ["E0.0", "E0.1"],
+                                      "Kinematic modulus": ["E0.0", "E0.05"], "Saturation rate": [0.0, 5.0]}),
     "drucker_prager": ("Drucker-Prager", {"Cohesion": ["E0.02"], "Cap start": ["E0.05"], "Cap pressure": ["E0.1"],
-                                          "Cap hardening": ["E0.0", "E0.1"]}),
+                                          "Cap hardening": ["E0.0", "E0.1"], "Friction": [0.2, 0.5]}),
 }
 DISSIPATIVE = ("maxwell", "j2_plastic", "viscoplastic", "drucker_prager")
 
@@ -113,6 +114,8 @@ def add_numerics(dice, scene, sizes, scheme, rigid_friction):
             scene.set("Linear solver/Tolerance", 1e-13)
     if dice.random() < 0.15:
         scene.set("Contact/Algorithm", dice.choice(["accelerated", "gauss_seidel", "active_set"]))
+        if scene.get("Contact/Algorithm") == "gauss_seidel" and dice.random() < 0.5:
+            scene.set("Contact/Relaxation", 1.3)
     if dice.random() < 0.1:
         scene.set("Contact/Marker spacing", dice.choice([0.25, 0.4, 1.0]))
     if scheme in ("moreau_jean", "newmark", "explicit") and dice.random() < 0.08 and not rigid_friction:

@@ -102,7 +102,7 @@ def main():
     parser.add_argument("--most", type=int, default=5, help="relations asked of a scene; 0: all that apply")
     parser.add_argument("--relations", help="names of the relations to ask, separated by commas; 'run' judges single runs")
     parser.add_argument("--where", action="append", default=[], help="only scenes with this value: Time/Scheme=quasi_static")
-    parser.add_argument("--limit", type=int, default=60, help="seconds of processor time of a run")
+    parser.add_argument("--limit", type=int, default=20, help="seconds of processor time of a run")
     parser.add_argument("--seconds", type=float, default=0, help="begin no scene after so many seconds")
     parser.add_argument("--shrink", type=float, default=0, help="seconds of processor time for making failures small")
     parser.add_argument("--owed", type=pathlib.Path, help="known failures")

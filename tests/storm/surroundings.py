@@ -21,7 +21,7 @@ def add_walls(dice, scene, bodies, sizes, names, grain):
     low, high = around(bodies)
     scene.set("Walls/Names", ", ".join(names))
     for name in names:
-        gap = dice.choice([0.0, 0.02, 0.3]) * sizes.cell
+        gap = dice.choice([0.005, 0.02, 0.3]) * sizes.cell
         scene.set(f"Walls/{name}/Point", at_side(name, low, high, gap + grain, grain))
 
 
@@ -167,6 +167,8 @@ def add_contact(dice, scene, sizes, scheme, materials):
         strength = sizes.force * 0.1 if scheme == "bpm" else sizes.stiffness * 10**dice.uniform(-4, -2.5)
         scene.set("Contact/Adhesion", strength)
         scene.set("Contact/Adhesion range", dice.choice([0.05, 0.2]) * sizes.cell)
+        if dice.random() < 0.3:
+            scene.set("Contact/Adhesion of pairs", f"{materials[0]} / {materials[0]}: {number(2 * strength)}")
         if scene.get("Contact/Law") == "bond":
             scene.set("Contact/Healing time", dice.choice(["never", number(sizes.time / 4)]))
     return bool(friction) or any(path.endswith("/Friction") for path in scene.values)

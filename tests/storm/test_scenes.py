@@ -16,6 +16,7 @@ import unittest
 import numpy
 
 import changes
+import extras
 import generator
 import kinds
 import polygons
@@ -61,6 +62,23 @@ class Scenes(unittest.TestCase):
         asked = [relation.name for seed in range(1, 101) for relation in relations.that_apply(generator.generate(seed))]
         for name in relations.BY_NAME:
             self.assertGreater(asked.count(name), 1, name)
+
+    def test_scenes_have_every_parameter(self):
+        """What a parameter file offers is in some scene, but for what `extras.NOT_TRIED` names with a reason."""
+        seen = set()
+        for seed in range(1, 401):
+            for path in generator.generate(seed).values:
+                words = path.split("/")
+                for i in range(1, len(words) - 1):
+                    if words[0] in ("Materials", "Bodies", "Walls", "Obstacles") and i == 1 or words[0] == "Stages" and \
+                            words[i] != "Stop":
+                        words[i] = "NAME"
+                seen.add("/".join(words))
+        for model in ("mpm", "bpm"):
+            printed = subprocess.run([PROGRAM, "parameters", "--format", "json", "--model", model], check=True,
+                                     capture_output=True, text=True).stdout
+            left = {path for path, *_ in kinds.parameters(json.loads(printed))} - seen - set(extras.NOT_TRIED)
+            self.assertEqual(sorted(left), [])
 
     def test_rules_know_every_parameter(self):
         """Units of rules are those that the program prints; what has a unit has a rule."""

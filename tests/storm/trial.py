@@ -5,6 +5,7 @@ import shutil
 import time
 import traceback
 
+import cases
 import checks
 import relations
 from generator import generate
@@ -27,15 +28,14 @@ def of_the_step(case, kind):
     """Whether a rise of energy is one that goes with the step of a scheme that is not implicit."""
     if kind != "energy" or case.scene.get("Time/Scheme") in ("moreau_jean", "quasi_static"):
         return False
-    scene = case.scene.copy()
-    scene.set("Time/Time step", 0.5 * scene.number("Time/Time step"))
-    return checks.energy_of_steps(case.scene, case.base, case.run(scene, "half"))
+    half = case.run(cases.with_step(case.scene, 0.5), "half")
+    return checks.energy_of_steps(case.scene, case.base, half)
 
 
 def try_scene(scene, program, folder, asked=None, most=0):
     """Verdicts on a scene: dictionaries with relation, verdict, kind and what was seen."""
     found = []
-    case = relations.Case(scene, program, folder)
+    case = cases.Case(scene, program, folder)
     wanted = chosen(scene, most) if asked is None else [relations.BY_NAME[name] for name in asked if name != RUN]
     if asked is None or RUN in asked:
         wrong = [each for each in checks.judge(scene, case.base) if not of_the_step(case, each[0])]
