@@ -67,7 +67,7 @@ void disk_sweeps(const double friction, const double rolling)
 {
   const auto made = [&](const unsigned int n_sweeps)
   {
-    const Packing packing = lattice_packing(30, 30);
+    const ::Packing packing = lattice_packing(30, 30);
     DiskSystem system = make_system(packing, {1., 0.02, 1., friction, rolling});
     std::mt19937 generator(5);
     std::normal_distribution<double> normal;

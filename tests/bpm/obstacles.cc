@@ -144,9 +144,14 @@ subsection Obstacles
   end
 end
 )");
+  // The grain gives way bond by bond, so its force rises and falls: the mean tells.
+  double force = 0.;
   for (unsigned int i = 0; i < 1500; ++i)
+  {
     model->advance(1.);
-  std::cout << "a grain between plate and wall: pressed "
-            << (model->walls()[0].normal_force > 0.1 ? "yes" : "NO") << ", momentum error "
-            << below(1e-11, model->momentum_error()) << '\n';
+    if (i >= 1000)
+      force += model->walls()[0].normal_force / 500.;
+  }
+  std::cout << "a grain between plate and wall: pressed " << (force > 0.1 ? "yes" : "NO")
+            << ", momentum error " << below(1e-11, model->momentum_error()) << '\n';
 }

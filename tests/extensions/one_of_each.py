@@ -64,7 +64,8 @@ subsection Loads
   set Gravity = 0, -10
 end
 subsection Contact
-  set Geometry = none
+  set Geometry            = none
+  set Largest penetration = 100 # they fall through the bottom, and shall
 end
 subsection Time
   set Time step = 1e-2

@@ -4,6 +4,8 @@
 // root of the mean square distance of the pressure from the middle.
 #include "scene_of.h"
 
+#include <softgrain/base/mpi_session.h>
+
 #include <iostream>
 
 using namespace softgrain;

@@ -6,6 +6,8 @@
 #include "gel.h"
 #include "scene_of.h"
 
+#include <softgrain/base/mpi_session.h>
+
 #include <algorithm>
 #include <iostream>
 #include <sstream>

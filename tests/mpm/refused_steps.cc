@@ -4,6 +4,8 @@
 #include "gel.h"
 #include "scene_of.h"
 
+#include <softgrain/base/mpi_session.h>
+
 #include <iostream>
 
 using namespace softgrain;

@@ -4,7 +4,6 @@ A disk of radius 3 mm lies in a ring of radii 7 and 10 mm that stands on the bot
 9.81 m/s² times 1000 kg/m³ times the area, and the disk stays on the ring's inner edge.
 """
 import math
-import re
 
 WEIGHT = 9.81 * 1000 * math.pi * (0.01**2 - 0.007**2 + 0.003**2)
 
@@ -18,9 +17,3 @@ def measure(start):
 
 def is_right(found):
     return found["code"] == 0 and 5.5e-3 < found["disk_y_m"] < 6e-3 and abs(found["borne"] - 1) < 1e-3
-
-
-def is_known(found):
-    """The search for contact does not see that they meet; the outlines do, at the lowest place of the hole."""
-    place = re.search(r"body 'ring' and body 'disk' lie (\S+) cells deep in each other at \((\S+) (\S+)\) m", found["says"])
-    return found["code"] == 1 and place is not None and 0.09 < float(place[1]) < 0.2 and abs(float(place[3]) - 3e-3) < 2e-4
