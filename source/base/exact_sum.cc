@@ -72,10 +72,29 @@ double ExactSum::value() const
       digit = -digit;
     carry(sum);
   }
-  double result = 0.;
-  for (unsigned int i = n_digits; i-- > 0;)
-    if (sum[i] != 0)
-      result += std::ldexp(static_cast<double>(sum[i]), lowest_exponent + static_cast<int>(i * digit_bits));
+  unsigned int n = n_digits;
+  while (n > 0 && sum[n - 1] == 0)
+    --n;
+  if (n == 0)
+    return 0.;
+  const auto digit = [&](const unsigned int below) -> std::uint64_t
+  { return n > below ? static_cast<std::uint64_t>(sum[n - 1 - below]) : 0; };
+  // The highest 64 bits, of which a double keeps 53. Rounding digit by digit would depend on where a digit
+  // begins, so that a sum of the same numbers in another unit had other bits.
+  std::uint64_t bits = (digit(0) << digit_bits) | digit(1);
+  unsigned int shift = 0;
+  while (!(bits >> 63))
+  {
+    bits <<= 1;
+    ++shift;
+  }
+  bits |= (digit(2) << shift) >> digit_bits;
+  bool more = ((digit(2) << shift) & digit_mask) != 0;
+  for (unsigned int i = 3; i < n && !more; ++i)
+    more = digit(i) != 0;
+  const double result = std::ldexp(
+      static_cast<double>(bits | (more ? 1 : 0)),
+      lowest_exponent + (static_cast<int>(n) - 2) * static_cast<int>(digit_bits) - static_cast<int>(shift));
   return negative ? -result : result;
 }
 

@@ -45,7 +45,7 @@ template <int dim>
 std::vector<std::string> Viscoplastic<dim>::history_names() const
 {
   std::vector<std::string> names = J2Plastic<dim>::history_names();
-  names.push_back("equivalent_plastic_rate");
+  names.push_back("equivalent_plastic_rate_per_s");
   return names;
 }
 

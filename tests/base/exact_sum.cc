@@ -49,6 +49,24 @@ bool same_in_parts(std::vector<double> numbers)
   return second.value() == expected && sum_of(numbers) == expected;
 }
 
+/// Whether a little more than half of the last bit is rounded up, wherever the digits of the sum begin, and
+/// sums of the same numbers in other units have the same bits.
+bool rounded_once(const std::vector<double> &numbers)
+{
+  bool good = true;
+  for (int power = -40; power <= 40; ++power)
+  {
+    const double one = std::ldexp(1., power);
+    good = good && sum_of({one, std::ldexp(one, -53), std::ldexp(one, -120)}) == one + std::ldexp(one, -52) &&
+           sum_of({one, std::ldexp(one, -53), -std::ldexp(one, -120)}) == one;
+    std::vector<double> scaled = numbers;
+    for (double &number : scaled)
+      number = std::ldexp(number, power);
+    good = good && sum_of(scaled) == std::ldexp(sum_of(numbers), power);
+  }
+  return good;
+}
+
 /// Numbers of which each rank has some.
 bool same_on_ranks(const std::vector<double> &numbers, const Ranks &ranks)
 {
@@ -88,5 +106,6 @@ int main(int, char **argv)
   std::cout << "against long double "
             << (std::abs(sum_of(numbers) / reference - 1.L) < 1e-15L ? "right" : "WRONG") << ", in parts "
             << (same_in_parts(numbers) ? "the same" : "DIFFERENT") << ", on ranks "
-            << (on_ranks ? "the same" : "DIFFERENT") << '\n';
+            << (on_ranks ? "the same" : "DIFFERENT") << ", rounded "
+            << (rounded_once(mixed(1000)) ? "once" : "TWICE") << '\n';
 }

@@ -143,7 +143,11 @@ void balance(const std::string &what, const Shown &model, const dealii::Tensor<1
   std::cout << what << ": " << done;
   if (done > 0.)
     std::cout << ", left over " << memory.at("Equilibrium")[0];
-  std::cout << "; snapshots " << model.snapshots << '\n';
+  std::cout << "; snapshots " << model.snapshots;
+  for (const double kept : memory.at("Equilibrium"))
+    if (!std::isfinite(kept)) // checkpoints refuse it
+      std::cout << "; what is kept is no number";
+  std::cout << '\n';
 }
 } // namespace
 

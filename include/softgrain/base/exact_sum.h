@@ -23,7 +23,7 @@ public:
   void add(double number);
   void add(const ExactSum &other);
 
-  /// The sum, rounded once or twice; not a number or infinite when a number was.
+  /// The sum, rounded once to the nearest double; not a number or infinite when a number was.
   double value() const;
 
   /// As numbers that can be sent to other ranks; add_packed() adds them to a sum there.

@@ -16,7 +16,8 @@ namespace softgrain
 {
 namespace
 {
-constexpr double unknown = std::numeric_limits<double>::infinity();
+/// Above every limit, and a number: checkpoints hold nothing else.
+constexpr double unknown = std::numeric_limits<double>::max();
 constexpr std::size_t n_numbers = 4;
 
 /// What is kept between steps.
@@ -137,7 +138,7 @@ public:
     const Seen seen(*state.memory);
     if (seen.force <= limit && seen.energy <= energy_limit)
       return 1.;
-    return std::isfinite(seen.force) ? std::min(0.99, limit / seen.force) : 0.;
+    return seen.force < unknown ? std::min(0.99, limit / seen.force) : 0.;
   }
 
 private:
