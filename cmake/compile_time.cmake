@@ -29,7 +29,7 @@ set(SOFTGRAIN_LINKER -Wl,--as-needed)
 if(SOFTGRAIN_FAST_LINKER)
   find_program(SOFTGRAIN_LLD NAMES ld.lld)
 endif()
-if(SOFTGRAIN_FAST_LINKER AND SOFTGRAIN_LLD)
+if(SOFTGRAIN_FAST_LINKER AND SOFTGRAIN_LLD MATCHES "/ld\\.lld$") # an older configuration may remember ld.lld-14
   list(APPEND SOFTGRAIN_LINKER -fuse-ld=lld)
 elseif(DEAL_II_LINKER_FLAGS MATCHES "-fuse-ld=([a-z]+)")
   find_program(SOFTGRAIN_NAMED_LINKER NAMES ld.${CMAKE_MATCH_1} ${CMAKE_MATCH_1})

@@ -9,8 +9,8 @@ ELLIPSE = ["Bodies/disk/Shape=ellipse", "Bodies/disk/Semi-axes=3e-3, 2e-3", "Bod
 
 def measure(start):
     found = []
-    for shape in ([], ELLIPSE):
-        run = start("disk_thrown_in_ring.prm", "Stop/End time=0.016", *shape)
+    for shape, friction in ([], 0), (ELLIPSE, 0), ([], 0.5):
+        run = start("disk_thrown_in_ring.prm", "Stop/End time=0.016", f"Contact/Friction={friction}", *shape)
         bodies = run.states[-1].bodies
         ring, disk = bodies.center_m[:, 0]
         found.append({"code": run.code, "says": run.error, "apart_m": disk - ring, "ring_m_per_s": bodies.velocity_m_per_s[0, 0],
