@@ -2,8 +2,9 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/linear/linear_solver_kind.h>
 
-#include <deal.II/base/exceptions.h>
+#include <deal.II/base/config.h>
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/types.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -12,12 +13,10 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 
-#include <algorithm>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace softgrain
@@ -49,12 +48,13 @@ public:
 
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
   {
-    std::copy(b.begin(), b.end(), right.begin());
+    right.set(indices.size(), indices.data(), b.data());
+    right.compress(dealii::VectorOperation::insert);
     solution = 0.;
     if (right.l2_norm() > 0.)
       apply();
     x.resize(b.size());
-    std::copy(solution.begin(), solution.end(), x.begin());
+    solution.extract_subvector_to(indices.begin(), indices.end(), x.data());
   }
 
   void condense(const Rows &rows, Eigen::MatrixXd &W) override
@@ -75,48 +75,69 @@ protected:
   /// solution = matrix^-1 right, starting from zero.
   virtual void apply() = 0;
 
-  dealii::IndexSet all;
   Wrappers::SparseMatrix matrix;
   Wrappers::MPI::Vector right, solution;
 
 private:
   void lay_out(const SystemMatrix::Sparse &lower)
   {
-    dealii::DynamicSparsityPattern pattern(lower.rows(), lower.rows());
-    for (int j = 0; j < lower.outerSize(); ++j)
+    const int n = lower.rows();
+    std::vector<std::size_t> length(n, 0);
+    for (int j = 0; j < n; ++j)
       for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
       {
-        pattern.add(entry.row(), j);
-        pattern.add(j, entry.row());
+        ++length[j];
+        if (entry.row() != j)
+          ++length[entry.row()];
       }
-    all = dealii::complete_index_set(lower.rows());
+    begin_of_row.assign(n + 1, 0);
+    std::partial_sum(length.begin(), length.end(), begin_of_row.begin() + 1);
+    columns.resize(begin_of_row.back());
+    values.resize(begin_of_row.back());
+    by_row(lower, [this](const std::size_t place, const int column, double) { columns[place] = column; });
+
+    dealii::DynamicSparsityPattern pattern(n, n);
+    for (int i = 0; i < n; ++i)
+      pattern.add_entries(i, columns.begin() + begin_of_row[i], columns.begin() + begin_of_row[i + 1], true);
+    const dealii::IndexSet all = dealii::complete_index_set(n);
     matrix.reinit(all, pattern, MPI_COMM_SELF, false);
     right.reinit(all, MPI_COMM_SELF);
     solution.reinit(all, MPI_COMM_SELF);
+    indices.resize(n);
+    std::iota(indices.begin(), indices.end(), 0);
   }
 
-  /// Writes where Epetra keeps the values: adding entries one by one takes longer than multigrid.
+  /// Row by row: entry by entry takes longer than multigrid.
   void fill(const SystemMatrix::Sparse &lower)
   {
-    int *start, *columns;
-    double *values;
-    AssertThrow(matrix.trilinos_matrix().ExtractCrsDataPointers(start, columns, values) == 0,
-                dealii::ExcInternalError());
+    by_row(lower, [this](const std::size_t place, int, const double value) { values[place] = value; });
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      matrix.set(i, begin_of_row[i + 1] - begin_of_row[i], columns.data() + begin_of_row[i],
+                 values.data() + begin_of_row[i], false);
+    matrix.compress(dealii::VectorOperation::insert);
+  }
+
+  /// Calls put(place, column, value) for every entry of the full matrix, whose places go row by row.
+  template <class Put>
+  void by_row(const SystemMatrix::Sparse &lower, const Put &put) const
+  {
     // Going through the columns of the lower triangle fills every row of the full matrix from left to right.
-    std::vector<int> next(start, start + lower.rows());
-    const auto put = [&](const int row, const int column, const double value)
-    {
-      AssertThrow(columns[next[row]] == column, dealii::ExcInternalError());
-      values[next[row]++] = value;
-    };
+    std::vector<std::size_t> next(begin_of_row.begin(), begin_of_row.end() - 1);
     for (int j = 0; j < lower.outerSize(); ++j)
       for (SystemMatrix::Sparse::InnerIterator entry(lower, j); entry; ++entry)
       {
-        put(j, entry.row(), entry.value());
+        put(next[j]++, entry.row(), entry.value());
         if (entry.row() != j)
-          put(entry.row(), j, entry.value());
+          put(next[entry.row()]++, j, entry.value());
       }
   }
+
+  using Index = dealii::types::global_dof_index;
+  // The full matrix by rows.
+  std::vector<std::size_t> begin_of_row;
+  std::vector<Index> columns;
+  std::vector<double> values;
+  std::vector<Index> indices; ///< of all unknowns
 };
 
 class TrilinosDirect final : public TrilinosBase
@@ -132,6 +153,50 @@ class TrilinosDirect final : public TrilinosBase
   std::unique_ptr<Wrappers::SolverDirect> solver;
 };
 
+/// Up to deal.II 9.7 multigrid is always ML, which is told the unknowns of a node, too. From 9.8 on it may be
+/// MueLu, with other names of parameters, and only deal.II's own description serves both.
+constexpr bool multigrid_is_ml = !DEAL_II_VERSION_GTE(9, 8, 0);
+
+/// Multigrid for elasticity. @param motions rigid ones, by columns; they must live as long as @p amg
+template <class Amg>
+void prepare_multigrid(Amg &amg,
+                       const Wrappers::SparseMatrix &matrix,
+                       Eigen::MatrixXd &motions,
+                       const unsigned int dim)
+{
+  // Without the rotations among what the coarse grids reproduce the number of iterations grows with the size.
+  if constexpr (!multigrid_is_ml)
+  {
+    typename Amg::AdditionalData data;
+    data.elliptic = true;
+    data.higher_order_elements = true;
+    data.smoother_sweeps = 2;
+    data.aggregation_threshold = 0.02;
+    for (Eigen::Index c = 0; c < motions.cols(); ++c)
+      data.constant_modes_values.emplace_back(motions.col(c).begin(), motions.col(c).end());
+    amg.initialize(matrix, data);
+  }
+  else
+  {
+    Teuchos::ParameterList parameters; // of ML
+    parameters.set("default values", "SA");
+    parameters.set("aggregation: type", "Uncoupled");
+    parameters.set("aggregation: threshold", 0.02);
+    parameters.set("smoother: type", "Chebyshev");
+    parameters.set("smoother: sweeps", 2);
+    parameters.set("smoother: Chebyshev alpha", 10.);
+    parameters.set("coarse: type", "Amesos-KLU");
+    parameters.set("coarse: max size", 2000);
+    parameters.set("initialize random seed", true);
+    parameters.set("ML output", 0);
+    parameters.set("PDE equations", static_cast<int>(dim));
+    parameters.set("null space: type", "pre-computed");
+    parameters.set("null space: dimension", static_cast<int>(motions.cols()));
+    parameters.set("null space: vectors", motions.data());
+    amg.initialize(matrix, parameters);
+  }
+}
+
 class TrilinosCg final : public TrilinosBase
 {
 public:
@@ -145,22 +210,8 @@ private:
   {
     if (use_amg)
     {
-      Wrappers::PreconditionAMG::AdditionalData data;
-      data.elliptic = true;
-      data.higher_order_elements = true;
-      data.smoother_sweeps = 2;
-      data.aggregation_threshold = 0.02;
-      Teuchos::ParameterList parameters;
-      std::unique_ptr<Epetra_MultiVector> no_modes;
-      data.set_parameters(parameters, no_modes, matrix);
-      // Without the rotations among what the coarse grids reproduce the number of iterations grows with the
-      // size.
       motions = source.rigid_motions();
-      parameters.set("PDE equations", static_cast<int>(dim));
-      parameters.set("null space: type", "pre-computed");
-      parameters.set("null space: dimension", static_cast<int>(motions.cols()));
-      parameters.set("null space: vectors", motions.data());
-      amg.initialize(matrix, parameters);
+      prepare_multigrid(amg, matrix, motions, dim);
     }
     else
       ilu.initialize(matrix, Wrappers::PreconditionILU::AdditionalData(1, 0., 1., 0));

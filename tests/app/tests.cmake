@@ -72,6 +72,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     add_test(NAME app/${name}
       COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
         SOFTGRAIN_TEST_LAW=${CMAKE_BINARY_DIR}/tests/constitutive/libtest_constitutive_module_dissipative.so
+        SOFTGRAIN_TEST_TRILINOS=${SOFTGRAIN_HAS_TRILINOS}
         SOFTGRAIN_TEST_PRELOAD=$<TARGET_FILE:test_app_stop_at_call>
         ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/${script}.py $<TARGET_FILE:softgrain_executable>
         ${PROJECT_SOURCE_DIR}/parameters ${CMAKE_BINARY_DIR}/tests/app/whole_runs ${class})

@@ -2,6 +2,8 @@
 // Primaries of different bodies with tables of pairs: they slide and roll on a wall as their own friction
 // says; a contact holds up to its strength; the books of energy balance; bonds break, and heal when they are
 // asked to.
+#include <deal.II/base/numbers.h>
+
 #include "bpm_scene.h"
 
 #include <iostream>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies that meet: single primaries bounce with their restitution, aggregates conserve momentum and the
 // books of energy balance; a wall with mass takes its share; a fixed body keeps its velocity.
+#include <deal.II/base/numbers.h>
+
 #include "bpm_scene.h"
 
 #include <iostream>

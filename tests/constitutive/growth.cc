@@ -2,6 +2,8 @@
 // Growth: a free body grows without stress, a confined one is under the pressure of the closed form, in the
 // plane and along a direction; the energy that growth brings in: none where it is free, all that is stored
 // where nothing moves, and of second order in the step where a body is pulled as it grows; a shorter step.
+#include <deal.II/base/numbers.h>
+
 #include "law_point.h"
 #include "law_properties.h"
 

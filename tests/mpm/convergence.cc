@@ -6,6 +6,8 @@
 // first only, with a fifth of the error of hats: three points evenly spaced do not integrate their stiffness
 // exactly. Where the mesh cuts the block, few points integrate what is left of a cell, and no function gets
 // more than the first.
+#include <deal.II/base/numbers.h>
+
 #include "scene_of.h"
 
 #include <iostream>

@@ -5,6 +5,9 @@
 #include <softgrain/base/registry.h>
 #include <softgrain/linear/linear_solver.h>
 
+#include <memory>
+#include <string>
+
 namespace softgrain
 {
 /**
@@ -16,10 +19,16 @@ class LinearSolverKind
 public:
   virtual ~LinearSolverKind() = default;
 
+  /// What this program lacks for such a solver, such as "Trilinos"; nothing when it can be created.
+  virtual std::string missing() const { return ""; }
+
   /// A solver for one body. @param dim number of rigid translations, for the near null space of AMG
   virtual std::unique_ptr<LinearSolver> create(const LinearSolverSettings &settings,
                                                unsigned int dim) const = 0;
 };
+
+/// @throw InputError when @p type, a value of `Linear solver/Type`, needs what this program was built without
+void check_linear_solver(const std::string &type);
 } // namespace softgrain
 
 template <>

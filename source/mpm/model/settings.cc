@@ -133,23 +133,23 @@ void declare_time(dealii::ParameterHandler &prm)
                                  "norm). A step that exceeds it is repeated with half its length, because "
                                  "Newton's method may have found a false balance. Units: none.");
              });
-  in_section(prm, "Linear solver",
-             [&]
-             {
-               prm.declare_entry(
-                   "Type", "automatic",
-                   Selection("automatic|" + Registry<LinearSolverKind>::instance().choice()),
-                   "automatic: one of the Cholesky solvers, but cg_amg for a body of more than 'Automatic "
-                   "limit' unknowns without contact; " +
-                       Registry<LinearSolverKind>::instance().choice_in_words());
-               prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1),
-                                 "Relative residual at which an iterative solver stops. Units: none.");
-               prm.declare_entry("Maximum iterations", "2000", Integer(1),
-                                 "Largest number of iterations of an iterative solver. Units: none.");
-               prm.declare_entry("Automatic limit", "40000", Integer(1),
-                                 "Number of unknowns of a body above which automatic takes an iterative "
-                                 "solver, when the scene has no contact. Units: none.");
-             });
+  in_section(
+      prm, "Linear solver",
+      [&]
+      {
+        prm.declare_entry(
+            "Type", "automatic", Selection("automatic|" + Registry<LinearSolverKind>::instance().choice()),
+            "automatic: one of the Cholesky solvers, but cg_amg, where it is there, for a body of more than "
+            "'Automatic limit' unknowns without contact; " +
+                Registry<LinearSolverKind>::instance().choice_in_words());
+        prm.declare_entry("Tolerance", "1e-10", Double(1e-15, 1e-1),
+                          "Relative residual at which an iterative solver stops. Units: none.");
+        prm.declare_entry("Maximum iterations", "2000", Integer(1),
+                          "Largest number of iterations of an iterative solver. Units: none.");
+        prm.declare_entry("Automatic limit", "40000", Integer(1),
+                          "Number of unknowns of a body above which automatic takes an iterative "
+                          "solver, when the scene has no contact. Units: none.");
+      });
 }
 
 void declare_quasi_static(dealii::ParameterHandler &prm)
@@ -356,6 +356,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm)
              [&]
              {
                linear_solver.type = prm.get("Type");
+               check_linear_solver(linear_solver.type);
                linear_solver.tolerance = prm.get_double("Tolerance");
                linear_solver.max_iterations = prm.get_integer("Maximum iterations");
                linear_solver.automatic_dofs = prm.get_integer("Automatic limit");
