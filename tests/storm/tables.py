@@ -50,7 +50,8 @@ def add_packing(dice, scene, grains, materials):
     if other == 0:
         scene.set("Packing/Shapes", dice.choice(["ellipse", "disk, polygon", "ellipse, polygon"]))
         scene.set("Packing/Aspect ratio", "0.6, 0.9")
-        scene.set("Packing/Corners", "4, 7")
+        if "polygon" in scene.get("Packing/Shapes"):
+            scene.set("Packing/Corners", "4, 7")
     elif other == 1:
         scene.set("Packing/Size distribution", dice.choice(["uniform diameter", "equal areas"]))
     elif other == 2:
