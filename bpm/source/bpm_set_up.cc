@@ -150,9 +150,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     contact_force = std::max(contact_force, laws[body.material]->contact_force());
     characteristic_force = std::max(characteristic_force, laws[body.material]->characteristic_force());
   }
-  // Checkpoints of earlier versions do not say whose the primaries are.
-  const bool known = state != nullptr && state->contains("bpm/first_of_body");
-  Primaries disks = known ? primaries_of(*state) : fill_bodies(laws, law_texts);
+  Primaries disks = state != nullptr ? primaries_of(*state) : fill_bodies(laws, law_texts);
   if (settings.dynamics.rotations() || rough(scene.obstacles))
   {
     disks.angular_velocity.resize(disks.size());
@@ -191,7 +189,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (!moving_obstacles.empty())
     dynamics->set_obstacles(&moving_obstacles);
 
-  if (!known)
+  if (state == nullptr)
     check_places();
   dynamics->part(moving_walls);
   drive_walls(0.);

@@ -153,6 +153,9 @@ void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2
       if (at >= numbers.size() || numbers[at++] != number)
         throw InputError("body '" + body.name +
                          "' has another place, shape or material than in the checkpoint; see 'Packing/File'");
+  if (at < numbers.size())
+    reader.refuse(bodies_name, "it has " + std::to_string(numbers.size()) + " numbers, and the bodies have " +
+                                   std::to_string(at));
 }
 } // namespace
 

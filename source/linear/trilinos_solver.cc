@@ -12,10 +12,12 @@
 #include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <vector>
 
@@ -24,6 +26,17 @@ namespace softgrain
 namespace
 {
 namespace Wrappers = dealii::TrilinosWrappers;
+
+/**
+ * Held by who calls Trilinos. It counts the users of its objects, times its own work and asks MPI, none of
+ * which is made for several threads: bodies that were solved at once ended in a segmentation fault now and
+ * then.
+ */
+std::mutex &trilinos_in_use()
+{
+  static std::mutex mutex;
+  return mutex;
+}
 
 /// The lower triangle of a body's matrix as a full Trilinos matrix of this process alone.
 class TrilinosBase : public LinearSolver
@@ -36,6 +49,7 @@ public:
     for (int j = 0; j < lower.outerSize(); ++j)
       if (!(lower.valuePtr()[lower.outerIndexPtr()[j]] > 0.))
         return false;
+    const std::lock_guard<std::mutex> lock(trilinos_in_use());
     if (source.pattern_is_new())
     {
       lay_out(lower);
@@ -48,6 +62,7 @@ public:
 
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
   {
+    const std::lock_guard<std::mutex> lock(trilinos_in_use());
     right.set(indices.size(), indices.data(), b.data());
     right.compress(dealii::VectorOperation::insert);
     solution = 0.;
@@ -220,7 +235,9 @@ private:
   void apply() override
   {
     dealii::SolverControl control(settings.max_iterations, settings.tolerance * right.l2_norm());
-    dealii::SolverCG<Wrappers::MPI::Vector> cg(control);
+    // Its own vectors: those of deal.II's pool go from body to body, and outlive the lock.
+    dealii::PrimitiveVectorMemory<Wrappers::MPI::Vector> memory;
+    dealii::SolverCG<Wrappers::MPI::Vector> cg(control, memory);
     try
     {
       if (use_amg)

@@ -153,7 +153,8 @@ void CheckpointReader::read_contents()
                                                          : line.rfind(' ', size - 1);
     if (type == std::string::npos)
       refuse(contents_name, "'" + line + "' is no name with type and size");
-    listed[line.substr(0, type)] = line.substr(type + 1);
+    if (!listed.emplace(line.substr(0, type), line.substr(type + 1)).second)
+      refuse(contents_name, "it lists '" + line.substr(0, type) + "' twice");
   }
   std::size_t n_there = 0;
   for (const std::string &there : file->array_names())

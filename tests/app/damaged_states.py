@@ -60,6 +60,8 @@ def damaged(values, kind):
     if flat.dtype.kind == "S":
         text = flat.tobytes()
         change = {"emptied": b"", "halved": text[:len(text) // 2], "doubled": text + text, "type": 1., "removed": False}.get(kind)
+        if change == text:  # nothing to empty, to halve or to double
+            return None
         if change is None or change is False or isinstance(change, float):
             return np.array([change]) if isinstance(change, float) else change
         return np.array([change], dtype=f"S{len(change)}") if change else np.zeros(0, "S1")
