@@ -17,7 +17,7 @@ CAUSES = [
     r"leaves? no room|closed? on",
     r"turned inside out|inverted|collapse|no stress|volume",
     r"grow(s|n|th)",
-    r"would slide|slid as far|under that stress|bears the (load|stress|pressure)",
+    r"would slide|slid as far|under that stress|bears the (load|stress|pressure|shear stress)",
     r"lie[s]? in each other|crosses|passed through|deep(er)? in",
 ]
 EMPTY = ("axial_strain", "packing_fraction")  # there is none without walls

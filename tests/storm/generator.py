@@ -70,7 +70,8 @@ def add_bodies(dice, scene, sizes, scheme, family, materials):
     grain = soft.GRAIN
     gap = dice.choice([0.02, 0.1, 0.4]) * sizes.cell
     if family == "nest":
-        grains = shapes.nest(dice, sizes.cell, gap, grain)
+        # A ring of a few primaries would shrink to nothing when they attract each other.
+        grains = shapes.nest(dice, sizes.cell * (1.5 if scheme == "bpm" else 1), gap, grain)
     else:
         n = dice.choice([1, 1, 2, 2, 2, 3, 3, 4, 5, 6, 8]) if family != "flight" else dice.choice([2, 2, 3, 4])
         disks_only = dice.random() < (0.6 if scheme == "bpm" else 0.2)

@@ -30,7 +30,8 @@ def add_incline(dice, scene, bodies, sizes, grain):
     turn = math.radians(dice.uniform(-35, 35))
     normal = numpy.array([math.sin(turn), math.cos(turn)])
     deepest = min(float((ring @ normal).min()) for body in bodies for ring in body.outline())
-    point = normal * (deepest - dice.choice([0.001, 0.2]) * sizes.cell)
+    # The outline of a disk has its corners on the circle: between them the disk reaches beyond it, by less than 0.005 cells.
+    point = normal * (deepest - dice.choice([0.005, 0.2]) * sizes.cell)
     scene.set("Walls/Names", "slope")
     scene.set("Walls/slope/Point", tuple(point))
     scene.set("Walls/slope/Normal", tuple(normal))
@@ -88,6 +89,12 @@ def add_cell(dice, scene, bodies, sizes, grain):
     names = ["bottom", "top", "left", "right"]
     scene.set("Walls/Names", ", ".join(names))
     room = dice.choice([0.2, 0.5]) * sizes.cell
+    # No body may take more than nine tenths of a cell.
+    for axis in range(2):
+        if "xy"[axis] in directions:
+            widest = max(float((upper - lower)[axis]) for lower, upper in (around([body]) for body in bodies))
+            if widest > 0.899 * float((high - low)[axis] + 2 * room):
+                room = (widest / 0.89 - float((high - low)[axis])) / 2
     for name in names:
         scene.set(f"Walls/{name}/Point", at_side(name, low, high, room, grain))
         if ("x" if name in ("left", "right") else "y") in directions:
