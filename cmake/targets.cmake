@@ -37,6 +37,11 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/config.h.in
 function(softgrain_setup_target target)
   deal_ii_setup_target(${target})
   target_link_libraries(${target} softgrain_options)
+  # Programs are compiled as the precompiled headers are, or GCC does not take these. deal.II 9.4 sees to that itself.
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "EXECUTABLE" AND NOT DEAL_II_CXX_FLAGS MATCHES "-fPIC")
+    target_compile_options(${target} PRIVATE -fPIC)
+  endif()
 endfunction()
 
 softgrain_add_precompiled_headers()

@@ -27,10 +27,13 @@ dealii::Tensor<1, 2> vector_of(const std::array<double, 2> &x)
 void add_those_of_all(TouchingPairs &touching, const Ranks &ranks)
 {
   std::vector<double> bodies, walls;
-  for (const auto &[list, pairs] : {std::make_pair(&bodies, &touching.pairs_of_bodies()),
-                                    std::make_pair(&walls, &touching.pairs_with_walls())})
-    for (const auto &[one, other] : *pairs)
-      list->insert(list->end(), {static_cast<double>(one), static_cast<double>(other)});
+  const auto write = [](const auto &pairs, std::vector<double> &list)
+  {
+    for (const auto &[one, other] : pairs)
+      list.insert(list.end(), {static_cast<double>(one), static_cast<double>(other)});
+  };
+  write(touching.pairs_of_bodies(), bodies);
+  write(touching.pairs_with_walls(), walls);
   for (const std::vector<double> &list : ranks.lists_of_all(bodies))
     for (std::size_t k = 0; k < list.size(); k += 2)
       touching.add_bodies(static_cast<std::size_t>(list[k]), static_cast<std::size_t>(list[k + 1]));

@@ -98,7 +98,7 @@ def with_stress(data, prefix=""):
     >>> old = {f"stress_{c}_Pa": np.array([x]) for c, x in (("xx", 1.), ("yy", 2.), ("xy", 3.), ("zz", 4.))}
     >>> with_stress(new)
     {'stress_Pa': array([[1., 2., 3.]]), 'out_of_plane_stress_Pa': array([4.])}
-    >>> sorted(with_stress(old)) == sorted(new) and (old["stress_Pa"] == new["stress_Pa"]).all()
+    >>> sorted(with_stress(old)) == sorted(new) and bool((old["stress_Pa"] == new["stress_Pa"]).all())
     True
     """
     name = f"{prefix}stress_Pa"

@@ -31,7 +31,7 @@ class Run:
 
     >>> example.parameters["Materials/gel/Law"]
     'neo_hookean'
-    >>> len(example) == len(example.times) and example.times[0] == 0
+    >>> len(example) == len(example.times) and bool(example.times[0] == 0)
     True
     >>> example[0]  # doctest: +ELLIPSIS
     <state 0 of ... at t = 0 s>

@@ -69,7 +69,7 @@ class Verdicts(unittest.TestCase):
             write(f"{folder}/summary.json", json.dumps({"status": "completed", "steps": 4}))
             write(f"{folder}/parameters.prm", f"subsection Packing\n  {packing}\nend\n")
             write(f"{folder}/history.csv", "time_s,packing_fraction,top_force_N_per_m\n" + "".join(
-                f"{number},{place},{100. * place * (1. + error)!r}\n" for number, (place, error) in enumerate(zip(PLACES, own))))
+                f"{number},{place},{float(100. * place * (1. + error))!r}\n" for number, (place, error) in enumerate(zip(PLACES, own))))
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             findings = session.findings()
             from softgrain.study_text import print_findings
