@@ -84,8 +84,30 @@ def images(scene, snapshot):
     return [way for way in ways if way != (0.0, 0.0)]
 
 
+def deepest_of_primaries(scene, snapshot):
+    """(depth, what lies in what) where bodies are bonded primaries: what is between these, also in a hole, is in no body."""
+    place, size = snapshot["points/position_m"], snapshot.get("points/extra/radius_m", numpy.zeros(0))
+    body, names = snapshot["points/body"], list(by_name(snapshot, "bodies", "area_m2"))
+    cell, found = spacing_of(scene), (0.0, "")
+    for way in [(0.0, 0.0)] + images(scene, snapshot):
+        apart = numpy.hypot(*(place[:, None] - place - way).transpose(2, 0, 1))
+        deep = size[:, None] + size - apart
+        if way == (0.0, 0.0):
+            deep[body[:, None] == body] = 0
+        i, j = numpy.unravel_index(deep.argmax(), deep.shape)
+        found = max(found, (float(deep[i, j]) / cell, f"{names[body[i]]} and {names[body[j]]}"))
+    for name, line in obstacle_lines(snapshot).items():
+        deep = size - polygons.distance(place, line[:-1], line[1:])
+        found = max(found, (float(deep.max()) / cell, f"obstacle {name} in {names[body[deep.argmax()]]}"))
+    return found
+
+
 def deepest_overlap(scene, snapshot):
     """(depth, what lies in what) of the deepest overlap of a snapshot, in cells."""
+    if scene.get("Model") == "bpm":
+        beyond = max((depth / spacing_of(scene), f"beyond wall {name}") for rings in outlines(snapshot)
+                     for name, depth in {"": 0.0, **walls_beyond(snapshot, rings)}.items())
+        return max(beyond, deepest_of_primaries(scene, snapshot)) if "points/position_m" in snapshot else beyond
     cell, bodies = spacing_of(scene), outlines(snapshot)
     names, found = list(by_name(snapshot, "bodies", "area_m2")), (0.0, "")
     moved = images(scene, snapshot)

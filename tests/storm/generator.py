@@ -40,6 +40,8 @@ def generate(seed):
     friction = surroundings.add_contact(dice, scene, sizes, scheme, materials)
     if scheme == "bpm":
         bonded.add_numerics(dice, scene, sizes)
+        if family == "nest":  # a ring of one primary is a disk
+            scene.values.pop("Primaries/Number per body", None)
     else:
         soft.add_numerics(dice, scene, sizes, scheme, friction)
         add_mesh(dice, scene, grains, sizes)
