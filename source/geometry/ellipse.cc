@@ -126,7 +126,9 @@ Polygon Ellipse2D::places(const unsigned int n, const std::vector<double> &lengt
 std::vector<Polygon> Ellipse2D::outline(const double spacing) const
 {
   const std::vector<double> length = lengths();
-  return {places(std::max(12, static_cast<int>(std::ceil(std::min(length.back() / spacing, 1e8)))), length)};
+  // Whole quarters, as of circle(): the mirror image of the places is that of the mirrored ellipse.
+  return {places(4 * std::max(3, static_cast<int>(std::ceil(0.25 * std::min(length.back() / spacing, 1e8)))),
+                 length)};
 }
 
 Polygon Ellipse2D::corners() const

@@ -132,7 +132,8 @@ Polygon clip_to_box(const Polygon &polygon, const dealii::Point<2> &lower, const
 Polygon
 circle(const dealii::Point<2> &center, const double radius, const double spacing, const bool clockwise)
 {
-  const unsigned int n = std::max(12, static_cast<int>(std::ceil(2. * M_PI * radius / spacing)));
+  // Whole quarters: the vertices are their own image in a mirror and when turned by 90 degrees.
+  const unsigned int n = 4 * std::max(3, static_cast<int>(std::ceil(0.5 * M_PI * radius / spacing)));
   Polygon polygon(n);
   for (unsigned int i = 0; i < n; ++i)
   {

@@ -19,7 +19,7 @@ public:
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override;
   void check(const std::string &body) const override;
-  /// Edges of one length, at least twelve.
+  /// Edges of one length, three or more in each quarter.
   std::vector<Polygon> outline(double spacing) const override;
   Place project(const Place &on_edge, const Place &vertex) const override;
   bool round() const override { return true; }

@@ -21,7 +21,7 @@ std::pair<double, dealii::Point<2>> area_and_centroid(const Polygon &polygon);
 /// The part of @p polygon inside the box [@p lower, @p upper] (Sutherland and Hodgman 1974).
 Polygon clip_to_box(const Polygon &polygon, const dealii::Point<2> &lower, const dealii::Point<2> &upper);
 
-/// At least twelve vertices on a circle, with edges of at most about @p spacing [m].
+/// Three or more vertices in each quarter of a circle, with edges of at most about @p spacing [m].
 Polygon circle(const dealii::Point<2> &center, double radius, double spacing, bool clockwise);
 
 /// The same polygon with edges of at most @p spacing [m]; its corners stay vertices.

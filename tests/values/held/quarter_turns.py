@@ -12,8 +12,3 @@ def measure(start):
 
 def is_right(found):
     return are_images(found)
-
-
-def is_known(found):
-    """Places that look for contact begin at +x, in a number that four need not divide: the image of a disk or a ring has others."""
-    return 1e-9 < max(apart for apart, force in found.values()) < 0.05
