@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/history_columns.h>
 #include <softgrain/app/input.h>
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/restart_check.h>
@@ -123,6 +124,7 @@ void Input::check_all(const ModelFactory &factory)
   {
     Mistakes mistakes;
     mistakes.attempt([&]() { check_scene(described_scene); });
+    mistakes.attempt([&]() { check_history_columns(described_scene); });
     mistakes.attempt([&]() { stop_conditions.check(described_scene); });
     mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
     mistakes.end();

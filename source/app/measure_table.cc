@@ -5,6 +5,9 @@
 #include <softgrain/output/snapshot_file.h>
 #include <softgrain/parameters/parameter_file.h>
 
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
 #include <filesystem>
 #include <limits>
 #include <ostream>
@@ -47,6 +50,7 @@ namespace
 {
 /// Friction between bodies of the run in @p directory, as uniform_friction(); nothing when its parameters are
 /// not there.
+/// @throw InputError when they do not say it in a number
 std::optional<double> friction_of(const std::string &directory)
 {
   const fs::path file = fs::path(directory) / "parameters.prm";
@@ -57,7 +61,11 @@ std::optional<double> friction_of(const std::string &directory)
   if (!parameters.value({"Contact"}, "Friction of pairs", "").empty() ||
       parameters.value({"Contact"}, "Law", "coulomb") != "coulomb")
     return std::nullopt;
-  return std::stod(parameters.value({"Contact"}, "Friction", "0"));
+  const std::string friction = parameters.value({"Contact"}, "Friction", "0");
+  if (!dealii::Patterns::Double(0).match(friction))
+    throw InputError(parameters.where({"Contact"}, "Friction") + ": 'Contact/Friction' = '" + friction +
+                     "' is not allowed: it must be a number of at least 0");
+  return dealii::Utilities::string_to_double(friction);
 }
 } // namespace
 

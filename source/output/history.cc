@@ -13,6 +13,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace softgrain
@@ -29,6 +31,16 @@ std::string text_of(const double value)
   char buffer[40];
   std::snprintf(buffer, sizeof(buffer), "%.10g", value);
   return buffer;
+}
+
+/// @throw InputError when two columns have one name
+void check_names_differ(const std::string &names, const std::string &path)
+{
+  std::istringstream list(names);
+  std::set<std::string> seen;
+  for (std::string name; std::getline(list, name, ',');)
+    if (!seen.insert(name).second)
+      throw InputError(path + ": two columns are called '" + name + "'");
 }
 
 std::uint64_t step_of(const std::string &line, const std::string &path)
@@ -151,6 +163,7 @@ void HistoryWriter::write_line(const HistoryLine &line)
   const bool first = descriptor < 0;
   if (first)
   {
+    check_names_differ(line.names, path);
     open(false);
     header = line.names;
   }

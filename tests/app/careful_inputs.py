@@ -195,6 +195,39 @@ end
         for line, name in zip(lines, ("disk", "b", "c")):
             self.assertRegex(line, rf"^parts\.prm:\d+: 'Bodies/{name}/", line)
 
+    def test_columns_of_one_name(self):
+        """A wall or an obstacle whose column of history.csv would be called as another is refused."""
+        def scene(walls, obstacles):
+            text = DISK + end_at("1e-3") + f"subsection Walls\n  set Names = {', '.join(walls)}\n"
+            for k, wall in enumerate(walls):
+                text += f"  subsection {wall}\n    set Point = 0, {-2e-3 - k * 1e-3}\n    set Normal = 0, 1\n  end\n"
+            text += f"end\nsubsection Obstacles\n  set Names = {', '.join(obstacles)}\n"
+            for k, obstacle in enumerate(obstacles):
+                text += f"  subsection {obstacle}\n    set Points = {k + 3}e-3, 0; {k + 3}e-3, 1e-3\n  end\n"
+            return write("columns.prm", text + "end\n")
+        lines = self.refused(scene(["gravity", "floor", "external"], ["regularisation", "floor"]))
+        for line, number, words in zip(
+                lines, (19, 19, 34, 34),
+                ("'Walls/Names': 'gravity' is not allowed: the column 'gravity_work_J_per_m' of history.csv has a meaning",
+                 "'Walls/Names': 'external' is not allowed: the column 'external_work_J_per_m' of history.csv is the sum",
+                 "'Obstacles/Names': 'regularisation' is not allowed: the column 'regularisation_work_J_per_m' of history.csv has",
+                 "'Obstacles/Names': 'floor' is not allowed: the column 'floor_work_J_per_m' of history.csv is that of 'Walls/floor'")):
+            self.assertTrue(line.startswith(f"columns.prm:{number}: {words}"), lines)
+        self.assertEqual(len(lines), 4, lines)
+        self.ends(scene(["left", "floor"], ["plate", "rake"]))
+
+    def test_friction_of_a_folder(self):
+        """`measure` reads the friction of a run from its parameters; a word there is told with its place."""
+        os.makedirs("folder", exist_ok=True)
+        for friction in ("rough", "-1", "nan", ""):
+            write("folder/parameters.prm", f"subsection Contact\n  set Friction = {friction}\nend\n")
+            status, printed, errors = softgrain("measure", "folder")
+            self.assertEqual((status, printed), (2, ""))
+            self.assertEqual(errors, "softgrain: error: folder/parameters.prm:2: 'Contact/Friction' = "
+                             f"'{friction}' is not allowed: it must be a number of at least 0\n")
+        write("folder/parameters.prm", "subsection Contact\n  set Friction = 0.3\nend\n")
+        self.assertIn("has no snapshots.h5", softgrain("measure", "folder")[2])
+
     def test_many(self):
         text = DISK + end_at("1e-3") + "".join(f"set Wrong {n} = 1\n" for n in range(23))
         lines = self.refused(write("many.prm", text))

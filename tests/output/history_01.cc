@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rows of the history, fields that are not finite, continuing after a cut, and refusing other columns.
+// Rows of the history, fields that are not finite, continuing after a cut, and refusing other columns and two
+// of one name.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/history.h>
 
@@ -49,10 +50,13 @@ int main()
   HistoryWriter begun(".", "new.csv");
   begun.resume(1);
   std::cout << "new: " << begun.is_new() << "\n\n";
-  for (const bool other_columns : {true, false})
+  for (const unsigned int wrong : {0, 1, 2})
     try
     {
-      if (other_columns)
+      if (wrong == 0)
+        HistoryWriter(".", "twice.csv")
+            .write({{"time_s", 0.}, {"step", 3.}, {"a", 1.}, {"b", 2.}, {"a", 3.}});
+      else if (wrong == 1)
         history.write({{"time_s", 0.}, {"step", 3.}});
       else
       {
