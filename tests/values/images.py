@@ -12,6 +12,11 @@ SHAPES = {"disk": {"Shape": "disk", "Radius": 4e-4}, "ring": {"Shape": "disk", "
           "ellipse": {"Shape": "ellipse", "Semi-axes": "4e-4, 3e-4"}}
 
 
+def pair(values):
+    """As --set wants them."""
+    return ", ".join(repr(float(value)) for value in values)
+
+
 class Image:
     """x goes to the matrix times x, plus whole cells."""
 
@@ -27,8 +32,6 @@ class Image:
 
     def settings(self, shape, friction):
         """As --set wants them."""
-        def pair(values):
-            return ", ".join(repr(float(value)) for value in values)
         axis = self.way((math.cos(math.radians(ANGLE)), math.sin(math.radians(ANGLE))))
         corners = [self.place(corner) for corner in ((-1e-3, -1e-3), (1e-3, 1e-3))]
         settings = [f"Mesh/Lower={pair(map(min, *corners))}", f"Mesh/Upper={pair(map(max, *corners))}",

@@ -130,6 +130,8 @@ void check_refinement(const Scene<2> &scene, const Settings &settings)
 LevelsOfScene refine_near_contact(const Scene<2> &scene, const Settings &settings, const Lattice<2> &lattice)
 {
   constexpr double wide = 2.; // cells of the next size
+  // Where walls and outlines lie on lines of the grid, cells are just so far away: rounding must not decide.
+  const double rounding = 1e-6 * lattice.cell_size();
   LevelsOfScene levels(scene.bodies.size());
   if (settings.refine_near_contact == 0)
     return levels;
@@ -143,7 +145,7 @@ LevelsOfScene refine_near_contact(const Scene<2> &scene, const Settings &setting
       const double reach = wide * std::ldexp(lattice.cell_size(), level - 1);
       return std::any_of(neighbours.begin(), neighbours.end(),
                          [&](const Distance &distance) {
-                           return distance({lower, upper}) <= reach;
+                           return distance({lower, upper}) <= reach + rounding;
                          });
     };
     const auto [lower, upper] = scene.bodies[b].shape->bounding_box();

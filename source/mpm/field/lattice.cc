@@ -16,7 +16,7 @@ Lattice<dim>::Lattice(const dealii::Point<dim> &lower,
 {
   for (unsigned int d = 0; d < dim; ++d)
     // A mesh that ends within rounding of `upper` must not grow by one row of cells.
-    cells[d] = std::max(1, static_cast<int>(std::ceil((upper[d] - lower[d]) / h - 1e-9)));
+    cells[d] = std::max(1, static_cast<int>(std::ceil((upper[d] - lower[d]) / h - rounding)));
 }
 
 template <int dim>

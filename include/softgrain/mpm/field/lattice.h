@@ -31,16 +31,26 @@ public:
   const dealii::Point<dim> &lower() const { return origin; }
   const Index &n_cells() const { return cells; }
 
-  /// Integer coordinates of the cell that holds @p x; on a face the upper cell. May lie outside of the mesh.
+  /// Integer coordinates of the cell that holds @p x; on a face the upper cell, on the border of the mesh
+  /// that within. May lie outside of the mesh.
   Index cell_of(const dealii::Point<dim> &x) const
   {
     Index c;
     for (unsigned int d = 0; d < dim; ++d)
-      c[d] = static_cast<int>(std::floor((x[d] - origin[d]) / h));
+    {
+      const double place = (x[d] - origin[d]) / h;
+      c[d] = static_cast<int>(std::floor(place));
+      // Both borders belong to the mesh, each with what rounding puts beyond it: mirrored, a place on the
+      // lower border lies on the upper one.
+      if (c[d] == cells[d] && place <= cells[d] + rounding)
+        c[d] = cells[d] - 1;
+      else if (c[d] == -1 && place >= -rounding)
+        c[d] = 0;
+    }
     return c;
   }
 
-  /// Place of @p x in its cell @p c, every component in [0, 1).
+  /// Place of @p x in its cell @p c, every component in [0, 1] but for rounding.
   dealii::Point<dim> unit_position(const dealii::Point<dim> &x, const Index &c) const
   {
     dealii::Point<dim> xi;
@@ -62,13 +72,14 @@ public:
   dealii::Point<dim> off_faces(dealii::Point<dim> x) const
   {
     constexpr double least = 1e-10;
+    const Index c = cell_of(x);
     for (unsigned int d = 0; d < dim; ++d)
     {
-      const double place = (x[d] - origin[d]) / h, first = std::floor(place), inside = place - first;
+      const double inside = (x[d] - origin[d]) / h - c[d];
       if (inside < least)
-        x[d] = origin[d] + h * (first + least);
+        x[d] = origin[d] + h * (c[d] + least);
       else if (inside > 1. - least)
-        x[d] = origin[d] + h * (first + 1. - least);
+        x[d] = origin[d] + h * (c[d] + 1. - least);
     }
     return x;
   }
@@ -77,6 +88,8 @@ public:
   void check_inside(const dealii::Point<dim> &x, const std::string &thing) const;
 
 private:
+  static constexpr double rounding = 1e-9; ///< of places on the border [cells]
+
   dealii::Point<dim> origin;
   double h;
   Index cells;
