@@ -337,8 +337,10 @@ void CommandLine::measure() const
 
 void CommandLine::print_parameters() const
 {
-  // A name in capitals stands for each name of the user's lists.
-  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
+  // A name in capitals stands for each name of the user's lists. Walls and obstacles may not have the same:
+  // both name columns of the history.
+  const std::string obstacle = "OBSTACLE";
+  const SceneNames names{{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, {obstacle}};
   dealii::ParameterHandler prm;
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   if (models.empty())
@@ -350,11 +352,11 @@ void CommandLine::print_parameters() const
   for (const std::string section : {"Materials", "Bodies", "Walls", "Obstacles", "Stages"})
   {
     prm.enter_subsection(section);
-    prm.set("Names", "NAME");
+    prm.set("Names", section == "Obstacles" ? obstacle : "NAME");
     prm.leave_subsection();
   }
   // What is printed can be read as a parameter file once it has a body and an end: the wall NAME, which has
-  // no default normal, and the obstacle NAME lie where they are in nobody's way.
+  // no default normal, and the obstacle lie where they are in nobody's way.
   prm.enter_subsection("Walls");
   prm.enter_subsection("NAME");
   prm.set("Point", "0, -1");
@@ -362,7 +364,7 @@ void CommandLine::print_parameters() const
   prm.leave_subsection();
   prm.leave_subsection();
   prm.enter_subsection("Obstacles");
-  prm.enter_subsection("NAME");
+  prm.enter_subsection(obstacle);
   prm.set("Points", "-1, -1; 1, -1");
   prm.leave_subsection();
   prm.leave_subsection();

@@ -70,7 +70,8 @@ def kind_of(path, model="mpm"):
 def parameters(tree, path=()):
     """(path, default, what is allowed, meaning) of all that `softgrain parameters --format json` prints."""
     if "meaning" in tree and "value" in tree:
-        yield "/".join(path), tree["default"], tree["allowed"], tree["meaning"]
+        # The listing has one placeholder for obstacles, another for all other names.
+        yield "/".join("NAME" if name == "OBSTACLE" else name for name in path), tree["default"], tree["allowed"], tree["meaning"]
         return
     for name, branch in tree.items():
         yield from parameters(branch, (*path, name))
