@@ -17,7 +17,8 @@ bool RankOneSolver::factorize(SystemMatrix &matrix)
   if (!inner->factorize(matrix))
     return false;
   const std::optional<unsigned int> n_negative = inner->n_negative();
-  if (n_negative.value_or(0) > (factor == 0. ? 0u : 1u))
+  negative = n_negative;
+  if (!takes_indefinite && n_negative.value_or(0) > (factor == 0. ? 0u : 1u))
     return false;
   if (factor == 0.)
     return true;
@@ -25,8 +26,10 @@ bool RankOneSolver::factorize(SystemMatrix &matrix)
   // det(B + k r rᵀ) = det B (1 + k rᵀ B⁻¹ r), and an update with k > 0 lifts one eigenvalue at most above 0:
   // the sum is positive definite when the sign fits the number of negative pivots.
   const double ratio = 1. + factor * direction.dot(effect);
-  if (n_negative && (*n_negative == 1) != (ratio < 0.))
+  if (!takes_indefinite && n_negative && (*n_negative == 1) != (ratio < 0.))
     return false;
+  if (negative && ratio < 0.)
+    negative = *negative - 1;
   if (!(std::abs(ratio) > 1e-10))
     return false;
   weight = factor / ratio;

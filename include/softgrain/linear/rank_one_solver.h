@@ -21,6 +21,11 @@ public:
   /// The term of the next factorize(); @p k = 0 is none.
   void set_update(const Eigen::VectorXd &r, double k);
 
+  /// Whether factorize() takes sums with negative eigenvalues, too: whoever solves with it counts them.
+  bool takes_indefinite = false;
+
+  std::optional<unsigned int> n_negative() const override { return negative; }
+
   /// @return whether B + k r rᵀ is positive definite, as far as the inner solver can tell.
   bool factorize(SystemMatrix &matrix) override;
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
@@ -29,7 +34,8 @@ public:
 private:
   std::unique_ptr<LinearSolver> inner;
   Eigen::VectorXd direction, effect; ///< r and B⁻¹ r
-  double factor = 0., weight = 0.;   ///< k and k / (1 + k rᵀ B⁻¹ r)
+  std::optional<unsigned int> negative;
+  double factor = 0., weight = 0.; ///< k and k / (1 + k rᵀ B⁻¹ r)
 };
 } // namespace softgrain
 

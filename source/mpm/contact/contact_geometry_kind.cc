@@ -37,6 +37,11 @@ public:
         "markers on the boundaries look for contact with boundaries and walls",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
+        "rays",
+        "rays that stand in space during a step meet the surfaces, and Newton's method knows how (only at "
+        "rest, between planes, without friction and adhesion)",
+        [] { return std::make_unique<OnSurfaces>(); }),
+    Registry<ContactGeometryKind>::instance().add(
         "nodes",
         "contact at grid nodes that bodies share (the thesis; needs 'Grid update = every step')",
         [] { return std::make_unique<AtNodes>(); })};

@@ -10,6 +10,7 @@ namespace
 {
 /// Of Newton's method; it is quadratic from a place nearby.
 constexpr unsigned int max_iterations = 40;
+constexpr double rounding = 1e-14; ///< of a place, over its distance from the origin
 
 /// The deformed surface at a place.
 template <int dim>
@@ -95,9 +96,9 @@ RaySide<dim> meet(const Ray<dim> &ray,
       off[i] = (here.position - ray.origin) * ray.across[i] - ray.offset[i];
     const dealii::Tensor<1, dim - 1> way = -1. * (inverse * off);
     const double error = off.norm();
-    // Rounding is reached where it does not fall any more.
-    if (error == 0. ||
-        (error >= 0.5 * before && error < 1e-9 * (here.position - dealii::Point<dim>()).norm()))
+    // Rounding is reached, or the error does not fall any more.
+    const double distance = (here.position - dealii::Point<dim>()).norm();
+    if (error <= rounding * distance || (error >= 0.5 * before && error < 1e-9 * distance))
     {
       side.met = true;
       derive(ray, here, inverse, nodal, side);

@@ -82,13 +82,26 @@ SubgridCompliance::Dent SubgridCompliance::dent(const Body<2> &body,
   return {2. / M_PI * dents, 0.25 * M_PI * width * width * curved / soft};
 }
 
+namespace
+{
+/// Share of the full force below which a contact is linear. One that has just begun has no width yet; it is
+/// kept from being infinitely soft. Before the first force is known the middle of the range stands for it.
+constexpr double least_force = 2.6e-6, at_first = 0.65;
+} // namespace
+
+double SubgridCompliance::slope(const Dent &dent, const double force) const
+{
+  const double full = dent.full_force;
+  if (dent.compliance == 0. || !(force < full))
+    return 0.;
+  const double change = force > least_force * full ? 0.5 * dent.compliance : 0.;
+  return (*this)(dent, force) - change;
+}
+
 double SubgridCompliance::operator()(const Dent &dent, const double force) const
 {
   if (dent.compliance == 0.)
     return 0.;
-  // A contact that has just begun has no width yet; it is kept from being infinitely soft. Before the first
-  // force is known the middle of the range stands for it.
-  constexpr double least_force = 2.6e-6, at_first = 0.65;
   const double share = force > 0.
                            ? 0.5 * std::log(dent.full_force / std::max(force, least_force * dent.full_force))
                            : at_first;

@@ -23,6 +23,7 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
   functions->evaluate(unit_position(x, c), values, slopes, curvatures);
   const unsigned int cell = cell_box(c);
   const double edge_length = edge(c) * lattice->cell_size();
+  result.cell = cell;
   result.node = cell_dependence[cell];
   result.value.assign(result.node.size(), 0.);
   result.slope.resize(result.node.size());

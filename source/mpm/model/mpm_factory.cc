@@ -7,6 +7,7 @@
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/body/refinement.h>
+#include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
@@ -161,6 +162,8 @@ private:
     check_start_at_rest(scene, settings);
     check_obstacles(scene, settings);
     check_cell(scene, settings);
+    if (settings.meets_by_rays())
+      check_rays(scene, settings);
     // What a packing will put where is not known before it is made.
     if (settings.refine_near_contact > 0 && !scene.packing.method)
       check_refinement(scene, settings);

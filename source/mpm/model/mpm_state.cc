@@ -3,6 +3,7 @@
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
@@ -88,6 +89,8 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
   out.write("mpm/contact/keys", keys);
   out.write("mpm/contact/impulses", impulses);
   state.adhesion.save(out, "mpm/contact/adhesion");
+  if (problem.settings.meets_by_rays())
+    save_frames(out, "mpm/contact/frames", state.frames);
   std::vector<double> resistance;
   for (const dealii::Tensor<1, 2> &force : state.resistance)
     resistance.insert(resistance.end(), force.begin_raw(), force.end_raw());
@@ -188,5 +191,8 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     if (problem.settings.scheme.implicit && !body.driven && work.share.mine(body.index))
       lay_out_stiffness(body.field, work.matrices[body.index]);
   }
+  work.outlines.clear();
+  if (problem.settings.meets_by_rays())
+    load_frames(in, "mpm/contact/frames", state.bodies, state.walls.size(), state.frames);
 }
 } // namespace softgrain::mpm

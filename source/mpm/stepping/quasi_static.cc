@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
+#include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/relaxation.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
@@ -258,6 +259,8 @@ double unbalanced_force(const Problem &problem,
 StepOutcome
 quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
+  if (problem.settings.meets_by_rays())
+    return rays_step(problem, state, work, dt);
   StepOutcome sum;
   // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
   // bodies resist more; held steps take that off.
@@ -282,7 +285,8 @@ quasi_static_step(const Problem &problem, State &state, Workspace &work, const d
 StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   const double before = not_booked(state, work.share);
-  const StepOutcome outcome = make_held_steps(problem, state, work, dt);
+  const StepOutcome outcome = problem.settings.meets_by_rays() ? settle_rays(problem, state, work, dt)
+                                                               : make_held_steps(problem, state, work, dt);
   if (outcome.held_steps > 0)
     state.balance.released_energy += before - not_booked(state, work.share);
   return outcome;

@@ -33,6 +33,21 @@ void StepEquations::assemble(const Body<2> &body, const double shift_of_body, co
       (pressure_follows ? 0.2 : 1.) * against_rotation + rotation_weight[body.index]);
 }
 
+void StepEquations::resist_more(const double factor)
+{
+  for (double &of_body : shift)
+    of_body *= factor;
+}
+
+void StepEquations::assemble_static(const Body<2> &body)
+{
+  SystemMatrix &matrix = work.matrices[body.index];
+  matrix.set_zero();
+  add_stiffness(body, work.trial[body.index], dt * dt, matrix);
+  matrix.add_mass<2>(body.mass, shift[body.index]);
+  work.solvers[body.index]->set_update(rotation[body.index], rotation_weight[body.index]);
+}
+
 std::string StepEquations::factorise()
 {
   std::vector<double> extra = shift;

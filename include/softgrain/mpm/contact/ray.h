@@ -72,6 +72,30 @@ struct RaySide
       }
   }
 
+  /// The same as a matrix over the nodes of the place, dim numbers each.
+  void second_derivative(Eigen::MatrixXd &matrix) const
+  {
+    const unsigned int n = function.node.size();
+    matrix.resize(dim * n, dim * n);
+    std::array<std::vector<double>, dim - 1> along; // slopes along the tangents
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        along[k].push_back(function.slope[i] * place.tangent[k]);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        dealii::Tensor<2, dim> block = function.value[i] * function.value[j] * sliding_twice;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              block[d][e] += along[k][i] * function.value[j] * normal[d] * way[k][e] +
+                             along[k][j] * function.value[i] * way[k][d] * normal[e];
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int e = 0; e < dim; ++e)
+            matrix(dim * i + d, dim * j + e) = block[d][e];
+      }
+  }
+
   /// Way of the place along tangent k per displacement, -sum_l (J^-1)_kl across_l.
   std::array<Vector, dim - 1> way;
   /// sum_ij way_i (w · x_ij) way_j [1/m].

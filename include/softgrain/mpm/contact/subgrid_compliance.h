@@ -56,6 +56,9 @@ struct SubgridCompliance
   /// Approach per force that the grid misses under @p force [N/m]; [m^2/N]
   double operator()(const Dent &dent, double force) const;
 
+  /// dδ/dF [m^2/N].
+  double slope(const Dent &dent, double force) const;
+
   /// Energy in the dents that the grid misses of such a contact, the work of the force on the way to it;
   /// below zero when the contact is wide, for δ falls again under larger forces [J/m].
   double energy(const Dent &dent, double force) const;

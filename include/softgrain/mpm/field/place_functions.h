@@ -24,6 +24,7 @@ struct PlaceFunctions
 {
   using Vector = dealii::Tensor<1, dim>;
 
+  unsigned int cell = 0;                         ///< of the body, whose independent nodes these are
   std::vector<unsigned int> node;                ///< independent nodes; none: out of reach
   std::vector<double> value;                     ///< one per node
   std::vector<Vector> slope;                     ///< [1/m]

@@ -115,6 +115,9 @@ struct Settings
     return scheme.rows_follow && contact_on_boundaries && coupling == ContactCoupling::condensed;
   }
 
+  /// Whether surfaces are met by rays, see ContactFrame.
+  bool meets_by_rays() const { return contact_geometry == "rays"; }
+
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);
   /// @throw InputError for values that do not fit together

@@ -10,6 +10,7 @@
 #include <softgrain/driving/wall.h>
 #include <softgrain/driving/works.h>
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 
@@ -58,7 +59,8 @@ struct State
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
   std::vector<Obstacle> obstacles;
-  ContactMemory<2> memory; ///< impulses of the last step
+  ContactMemory<2> memory;             ///< impulses of the last step
+  std::vector<ContactFrame<2>> frames; ///< of the last step, where contact is found by rays
   /// `quasi_static`: what resisted the motion of each body at the end of the last step [N/m].
   std::vector<dealii::Tensor<1, 2>> resistance;
   Adhesion adhesion;

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_workspace_h
 #define softgrain_mpm_model_workspace_h
 
+#include <softgrain/geometry/outline_surface.h>
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/body/body_share.h>
@@ -25,6 +26,7 @@ struct Workspace
   std::vector<SystemMatrix> matrices;                  ///< one per body of this rank, implicit schemes
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< likewise
   ContactSystem<2> contact;                            ///< rows found, and the problem that they pose
+  std::vector<OutlineSurface> outlines;                ///< of the bodies, for rays
   std::vector<dealii::Tensor<1, 2>> load;              ///< on every body, as the last step had it [N/m]
   dealii::TimerOutput *timer = nullptr;
 };

@@ -41,6 +41,7 @@ struct StepOutcome
   bool rows_follow = true;     ///< the contact rows are those of the step as it came out, or nearly
   double largest_move = 0;     ///< of a node over the step [m]
   unsigned int held_steps = 0; ///< of quasi_static, after the step itself
+  double raised = 1;           ///< factor by which bodies had to resist motion more
   double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
 };
 

@@ -98,6 +98,14 @@ public:
   /// A x = the missing impulse, or what is unbalanced with contact, for every body of this rank [m/s].
   Slope solve(bool with_contact, Vectors &x) const;
 
+  /// Impulse that is missing for balance without contact, as last evaluated [N s/m].
+  const Eigen::VectorXd &missing(const unsigned int b) const { return missing_impulse[b]; }
+  /// A of one body without inertia as its forces have it, with @p extra times its mass beside what resists
+  /// motion anyway.
+  void assemble_static(const Body<2> &body);
+  /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
+  void resist_more(double factor);
+
   /// Displacements over the step for the velocities last evaluated [m].
   Vectors increment;
   /// Internal forces for them, of this rank's bodies [N].
@@ -121,7 +129,6 @@ private:
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
-  /// A of one body, with @p shift_of_body times its mass.
   void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
   /// Mends x = A⁻¹ @p b of a body that turns by much in the step: A does not know that its forces are turned.
   void heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eigen::VectorXd &x) const;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_contact_frame_h
+#define softgrain_mpm_contact_contact_frame_h
+
+#include <softgrain/geometry/rest_surface.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief One stretch in which a body is near another one or a wall: a lattice of parallel rays, and what they
+ * carry.
+ *
+ * A frame lasts from step to step: its direction stays, its origin rides with the mean motion of what lies
+ * under its rays across them (ContactFrame::origin), and only rays at its ends come and go. So gaps at the
+ * end of a step are gaps at the start of the next one, and contact does no work of its own.
+ */
+template <int dim>
+struct ContactFrame
+{
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  unsigned int body = none;    ///< feels +force along the direction
+  unsigned int partner = none; ///< another body; none: the wall
+  unsigned int wall = none;
+  /// The side, 0 the partner and 1 the body, through whose corner its only ray goes; none: all surfaces are
+  /// smooth where its rays meet them. A corner is a place of the material, on which the ray rides.
+  unsigned int corner = none;
+  dealii::Point<dim> origin;                          ///< [m]
+  dealii::Tensor<1, dim> direction;                   ///< unit, from the partner to the body
+  std::array<dealii::Tensor<1, dim>, dim - 1> across; ///< unit
+  double spacing = 0;                                 ///< of the lattice [m]
+  /// Of the places where body and partner touch first, see SubgridCompliance::log_full_width().
+  std::array<double, 2> log_full_width = {{0., 0.}};
+
+  struct RayPlace
+  {
+    std::array<int, dim - 1> index;         ///< on the lattice
+    double force = 0;                       ///< multiplier of its gap [N/m^(dim-2)], not negative
+    std::array<SurfacePlace<dim>, 2> place; ///< where it meets the partner and the body
+  };
+  std::vector<RayPlace> rays; ///< in ascending order of their indices
+
+  /// What a frame and its successor have in common.
+  using Key = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, unsigned int>;
+  Key key() const
+  {
+    return {body, partner, wall, corner, corner == none || rays.empty() ? none : rays[0].place[corner].piece};
+  }
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_frame_rows_h
+#define softgrain_mpm_contact_frame_rows_h
+
+#include <softgrain/mpm/contact/contact_memory.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/frame_system.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Rays that carry force as contact rows, for all that reads forces of contacts.
+ *
+ * The force of a row is what its ray does to the body, its share in the mean motion counted in: the partner
+ * feels the opposite.
+ * @param force  of the rays [N/m]
+ * @param memory takes their impulses over its step
+ */
+std::vector<ContactRow<2>>
+rows_of_frames(const std::vector<FrameState> &frames, const RayForces &force, ContactMemory<2> &memory);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_frame_search_h
+#define softgrain_mpm_contact_frame_search_h
+
+#include <softgrain/geometry/outline_surface.h>
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_frame.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/subgrid_compliance.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What a search for frames looks at.
+struct FrameScene
+{
+  const std::vector<Body<2>> &bodies;
+  const std::vector<OutlineSurface> &outlines; ///< of the bodies, in the configuration of their grids
+  const std::vector<WallMotion<2>> &walls;
+  double cell_size;          ///< [m]
+  SubgridCompliance subgrid; ///< what the grid misses of dents
+  double reach;              ///< gap up to which places are looked at [m]
+};
+
+/**
+ * @brief The frames of all that is near each other where the bodies are now.
+ *
+ * A stretch that is already covered by one of the frames @p before, whose direction it has kept within 11
+ * degrees, keeps that frame and the forces of its rays.
+ */
+std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> before);
+} // namespace softgrain::mpm
+
+#endif

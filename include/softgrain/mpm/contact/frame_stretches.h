@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_frame_stretches_h
+#define softgrain_mpm_contact_frame_stretches_h
+
+#include <softgrain/geometry/outline_surface.h>
+#include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/contact/contact_frame.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/near_stretches.h>
+
+#include <array>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// A stretch where a body is near another one or a wall, as a frame covers it.
+struct FrameStretch
+{
+  dealii::Tensor<1, 2> direction;                  ///< unit, from the partner to the body
+  dealii::Point<2> middle;                         ///< [m]
+  std::vector<std::array<unsigned int, 2>> facing; ///< samples of partner (none of a wall) and body
+  unsigned int corner = ContactFrame<2>::none;     ///< side whose first facing sample is a corner, for itself
+};
+
+/// The outline of a body as it is now, at the places that are half a cell apart, and at its corners.
+SampledSurface<2> sample_outline(const Body<2> &body, const OutlineSurface &outline);
+
+/// Stretches of a body no further than @p reach [m] from a plane: connected along its outline.
+std::vector<FrameStretch>
+stretches_at_plane(const SampledSurface<2> &surface, const WallMotion<2> &wall, double reach);
+
+/// near_stretches() of two bodies.
+std::vector<FrameStretch>
+stretches_between(const SampledSurface<2> &partner, const SampledSurface<2> &body, double reach);
+
+/// Adds a stretch for every corner in the stretches of a pair: a corner is met by the normal of what it
+/// faces. @param partner null: a wall
+void add_corners(const SampledSurface<2> *partner,
+                 const SampledSurface<2> &body,
+                 std::vector<FrameStretch> &stretches);
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_frame_system_h
+#define softgrain_mpm_contact_frame_system_h
+
+#include <softgrain/linear/rank_one_solver.h>
+#include <softgrain/mpm/body/body_share.h>
+#include <softgrain/mpm/contact/frame_state.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include <memory>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// Forces of the rays of all frames [N/m].
+using RayForces = std::vector<std::vector<double>>;
+
+/**
+ * @brief Newton's equations of a step with frames, condensed to what frames do.
+ *
+ * With A the matrix of a body (its material, what resists it, and second derivatives of the gaps of its
+ * rays), f what is missing for balance of a body without contact, G = dg/du, r = dc/du and
+ * D = sum_k P_k d²g_k/du dc, forces P, motions δc and forces τ of frames obey
+ *
+ *     [ W  g_c  . ] [P ]        [ g + G y  ]
+ *     [ .  q    1 ] [δc]  =  -  [ Dᵀ y     ]    + Vᵀ A⁻¹ V,    V = [Gᵀ, D, -r],    y = A⁻¹ f,
+ *     [ .  1    0 ] [τ ]        [ -rᵀ y    ]
+ *
+ * with q = sum_k P_k d²g_k/dc²: symmetric, and sparse since frames meet only in bodies. Rays that pull are
+ * taken out and rays that would overlap are taken in until none is left.
+ */
+class FrameSystem
+{
+public:
+  /// @param scale of A: A = scale * (what solvers have factorised)^-1 as displacement per force
+  FrameSystem(const BodyShare &share,
+              const std::vector<Body<2>> &bodies,
+              std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+              double scale);
+
+  /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
+  void condense(const std::vector<FrameState> &frames, const RayForces &force, double within);
+
+  /// Solves for forces. @param way_without of every body, y above [m]
+  /// @return whether no ray pulls or overlaps
+  bool
+  solve(const std::vector<Eigen::VectorXd> &way_without, double cell_size, unsigned int negative_of_bodies);
+
+  /// Of the last solve: negative pivots beyond those that constraints have, less those of bodies' factors: 0
+  /// in a minimum.
+  int wrong_inertia(unsigned int negative_of_bodies) const
+  {
+    return static_cast<int>(negative) - static_cast<int>(n_frames) - static_cast<int>(negative_of_bodies);
+  }
+
+  /// V z of a body: force on its nodes [N/m].
+  Eigen::VectorXd force_on(unsigned int b) const;
+
+  RayForces found;         ///< P of the last solve [N/m]
+  unsigned int passes = 0; ///< of the active set, so far
+
+private:
+  struct Column
+  {
+    enum Kind
+    {
+      ray,
+      motion,
+      tangential
+    };
+    Kind kind;
+    unsigned int frame, ray_number; ///< the latter of a ray
+  };
+  void find_order();
+  bool solve_active(const Eigen::VectorXd &right);
+
+  const BodyShare &share;
+  const std::vector<Body<2>> &bodies;
+  std::vector<std::unique_ptr<RankOneSolver>> &solvers;
+  const double scale;
+
+  /// Order of the columns in the factors: frame by frame, rays first, then the force and last the motion of
+  /// the frame, whose own entry may be 0.
+  std::vector<unsigned int> order;
+  std::vector<Column> columns;                    ///< rays that are candidates, and two more per frame
+  std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
+  std::vector<LinearSolver::Rows> V;
+  std::vector<Eigen::MatrixXd> W;
+  std::vector<Eigen::Triplet<double>> own; ///< Q
+  Eigen::VectorXd gap;
+  std::vector<char> active;
+  Eigen::VectorXd z;
+  unsigned int n_frames = 0, negative = 0;
+  const std::vector<FrameState> *state = nullptr;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/model/state_file.h>
+#include <softgrain/mpm/contact/frame_memory.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Frame = ContactFrame<2>;
+
+constexpr unsigned int numbers_of_frame = 7, numbers_of_ray = 4; ///< that are not whole
+constexpr unsigned int counts_of_frame = 5, counts_of_ray = 2;
+
+OutlineSurface outline_of(const Body<2> &body)
+{
+  return {body.boundary.grid_position, body.boundary.loop_start, body.boundary.corner};
+}
+
+unsigned int of_side(const Frame &frame, const unsigned int side)
+{
+  return side == 0 ? frame.partner : frame.body;
+}
+} // namespace
+
+void save_frames(StateWriter &out, const std::string &name, const std::vector<Frame> &frames)
+{
+  std::vector<std::uint64_t> who, pieces;
+  std::vector<double> where, rays;
+  for (const Frame &frame : frames)
+  {
+    who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.corner});
+    for (unsigned int d = 0; d < 2; ++d)
+      where.push_back(frame.origin[d]);
+    for (unsigned int d = 0; d < 2; ++d)
+      where.push_back(frame.direction[d]);
+    where.insert(where.end(), {frame.spacing, frame.log_full_width[0], frame.log_full_width[1]});
+    for (const Frame::RayPlace &ray : frame.rays)
+    {
+      pieces.insert(pieces.end(), {ray.place[0].piece, ray.place[1].piece});
+      rays.insert(rays.end(),
+                  {static_cast<double>(ray.index[0]), ray.force, ray.place[0].along, ray.place[1].along});
+    }
+  }
+  out.write(name + "/who", who);
+  out.write(name + "/where", where);
+  out.write(name + "/pieces", pieces);
+  out.write(name + "/rays", rays);
+}
+
+void load_frames(const StateReader &in,
+                 const std::string &name,
+                 const std::vector<Body<2>> &bodies,
+                 const unsigned int n_walls,
+                 std::vector<Frame> &frames)
+{
+  const std::vector<std::uint64_t> who = in.read_integers(name + "/who", ListSize::rows_of(counts_of_frame));
+  const std::size_t n = who.size() / counts_of_frame;
+  const std::vector<double> where = in.read_doubles(name + "/where", n * numbers_of_frame);
+  const std::vector<std::uint64_t> pieces =
+      in.read_integers(name + "/pieces", ListSize::rows_of(counts_of_ray));
+  const std::size_t n_rays = pieces.size() / counts_of_ray;
+  const std::vector<double> rays = in.read_doubles(name + "/rays", n_rays * numbers_of_ray);
+  std::vector<OutlineSurface> outlines;
+  for (const Body<2> &body : bodies)
+    outlines.push_back(outline_of(body));
+  frames.assign(n, Frame());
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < n; ++f)
+  {
+    Frame &frame = frames[f];
+    const std::uint64_t *names = &who[counts_of_frame * f];
+    const bool at_wall = names[1] == Frame::none;
+    if (names[0] >= bodies.size() || (at_wall ? names[2] >= n_walls : names[1] >= bodies.size()))
+      in.refuse(name + "/who", "there is no such body or wall");
+    if (names[4] > 1 && names[4] != Frame::none)
+      in.refuse(name + "/who", "a frame has two sides");
+    if (names[3] > n_rays - next)
+      in.refuse(name + "/who", "frames have more rays than there are");
+    frame.body = names[0];
+    frame.partner = names[1];
+    frame.corner = names[4];
+    frame.wall = at_wall ? names[2] : Frame::none;
+    const double *numbers = &where[numbers_of_frame * f];
+    frame.origin = dealii::Point<2>(numbers[0], numbers[1]);
+    frame.direction = dealii::Tensor<1, 2>({numbers[2], numbers[3]});
+    frame.across[0] = dealii::Tensor<1, 2>({frame.direction[1], -frame.direction[0]});
+    frame.spacing = numbers[4];
+    frame.log_full_width = {{numbers[5], numbers[6]}};
+    for (const std::size_t end = next + names[3]; next < end; ++next)
+    {
+      Frame::RayPlace ray;
+      const double *of_ray = &rays[numbers_of_ray * next];
+      ray.index[0] = static_cast<int>(of_ray[0]);
+      ray.force = of_ray[1];
+      for (unsigned int side = 0; side < 2; ++side)
+        if (of_side(frame, side) != Frame::none)
+        {
+          const std::uint64_t piece = pieces[counts_of_ray * next + side];
+          if (piece >= bodies[of_side(frame, side)].boundary.grid_position.size())
+            in.refuse(name + "/pieces", "the outline has no such piece");
+          ray.place[side] = outlines[of_side(frame, side)].at(piece, of_ray[2 + side]);
+        }
+      frame.rays.push_back(ray);
+    }
+  }
+  if (next != n_rays)
+    in.refuse(name + "/pieces", "there are more rays than frames have");
+}
+
+void renew_outlines(const std::vector<Body<2>> &bodies,
+                    std::vector<OutlineSurface> &outlines,
+                    std::vector<Frame> &frames)
+{
+  const bool none = outlines.empty();
+  outlines.resize(bodies.size());
+  std::vector<char> is_new(bodies.size(), none);
+  std::vector<std::vector<double>> before(bodies.size()); // lengths of pieces
+  parallel_for(bodies.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                 {
+                   const auto &vertex = bodies[b].boundary.grid_position;
+                   for (unsigned int m = 0; m < vertex.size() && !is_new[b]; ++m)
+                     is_new[b] = outlines[b].at(m, 0.).position != vertex[m];
+                   if (!is_new[b])
+                     continue;
+                   if (!none)
+                     for (unsigned int m = 0; m < vertex.size(); ++m)
+                       before[b].push_back(outlines[b].length(m));
+                   outlines[b] = outline_of(bodies[b]);
+                 }
+               });
+  if (none)
+    return; // places of frames are those of these outlines
+  for (Frame &frame : frames)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (const unsigned int b = of_side(frame, side); b != Frame::none && is_new[b])
+        for (Frame::RayPlace &ray : frame.rays)
+        {
+          const SurfacePlace<2> &place = ray.place[side];
+          ray.place[side] = outlines[b].at(place.piece, place.along * outlines[b].length(place.piece) /
+                                                            before[b][place.piece]);
+        }
+}
+} // namespace softgrain::mpm

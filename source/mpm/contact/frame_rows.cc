@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_rows.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+NodeWeights weights_of(const PlaceFunctions<2> &function)
+{
+  NodeWeights weights;
+  weights.node.assign(function.node.begin(), function.node.end());
+  weights.weight.assign(function.value.begin(), function.value.end());
+  return weights;
+}
+} // namespace
+
+std::vector<ContactRow<2>>
+rows_of_frames(const std::vector<FrameState> &frames, const RayForces &force, ContactMemory<2> &memory)
+{
+  std::vector<ContactRow<2>> rows;
+  for (unsigned int f = 0; f < frames.size(); ++f)
+  {
+    const FrameState &frame = frames[f];
+    const ContactFrame<2> &layout = frame.layout();
+    for (unsigned int k = 0; k < frame.n_rays(); ++k)
+    {
+      if (!(force[f][k] > 0.))
+        continue;
+      const FrameState::RayHere &ray = frame.ray(k);
+      ContactRow<2> row;
+      row.body = layout.body;
+      row.partner = layout.partner;
+      row.wall = layout.wall;
+      row.body_weights = weights_of(ray.side[1].function).shared();
+      if (layout.partner != FrameState::none)
+        row.partner_weights = weights_of(ray.side[0].function).shared();
+      const dealii::Tensor<1, 2> along = frame.resultant(k);
+      row.normal = along / along.norm();
+      const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion();
+      row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
+      row.length = layout.spacing;
+      row.log_full_width = layout.log_full_width;
+      // Rows of a frame have all but their place in common, see pair_of().
+      row.key = (static_cast<std::uint64_t>(f) << 40) + (static_cast<std::uint64_t>(k) << 24);
+      memory.impulses[row.key] = {{force[f][k] * along.norm() * memory.step, 0.}};
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+} // namespace softgrain::mpm

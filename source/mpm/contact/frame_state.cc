@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_state.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double softness_of_rays = 1e-5; ///< times the softer Young's modulus
+} // namespace
+
+FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
+    : frame(layout), rays(layout.rays.size()), subgrid(scene.subgrid)
+{
+  double soft = scene.bodies[frame.body].law->young_modulus();
+  if (frame.partner != none)
+    soft = std::min(soft, scene.bodies[frame.partner].law->young_modulus());
+  softness = softness_of_rays / soft;
+  if (subgrid.on)
+    dent = subgrid.dent(scene.bodies[frame.body],
+                        frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
+  double sum = 0.;
+  for (const auto &ray : frame.rays)
+    sum += ray.force;
+  std::vector<double> weight(rays.size(), 0.);
+  if (sum > 0.)
+    for (unsigned int k = 0; k < rays.size(); ++k)
+      weight[k] = frame.rays[k].force / sum;
+  else
+  {
+    // The ray that will be pressed first.
+    unsigned int nearest = 0;
+    double least = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < rays.size(); ++k)
+    {
+      double height = 0.;
+      for (unsigned int side = 0; side < 2; ++side)
+        if (body(side) != none)
+        {
+          const SurfacePlace<2> &place = frame.rays[k].place[side];
+          const Body<2> &b = scene.bodies[body(side)];
+          const Vector x =
+              place.position + b.field.functions_at(place.position).at(b.displacement) - frame.origin;
+          height += sign(side) * (x * frame.direction);
+        }
+      if (height < least)
+      {
+        least = height;
+        nearest = k;
+      }
+    }
+    weight[nearest] = 1.;
+  }
+  for (unsigned int side = 0; side < 2; ++side)
+    if (body(side) != none && share(side) > 0.)
+      for (unsigned int k = 0; k < rays.size(); ++k)
+        if (weight[k] > 0.)
+        {
+          const PlaceFunctions<2> function =
+              scene.bodies[body(side)].field.functions_at(frame.rays[k].place[side].position);
+          for (unsigned int i = 0; i < function.node.size(); ++i)
+            mean[side].emplace_back(function.node[i], share(side) * weight[k] * function.value[i]);
+        }
+}
+
+bool FrameState::evaluate(const FrameScene &scene,
+                          const std::vector<Eigen::VectorXd> &displacement,
+                          const std::vector<Eigen::VectorXd> &increment,
+                          const double wall_way,
+                          const std::vector<double> &force,
+                          const double path,
+                          const double within)
+{
+  sum_of_forces = 0.;
+  for (const double of_ray : force)
+    sum_of_forces += of_ray;
+  dent_depth = subgrid(dent, sum_of_forces) * sum_of_forces;
+  by_force = subgrid.slope(dent, sum_of_forces);
+  const Vector &t = frame.across[0];
+  moved = 0.;
+  for (unsigned int side = 0; side < 2; ++side)
+    if (body(side) != none)
+      for (const auto &[i, weight] : mean[side])
+        moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
+  Ray<2> ray;
+  ray.origin = frame.origin;
+  ray.direction = frame.direction;
+  ray.across = frame.across;
+  bool all_met = true;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+  {
+    RayHere &here = rays[k];
+    // Two places come nearer by their ways, times the lengths of their normals over the ray.
+    here.near = here.path == 0. || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within);
+    if (!here.near)
+      continue;
+    here.path = path;
+    ray.offset[0] = frame.rays[k].index[0] * frame.spacing + moved;
+    here.met = true;
+    here.gap = here.by_motion = 0.;
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      const unsigned int b = body(side);
+      if (b == none)
+      {
+        const WallMotion<2> &wall = scene.walls[frame.wall];
+        here.gap -= (wall.point - frame.origin) * frame.direction + wall_way;
+        continue;
+      }
+      if (side == frame.corner)
+      {
+        RaySide<2> &corner = here.side[side];
+        if (!corner.met)
+        {
+          corner.met = true;
+          corner.place = frame.rays[k].place[side];
+          corner.function = scene.bodies[b].field.functions_at(corner.place.position);
+          corner.normal = frame.direction;
+        }
+        corner.height =
+            (corner.place.position + corner.function.at(displacement[b]) - frame.origin) * frame.direction;
+        here.gap += sign(side) * corner.height;
+        continue;
+      }
+      const RaySide<2> found = meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b],
+                                    here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
+      if (!found.met)
+      {
+        here.met = false;
+        all_met = all_met && force[k] == 0.;
+        break;
+      }
+      here.side[side] = found;
+      here.gap += sign(side) * found.height;
+      here.by_motion -= sign(side) * (found.normal * t);
+    }
+  }
+  return all_met;
+}
+
+void FrameState::add_gradient(const unsigned int k,
+                              const unsigned int side,
+                              const double factor,
+                              Eigen::Ref<Eigen::VectorXd> nodal) const
+{
+  const RaySide<2> &here = rays[k].side[side];
+  const Vector along = sign(side) * factor * here.normal;
+  for (unsigned int i = 0; i < here.function.node.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      nodal[2 * here.function.node[i] + d] += here.function.value[i] * along[d];
+}
+
+void FrameState::add_mean(const unsigned int side,
+                          const double factor,
+                          Eigen::Ref<Eigen::VectorXd> nodal) const
+{
+  for (const auto &[i, weight] : mean[side])
+    for (unsigned int d = 0; d < 2; ++d)
+      nodal[2 * i + d] += factor * weight * frame.across[0][d];
+}
+
+void FrameState::add_mixed(const unsigned int side,
+                           const std::vector<double> &force,
+                           Eigen::Ref<Eigen::VectorXd> nodal) const
+{
+  const Vector &t = frame.across[0];
+  for (unsigned int k = 0; k < rays.size(); ++k)
+  {
+    if (force[k] == 0. || !rays[k].met)
+      continue;
+    const RaySide<2> &here = rays[k].side[side];
+    // A ray that moves by c meets a body that has moved by -c.
+    const Vector bend = here.sliding_twice * t;
+    const double along = here.way[0] * t;
+    for (unsigned int i = 0; i < here.function.node.size(); ++i)
+    {
+      const Vector change = -sign(side) * force[k] *
+                            (here.function.value[i] * bend +
+                             (here.function.slope[i] * here.place.tangent[0]) * along * here.normal);
+      for (unsigned int d = 0; d < 2; ++d)
+        nodal[2 * here.function.node[i] + d] += change[d];
+    }
+  }
+}
+
+double FrameState::twice_by_motion(const std::vector<double> &force) const
+{
+  const Vector &t = frame.across[0];
+  double sum = 0.;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (force[k] > 0. && rays[k].met && body(side) != none)
+        sum += sign(side) * force[k] * (t * (rays[k].side[side].sliding_twice * t));
+  return sum;
+}
+
+double FrameState::tangential(const std::vector<double> &force) const
+{
+  double sum = 0.;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    sum -= force[k] * rays[k].by_motion;
+  return sum;
+}
+
+ContactFrame<2> FrameState::after(const std::vector<double> &force) const
+{
+  ContactFrame<2> result = frame;
+  result.origin += moved * frame.across[0];
+  for (unsigned int k = 0; k < rays.size(); ++k)
+  {
+    result.rays[k].force = force[k];
+    for (unsigned int side = 0; side < 2; ++side)
+      if (rays[k].side[side].met)
+        result.rays[k].place[side] = rays[k].side[side].place;
+  }
+  return result;
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/ranks.h>
+#include <softgrain/mpm/model/check_rays.h>
+#include <softgrain/scene/contact_pairs.h>
+#include <softgrain/scene/wall_drive.h>
+
+#include <string>
+
+namespace softgrain::mpm
+{
+namespace
+{
+[[noreturn]] void refuse(const std::string &where)
+{
+  throw InputError("'Contact/Geometry' = 'rays' is not allowed " + where + "; choose 'surface'");
+}
+} // namespace
+
+void check_rays(const Scene<2> &scene, const Settings &settings)
+{
+  if (settings.scheme.name != "quasi_static")
+    refuse("with 'Time/Scheme' = '" + settings.scheme.name + "': it needs 'quasi_static'");
+  if (settings.coupling != ContactCoupling::condensed)
+    refuse("with 'Contact/Solver' = 'lumped'");
+  if (const std::string &type = settings.linear_solver.type;
+      type.compare(0, 2, "cg") == 0 || type.compare(0, 8, "trilinos") == 0)
+    refuse("with 'Linear solver/Type' = '" + type + "', which cannot count negative pivots");
+  if (!Ranks().alone())
+    refuse("with several ranks");
+  const ContactPairs pairs(scene);
+  if (!pairs.frictionless())
+    refuse("with friction");
+  if (pairs.adhere())
+    refuse("with adhesion");
+  if (!scene.obstacles.empty())
+    refuse("where the scene has 'Obstacles/" + scene.obstacles.front().name + "'");
+  for (const BodyDescription<2> &body : scene.bodies)
+    if (body.driven)
+      refuse("where 'Bodies/" + body.name + "' is driven");
+  for (const WallDescription<2> &wall : scene.walls)
+  {
+    if (wall.type != WallDescription<2>::Type::plane)
+      refuse("where 'Walls/" + wall.name + "' is no plane");
+    if (!wall.drive->prescribed() || wall.drive->shears())
+      refuse("where 'Walls/" + wall.name + "' bears a load");
+  }
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
+#include <softgrain/mpm/contact/frame_memory.h>
+#include <softgrain/mpm/contact/frame_rows.h>
+#include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/frame_system.h>
+#include <softgrain/mpm/stepping/accept_step.h>
+#include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/judge_step.h>
+#include <softgrain/mpm/stepping/ray_step.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/step_equations.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vectors = StepEquations::Vectors;
+
+constexpr double candidates_within = 0.15; ///< cells
+constexpr double rise = 10.;               ///< of what resists motion, where a step has no minimum
+constexpr unsigned int most_rises = 8;
+constexpr double longest_way = 0.3; ///< of a node in an iteration [cells]
+
+class RayStep
+{
+public:
+  RayStep(const Problem &problem,
+          const State &state,
+          Workspace &work,
+          const StepPlan &plan,
+          std::vector<WallMotion<2>> &motion)
+      : problem(problem)
+      , state(state)
+      , work(work)
+      , plan(plan)
+      , motion(motion)
+      , h(problem.lattice->cell_size())
+      , equations(problem, state, work, plan)
+      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), reach()}
+      , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
+  {
+  }
+
+  std::string find();
+  void accept(State &state_to_change);
+
+  StepOutcome outcome;
+
+private:
+  double reach() const
+  {
+    double way = 0.;
+    for (const WallMotion<2> &wall : motion)
+      way = std::max(way, std::abs(wall.velocity) * plan.dt);
+    return 0.5 * h + 2. * way;
+  }
+  bool evaluate(const Vectors &way);
+  void measure();
+  bool converged() const;
+  std::string iterate();
+  void assemble();
+  unsigned int factorise();
+
+  const Problem &problem;
+  const State &state;
+  Workspace &work;
+  const StepPlan &plan;
+  std::vector<WallMotion<2>> &motion;
+  const double h;
+  StepEquations equations;
+  FrameScene scene;
+  std::vector<FrameState> frames;
+  RayForces force;
+  FrameSystem system;
+  Vectors way, trial, displacement, unbalanced;
+  double residual = 0., deepest = 0.;
+  bool right_inertia = false;
+  double last_move = 0., path = 0.; ///< the latter of any place, in all iterations [m]
+};
+
+bool RayStep::evaluate(const Vectors &to)
+{
+  trial.resize(to.size());
+  displacement.resize(to.size());
+  for (unsigned int b = 0; b < to.size(); ++b)
+  {
+    trial[b] = to[b] / plan.dt;
+    displacement[b] = state.bodies[b].displacement + to[b];
+  }
+  if (!equations.evaluate(trial))
+    return false;
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  std::vector<char> met(frames.size(), 1);
+  parallel_for(frames.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t f = begin; f < end; ++f)
+                 {
+                   const unsigned int w = frames[f].layout().wall;
+                   met[f] = frames[f].evaluate(scene, displacement, to,
+                                               w == FrameState::none ? 0. : motion[w].velocity * plan.dt,
+                                               force[f], path, 2. * candidates_within * h);
+                 }
+               });
+  return std::find(met.begin(), met.end(), 0) == met.end();
+}
+
+void RayStep::measure()
+{
+  unbalanced.resize(way.size());
+  double worst = 0., scale = 0.;
+  deepest = 0.;
+  Vectors contact(way.size());
+  for (unsigned int b = 0; b < way.size(); ++b)
+    contact[b].setZero(way[b].size());
+  for (unsigned int f = 0; f < frames.size(); ++f)
+  {
+    const double tau = frames[f].tangential(force[f]);
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      const unsigned int b = frames[f].body(side);
+      if (b == FrameState::none)
+        continue;
+      for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+        if (force[f][k] > 0.)
+          frames[f].add_gradient(k, side, force[f][k], contact[b]);
+      frames[f].add_mean(side, -tau, contact[b]);
+    }
+    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+      if (frames[f].ray(k).met)
+      {
+        const double gap = frames[f].free_gap(k) + frames[f].ray_softness() * force[f][k];
+        deepest = std::max(deepest, force[f][k] > 0. ? std::abs(gap) : -gap);
+      }
+  }
+  for (unsigned int b = 0; b < way.size(); ++b)
+  {
+    unbalanced[b] = equations.missing(b) / plan.dt + contact[b];
+    worst = std::max(worst, unbalanced[b].norm());
+    scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
+                      1e-8 * state.bodies[b].law->wave_modulus() * h});
+  }
+  residual = worst / scale;
+}
+
+bool RayStep::converged() const
+{
+  return residual < problem.settings.residual_tolerance && deepest < 1e-5 * h && right_inertia;
+}
+
+void RayStep::assemble()
+{
+  dealii::TimerOutput::Scope section(*work.timer, "assembly");
+  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_body(way.size());
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (frames[f].body(side) != FrameState::none)
+        of_body[frames[f].body(side)].emplace_back(f, side);
+  work.share.for_mine(state.bodies,
+                      [&](const Body<2> &body)
+                      {
+                        const unsigned int b = body.index;
+                        equations.assemble_static(body);
+                        Eigen::MatrixXd block;
+                        for (const auto &[f, side] : of_body[b])
+                          for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+                            if (force[f][k] > 0.)
+                            {
+                              const RaySide<2> &ray = frames[f].ray(k).side[side];
+                              const double factor = (side == 0 ? 1. : -1.) * force[f][k] * plan.dt * plan.dt;
+                              ray.second_derivative(block);
+                              work.matrices[b].add_cell<2>(
+                                  ray.function.cell,
+                                  [&](const unsigned int i, const unsigned int d, const unsigned int j,
+                                      const unsigned int e) { return block(2 * i + d, 2 * j + e); },
+                                  factor);
+                            }
+                      });
+}
+
+unsigned int RayStep::factorise()
+{
+  dealii::TimerOutput::Scope section(*work.timer, "factorisation");
+  std::vector<unsigned int> negative(way.size(), 0);
+  work.share.for_mine(state.bodies,
+                      [&](const Body<2> &body)
+                      {
+                        RankOneSolver &solver = *work.solvers[body.index];
+                        solver.takes_indefinite = true;
+                        if (!solver.factorize(work.matrices[body.index]))
+                          negative[body.index] = 1000;
+                        else
+                          negative[body.index] = solver.n_negative().value_or(0);
+                      });
+  unsigned int sum = 0;
+  for (const unsigned int n : negative)
+    sum += n;
+  return sum;
+}
+
+std::string RayStep::iterate()
+{
+  Vectors direction(way.size()), y(way.size());
+  for (unsigned int attempt = 0;; ++attempt)
+  {
+    assemble();
+    const unsigned int negative = factorise();
+    bool solved = negative < 1000;
+    int wrong = 1000;
+    if (solved)
+    {
+      {
+        dealii::TimerOutput::Scope section(*work.timer, "linear solves");
+        work.share.for_mine(state.bodies,
+                            [&](const Body<2> &body)
+                            {
+                              work.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
+                              y[body.index] *= plan.dt;
+                            });
+      }
+      {
+        dealii::TimerOutput::Scope section(*work.timer, "condensation");
+        double way_of_walls = 0.;
+        if (outcome.newton_iterations == 0)
+          for (const WallMotion<2> &wall : motion)
+            way_of_walls = std::max(way_of_walls, std::abs(wall.velocity) * plan.dt);
+        system.condense(frames, force, candidates_within * h + way_of_walls);
+      }
+      dealii::TimerOutput::Scope section(*work.timer, "contact solve");
+      solved = system.solve(y, h, negative);
+      wrong = system.wrong_inertia(negative);
+    }
+    if (wrong == 0 && solved)
+    {
+      right_inertia = true;
+      break;
+    }
+    if (attempt == most_rises)
+      return "no forces of contacts are found";
+    outcome.raised *= rise;
+    equations.resist_more(rise);
+    if (!evaluate(way))
+      return equations.why_not();
+  }
+  {
+    dealii::TimerOutput::Scope section(*work.timer, "linear solves");
+    work.share.for_mine(state.bodies,
+                        [&](const Body<2> &body)
+                        {
+                          const unsigned int b = body.index;
+                          work.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b),
+                                                 direction[b]);
+                          direction[b] *= plan.dt;
+                        });
+  }
+  double largest = 0.;
+  for (const Eigen::VectorXd &d : direction)
+    largest = std::max(largest, d.lpNorm<Eigen::Infinity>());
+  double share = std::min(1., longest_way * h / largest);
+  const RayForces before = force;
+  const Vectors from = way;
+  for (unsigned int halving = 0;; ++halving, share *= 0.5)
+  {
+    if (halving == 8)
+      return "no way along Newton's direction: " + equations.why_not();
+    path += share * largest;
+    for (unsigned int b = 0; b < way.size(); ++b)
+      way[b] = from[b] + share * direction[b];
+    for (unsigned int f = 0; f < force.size(); ++f)
+      for (unsigned int k = 0; k < force[f].size(); ++k)
+        force[f][k] = before[f][k] + share * (system.found[f][k] - before[f][k]);
+    if (evaluate(way))
+      break;
+  }
+  measure();
+  last_move = share * largest;
+  return "";
+}
+
+std::string RayStep::find()
+{
+  outcome.unsolved = true;
+  way.resize(state.bodies.size());
+  for (unsigned int b = 0; b < way.size(); ++b)
+    way[b].setZero(state.bodies[b].field.n_dofs());
+  {
+    dealii::TimerOutput::Scope section(*work.timer, "contact search");
+    const std::vector<ContactFrame<2>> laid = find_frames(scene, state.frames);
+    for (const ContactFrame<2> &frame : laid)
+    {
+      frames.emplace_back(frame, scene);
+      force.emplace_back();
+      for (const auto &ray : frame.rays)
+        force.back().push_back(ray.force);
+    }
+  }
+  path = h; // 0 is for rays that have never been met
+  if (!evaluate(way))
+    return equations.why_not();
+  measure();
+  for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
+  {
+    stop_if_interrupted();
+    if (outcome.newton_iterations > 0 && converged())
+      break;
+    if (outcome.newton_iterations == problem.settings.max_newton)
+      return "Newton did not converge in " + std::to_string(problem.settings.max_newton) +
+             " iterations ('Newton/Maximum iterations'); relative residual " + short_number(residual);
+    if (std::string trouble = iterate(); !trouble.empty())
+      return trouble;
+  }
+  outcome.newton_residual = residual;
+  outcome.unsolved = false;
+  outcome.max_penetration = deepest;
+  outcome.contact_sweeps = system.passes;
+  return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
+}
+
+void RayStep::accept(State &state_to_change)
+{
+  ContactMemory<2> memory;
+  memory.step = plan.dt;
+  std::vector<ContactRow<2>> rows = rows_of_frames(frames, force, memory);
+  work.contact.held = false; // dents are those of the frames
+  work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
+  Vectors rate(way.size());
+  FoundStep found{plan,
+                  motion,
+                  trial,
+                  equations.internal,
+                  equations.increment,
+                  rate,
+                  equations.external,
+                  std::vector<double>(way.size(), 0.),
+                  0.,
+                  {}};
+  for (unsigned int b = 0; b < way.size(); ++b)
+  {
+    rate[b] = way[b] / plan.dt;
+    found.regularisation_work += equations.regularisation_work(b);
+    found.resistance.push_back(equations.resistance(b));
+    outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
+  }
+  std::vector<ContactFrame<2>> &kept = state_to_change.frames;
+  kept.clear();
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    kept.push_back(frames[f].after(force[f]));
+  accept_step(problem, state_to_change, work, found);
+}
+} // namespace
+
+StepOutcome ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
+{
+  std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
+  renew_outlines(state.bodies, work.outlines, state.frames);
+  RayStep step(problem, state, work, plan, motion);
+  step.outcome.reason = step.find();
+  step.outcome.accepted = step.outcome.reason.empty();
+  if (step.outcome.accepted)
+    step.accept(state);
+  return step.outcome;
+}
+} // namespace softgrain::mpm
