@@ -2,7 +2,6 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
-#include <softgrain/mpm/contact/ray.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
@@ -33,16 +32,6 @@ public:
   Layout(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
       : scene(scene), samples(samples)
   {
-  }
-
-  Ray<2> ray(const Frame &frame, const int index) const
-  {
-    Ray<2> ray;
-    ray.origin = frame.origin;
-    ray.direction = frame.direction;
-    ray.across = frame.across;
-    ray.offset[0] = index * frame.spacing;
-    return ray;
   }
 
   /// Gives a frame the rays that a stretch wants; forces of rays that stay are kept.
@@ -108,8 +97,8 @@ public:
           met = false;
           break;
         }
-        const RaySide<2> found = meet(ray(frame, k), scene.outlines[b], scene.bodies[b].field,
-                                      scene.bodies[b].displacement, *guess);
+        const RaySide<2> found = meet(ray_of(frame, k * frame.spacing), scene.outlines[b],
+                                      scene.bodies[b].field, scene.bodies[b].displacement, *guess);
         met = found.met && std::abs(found.normal * t) < steepest;
         place.place[side] = found.place;
         height[side] = found.height;
@@ -162,7 +151,7 @@ public:
       for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
       {
         const unsigned int b = side == 0 ? frame.partner : frame.body;
-        const RaySide<2> found = meet(ray(frame, 0), scene.outlines[b], scene.bodies[b].field,
+        const RaySide<2> found = meet(ray_of(frame, 0.), scene.outlines[b], scene.bodies[b].field,
                                       scene.bodies[b].displacement, place[side]);
         if (!found.met)
           return;
@@ -244,6 +233,16 @@ Frame start_frame(const FrameScene &scene,
   return frame;
 }
 } // namespace
+
+Ray<2> ray_of(const ContactFrame<2> &frame, const double offset)
+{
+  Ray<2> ray;
+  ray.origin = frame.origin;
+  ray.direction = frame.direction;
+  ray.across = frame.across;
+  ray.offset[0] = offset;
+  return ray;
+}
 
 std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> frames)
 {

@@ -84,10 +84,7 @@ bool FrameState::evaluate(const FrameScene &scene,
     if (body(side) != none)
       for (const auto &[i, weight] : mean[side])
         moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
-  Ray<2> ray;
-  ray.origin = frame.origin;
-  ray.direction = frame.direction;
-  ray.across = frame.across;
+  Ray<2> ray = ray_of(frame, 0.);
   bool all_met = true;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {

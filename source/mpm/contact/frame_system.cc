@@ -63,7 +63,6 @@ void FrameSystem::find_order()
 
 void FrameSystem::condense(const std::vector<FrameState> &frames, const RayForces &force, const double within)
 {
-  state = &frames;
   columns.clear();
   own.clear();
   for (auto &list : of_body)
@@ -145,12 +144,17 @@ void FrameSystem::condense(const std::vector<FrameState> &frames, const RayForce
                  });
 }
 
-Eigen::VectorXd FrameSystem::force_on(const unsigned int b) const
+Eigen::VectorXd FrameSystem::z_of(const unsigned int b) const
 {
   Eigen::VectorXd of_columns(of_body[b].size());
   for (unsigned int i = 0; i < of_body[b].size(); ++i)
     of_columns[i] = z[of_body[b][i]];
-  return V[b] * of_columns;
+  return of_columns;
+}
+
+Eigen::VectorXd FrameSystem::force_on(const unsigned int b) const
+{
+  return V[b] * z_of(b);
 }
 
 bool FrameSystem::solve_active(const Eigen::VectorXd &right)
@@ -221,10 +225,7 @@ bool FrameSystem::solve(const std::vector<Eigen::VectorXd> &way_without,
     for (unsigned int b = 0; b < of_body.size(); ++b)
       if (!of_body[b].empty())
       {
-        Eigen::VectorXd of_columns(of_body[b].size());
-        for (unsigned int i = 0; i < of_body[b].size(); ++i)
-          of_columns[i] = z[of_body[b][i]];
-        const Eigen::VectorXd effect = W[b] * of_columns;
+        const Eigen::VectorXd effect = W[b] * z_of(b);
         for (unsigned int i = 0; i < of_body[b].size(); ++i)
           here[of_body[b][i]] += effect[i];
       }

@@ -22,6 +22,8 @@ namespace
 using Vectors = StepEquations::Vectors;
 
 constexpr double candidates_within = 0.15; ///< cells
+constexpr double gap_tolerance = 1e-5;     ///< cells
+constexpr unsigned int most_halvings = 8;  ///< of a way that cannot be gone
 constexpr double rise = 10.;               ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
 constexpr double longest_way = 0.3; ///< of a node in an iteration [cells]
@@ -41,7 +43,7 @@ public:
       , motion(motion)
       , h(problem.lattice->cell_size())
       , equations(problem, state, work, plan)
-      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), reach()}
+      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h + 2. * way_of_walls()}
       , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
   {
   }
@@ -52,12 +54,13 @@ public:
   StepOutcome outcome;
 
 private:
-  double reach() const
+  /// The largest of any wall over the step [m].
+  double way_of_walls() const
   {
     double way = 0.;
     for (const WallMotion<2> &wall : motion)
       way = std::max(way, std::abs(wall.velocity) * plan.dt);
-    return 0.5 * h + 2. * way;
+    return way;
   }
   bool evaluate(const Vectors &way);
   void measure();
@@ -77,10 +80,11 @@ private:
   std::vector<FrameState> frames;
   RayForces force;
   FrameSystem system;
-  Vectors way, trial, displacement, unbalanced;
-  double residual = 0., deepest = 0.;
+  Vectors way, trial, displacement;
+  double residual = 0.; ///< largest unbalanced force of a body over the largest force on one
+  double deepest = 0.;  ///< largest gap of a pressed ray, or overlap of another one [m]
   bool right_inertia = false;
-  double last_move = 0., path = 0.; ///< the latter of any place, in all iterations [m]
+  double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
 };
 
 bool RayStep::evaluate(const Vectors &to)
@@ -112,7 +116,6 @@ bool RayStep::evaluate(const Vectors &to)
 
 void RayStep::measure()
 {
-  unbalanced.resize(way.size());
   double worst = 0., scale = 0.;
   deepest = 0.;
   Vectors contact(way.size());
@@ -140,8 +143,7 @@ void RayStep::measure()
   }
   for (unsigned int b = 0; b < way.size(); ++b)
   {
-    unbalanced[b] = equations.missing(b) / plan.dt + contact[b];
-    worst = std::max(worst, unbalanced[b].norm());
+    worst = std::max(worst, (equations.missing(b) / plan.dt + contact[b]).norm());
     scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
                       1e-8 * state.bodies[b].law->wave_modulus() * h});
   }
@@ -150,7 +152,7 @@ void RayStep::measure()
 
 bool RayStep::converged() const
 {
-  return residual < problem.settings.residual_tolerance && deepest < 1e-5 * h && right_inertia;
+  return residual < problem.settings.residual_tolerance && deepest < gap_tolerance * h && right_inertia;
 }
 
 void RayStep::assemble()
@@ -225,11 +227,9 @@ std::string RayStep::iterate()
       }
       {
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
-        double way_of_walls = 0.;
-        if (outcome.newton_iterations == 0)
-          for (const WallMotion<2> &wall : motion)
-            way_of_walls = std::max(way_of_walls, std::abs(wall.velocity) * plan.dt);
-        system.condense(frames, force, candidates_within * h + way_of_walls);
+        // In the first iteration walls have moved and bodies have not.
+        system.condense(frames, force,
+                        candidates_within * h + (outcome.newton_iterations == 0 ? way_of_walls() : 0.));
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
       solved = system.solve(y, h, negative);
@@ -266,7 +266,7 @@ std::string RayStep::iterate()
   const Vectors from = way;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
-    if (halving == 8)
+    if (halving == most_halvings)
       return "no way along Newton's direction: " + equations.why_not();
     path += share * largest;
     for (unsigned int b = 0; b < way.size(); ++b)
@@ -278,7 +278,6 @@ std::string RayStep::iterate()
       break;
   }
   measure();
-  last_move = share * largest;
   return "";
 }
 

@@ -17,9 +17,9 @@ namespace softgrain::mpm
  * @brief One stretch in which a body is near another one or a wall: a lattice of parallel rays, and what they
  * carry.
  *
- * A frame lasts from step to step: its direction stays, its origin rides with the mean motion of what lies
- * under its rays across them (ContactFrame::origin), and only rays at its ends come and go. So gaps at the
- * end of a step are gaps at the start of the next one, and contact does no work of its own.
+ * A frame lasts from step to step. Its direction stays. Its origin moves across the rays with the mean motion
+ * of the surfaces under them. Rays come and go only at its ends. So gaps at the end of a step are gaps at the
+ * start of the next one, and contact does no work of its own.
  */
 template <int dim>
 struct ContactFrame

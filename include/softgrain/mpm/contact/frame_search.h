@@ -6,6 +6,7 @@
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/ray.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 
 #include <vector>
@@ -22,6 +23,9 @@ struct FrameScene
   SubgridCompliance subgrid; ///< what the grid misses of dents
   double reach;              ///< gap up to which places are looked at [m]
 };
+
+/// The ray of a frame at @p offset [m] from its origin.
+Ray<2> ray_of(const ContactFrame<2> &frame, double offset);
 
 /**
  * @brief The frames of all that is near each other where the bodies are now.

@@ -73,6 +73,8 @@ private:
     Kind kind;
     unsigned int frame, ray_number; ///< the latter of a ray
   };
+  /// What z holds for the columns of a body.
+  Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
   bool solve_active(const Eigen::VectorXd &right);
 
@@ -93,7 +95,6 @@ private:
   std::vector<char> active;
   Eigen::VectorXd z;
   unsigned int n_frames = 0, negative = 0;
-  const std::vector<FrameState> *state = nullptr;
 };
 } // namespace softgrain::mpm
 
