@@ -4,7 +4,6 @@
 
 import argparse
 import os
-import signal
 import sys
 
 try:
@@ -12,6 +11,7 @@ try:
     matplotlib.use("Agg")  # no display is needed
     from softgrain import InputError
     from softgrain.command import Parser, run_tool, save_figure
+    from softgrain.runner import heeding_signals
     from softgrain.study import Session
     from softgrain.study_page import study_page
     from softgrain.study_picture import draw_study
@@ -58,7 +58,7 @@ def parse_arguments():
 
 def assignment(text):
     name, equals, value = (part.strip() for part in text.partition("="))
-    if not equals or not name or not value:
+    if not equals or not name:
         raise InputError(f"--set {text}: it must be PATH=VALUE, as \"Mesh/Cell size=1e-4\"")
     return name, value
 
@@ -74,10 +74,7 @@ def main():
     if arguments.list:
         print_list(session)
         return 0
-    # A scheduler's signal is heeded as Ctrl-C is: runs save their state.
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.default_int_handler)
-    with session.lock():
+    with session.lock(), heeding_signals():
         whole = arguments.no_run or session.run(arguments.jobs, arguments.threads, arguments.retry,
                                                 lambda line: print(line, flush=True))
         findings = session.findings()

@@ -20,13 +20,14 @@ from .errors import InputError, MissingName, RunFailed
 from .folder import Run
 from .folder import open_run as open  # noqa: A004  (as h5py.File and xarray.open_dataset: softgrain.open)
 from .lammps import read_dump as read_lammps_dump
-from .programs import Sweep, find_program, measure, run, sweep
+from .programs import find_program, measure, run
 from .state import Outlines, State
 from .study import run_study
+from .sweeps import Row, Sweep, sweep
 from .tables import Table, read_table
 from .units import split_unit
 
 __version__ = "0.2.0"
 
-__all__ = ["InputError", "MissingName", "Outlines", "Run", "RunFailed", "State", "Sweep", "Table", "find_program",
+__all__ = ["InputError", "MissingName", "Outlines", "Row", "Run", "RunFailed", "State", "Sweep", "Table", "find_program",
            "measure", "measures", "open", "read_lammps_dump", "read_table", "run", "run_study", "split_unit", "sweep"]

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Starts the program: one run, or a series of runs with all combinations of some parameters."""
+"""Starts the program for one run."""
 
-import concurrent.futures
 import functools
-import itertools
 import os
 import pathlib
 import shlex
@@ -11,12 +9,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from dataclasses import replace
 
 from .errors import InputError, RunFailed
 from .folder import Run
-from .tables import Table, as_frame
+from .made_by import Origins, digest_of, entries_of, why_not, write_origin
 
 ERROR = "softgrain: error: "  # before every message of the program
+GRACE = 60.  # seconds that a run has to save its state
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -73,16 +73,36 @@ def last_errors(text):
     return "; ".join(reversed(found))
 
 
+def error_of(text, code):
+    """The program's own line about why it ended, of all that it printed."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    own = [number for number, line in enumerate(lines) if line.startswith(ERROR)]
+    if own:
+        return last_errors("\n".join(lines[:own[-1] + 1]))
+    return f"ended by signal {-code}" if code < 0 else f"ended with status {code}"
+
+
 def call(words, timeout=None):
-    """Starts the program; returns what it printed."""
+    """
+    Starts the program; returns what it printed. Of a run that takes too long, or that Ctrl-C ends, the state is saved.
+    """
+    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, check=False)
-    except subprocess.TimeoutExpired as error:
+        printed, errors = process.communicate(timeout=timeout)
+    except (subprocess.TimeoutExpired, KeyboardInterrupt) as error:
+        process.terminate()
+        try:
+            process.communicate(timeout=GRACE)
+        finally:
+            process.kill()
+            process.wait()
+        if isinstance(error, KeyboardInterrupt):
+            raise
         raise RunFailed(f"over {timeout} s") from error
-    if done.returncode != 0:
-        said = last_errors(done.stderr) or (done.stderr.strip().splitlines() or [f"ended with status {done.returncode}"])[-1]
-        raise (InputError if done.returncode == 2 else RunFailed)(said)
-    return done.stdout
+    if process.returncode != 0:
+        said = last_errors(errors) or (errors.strip().splitlines() or [f"ended with status {process.returncode}"])[-1]
+        raise (InputError if process.returncode == 2 else RunFailed)(said)
+    return printed
 
 
 @functools.lru_cache(maxsize=None)
@@ -105,40 +125,59 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
     True
     """
-    finished = again is not None and output is not None and os.path.isdir(output) and Run(output).finished
-    if finished and not again:
-        found = Run(output)
-        found.log = None
-        return found
-    overwrite = overwrite or (finished and not restart)
+    program = find_program(program)
+    changes = {name: text_of(value) for name, value in (set or {}).items()}
     if not os.path.exists(scene):
         raise InputError(f"{scene}: there is no such file")
     if restart and overwrite:
         raise InputError("restart and overwrite exclude each other")
-    words = [find_program(program), "run", os.fspath(scene)]
-    for name, value in (set or {}).items():
-        words += ["--set", f"{name}={text_of(value)}"]
-    words += ["--output", os.fspath(output)] if output is not None else []
+    origin = with_start(Origins(scene, program).of(changes), restart)
+    folder = os.fspath(output) if output is not None else output_of(scene, changes)
+    finished = again is not None and os.path.isdir(folder) and Run(folder).finished
+    if finished and not again:
+        return run_that_is_there(folder, origin)
+    overwrite = overwrite or (finished and not restart)
+    words = [program, "run", os.fspath(scene)]
+    for name, value in changes.items():
+        words += ["--set", f"{name}={value}"]
+    words += ["--output", folder] if output is not None else []
     words += ["--threads", str(threads)] if threads is not None else []
     if restart:
         words += ["--restart"] if restart is True else ["--restart", os.fspath(restart)]
     # A program without this option loses an unfinished run without being told to.
-    words += ["--overwrite"] if overwrite and knows(words[0], "--overwrite") else []
+    words += ["--overwrite"] if overwrite and knows(program, "--overwrite") else []
     if verbose:
         print("#", shlex.join(words), file=sys.stderr, flush=True)
     log = call(words, timeout)
-    result = Run(output if output is not None else output_of(scene, set or {}, words[0]))
+    write_origin(folder, origin)
+    result = Run(folder)
     result.log = log
     return result
 
 
-def output_of(scene, changes, program):
+def with_start(origin, restart):
+    """What makes a run that goes on from a checkpoint of another one, if it does."""
+    if restart in (False, True, None) or not os.path.isfile(restart):
+        return origin
+    return replace(origin, files={**origin.files, "restart": digest_of(restart)})
+
+
+def run_that_is_there(folder, origin):
+    """The finished run in a folder, if it was made by all that is asked for."""
+    said = why_not(folder, origin)
+    if said is None:
+        raise InputError(f"{folder} holds a run that was not started from Python, so that nobody knows whether it is this one: "
+                         "softgrain.open() opens it, again=True makes it anew")
+    if said:
+        raise InputError(f"{folder} holds another run, with {said}: name another folder, or say again=True to lose it")
+    found = Run(folder)
+    found.log = None
+    return found
+
+
+def output_of(scene, changes):
     """The folder into which the program writes when it is not told."""
-    if "Output directory" in changes:
-        return str(changes["Output directory"])
-    from .parameters import read_entries
-    entries = read_entries(scene)
-    named = entries.get(("Output directory",))
+    named = changes.get("Output directory") or entries_of(os.fspath(scene)).get("Output directory", ("", ""))[0]
     return named or os.path.join("output", pathlib.Path(scene).stem)
 
 
@@ -153,61 +192,9 @@ def name_of(changes):
     return "".join(c if c.isalnum() or c in "=._+-" else "-" for c in text) or "run"
 
 
-class Sweep:
-    """The runs of a sweep: a list of runs, each with `changes`, and what is worked out of all of them as a table."""
-
-    def __init__(self, runs):
-        self.runs = runs
-
-    def __len__(self):
-        return len(self.runs)
-
-    def __getitem__(self, number):
-        return self.runs[number]
-
-    def __iter__(self):
-        return iter(self.runs)
-
-    def collect(self, function):
-        """
-        One row per run: what was changed, and the numbers {name: value} that function(run) gives; a pandas.DataFrame
-        when pandas is installed.
-        """
-        import numpy as np
-        rows = [{**run.changes, **function(run)} for run in self.runs]
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        return as_frame(Table({name: np.array([row.get(name, np.nan) for row in rows]) for name in names}, "sweep"))
-
-
-def sweep(scene, over, output, set=None, jobs=1, threads=1, program=None, timeout=None, again=False):
-    """
-    Runs a scene once for every combination of the values of @over {"Section/Name": values}, @jobs at a time, each into a
-    folder of @output named after its values. @set is changed in all runs. Runs that are finished already are not
-    repeated unless again=True, those that are not finished begin anew. A run that fails does not stop the others; all failures are told at the end.
-    """
-    names = list(over)
-    combinations = [dict(zip(names, values)) for values in itertools.product(*(list(over[name]) for name in names))]
-    folders = [os.path.join(output, name_of(changes)) for changes in combinations]
-    if len(dict.fromkeys(folders)) < len(folders):
-        raise InputError("two combinations of the sweep have the same folder: give every value once")
-    program = find_program(program)
-
-    def one(changes, folder):
-        return run(scene, {**(set or {}), **changes}, folder, threads, program, timeout, again, overwrite=True)
-
-    runs, failures = [], []
-    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
-        futures = [pool.submit(one, changes, folder) for changes, folder in zip(combinations, folders)]
-        for changes, folder, future in zip(combinations, folders, futures):
-            try:
-                found = future.result()
-                found.changes = changes
-                runs.append(found)
-            except (InputError, RunFailed) as error:
-                failures.append(f"{folder}: {error}")
-    if failures:
-        raise RunFailed(f"{len(failures)} of {len(combinations)} runs failed; " + "; ".join(failures))
-    return Sweep(runs)
+def folder_name(changes, origin):
+    """A folder name that tells what was changed, and that no run of another origin has."""
+    return f"{name_of(changes)[:80]}-{origin.digest[:8]}"
 
 
 def measure(directory, program=None):

@@ -8,15 +8,15 @@ A study: a scene with all values of some parameters, its errors, and what they c
 """
 
 import os
-import subprocess
-import time
 
 from .errors import InputError
-from .programs import call, find_program, last_errors
+from .made_by import Origins
+from .programs import find_program
+from .runner import NOT_RUN, Job, Lock, Runner, check_jobs, heeding_signals, read_record
 from .study_file import read_study
-from .study_points import points_of
+from .study_points import folder_of, points_of
+from .study_quantities import check_columns
 from .study_results import evaluate
-from .study_runs import NOT_RUN, Lock, Runner, read_record
 from .study_tables import write_csv, write_json
 
 MOST_CHECKS = 20.  # seconds spent on looking at points before the first is run
@@ -26,37 +26,20 @@ def default_folder(path):
     return os.path.join("output", "studies", os.path.splitext(os.path.basename(path))[0])
 
 
-def check_points(study, tasks, program):
-    """
-    Lets the program read points that have not been run, so that every value is seen once before anything is computed; of
-    scenes that take long to build only some.
-    """
-    seen, begin = set(), time.monotonic()
-    for task in tasks:
-        new = set(task.values.items()) - seen
-        if not new and seen:
-            continue
-        words = [program, "check", study.scene]
-        for name, value in task.changes.items():
-            words += ["--set", f"{name}={value}"]
-        done = subprocess.run(words, capture_output=True, text=True, check=False)
-        if done.returncode == 2:
-            raise InputError(explain(study, task, last_errors(done.stderr) or done.stderr.strip()))
-        seen |= set(task.values.items()) or {None}
-        if time.monotonic() - begin > MOST_CHECKS:
-            return
+def check_points(study, jobs, program):
+    """Lets the program read points that have not been run, so that every value is seen before anything is computed."""
+    for job, said in check_jobs(study.scene, program, jobs, MOST_CHECKS):
+        raise InputError(explain(study, job, said))
 
 
-def explain(study, task, said):
+def explain(study, job, said):
     """The program's own line, behind the line of the study file that it is about."""
     places = {name: item.where for name, item in study.settings.items()}
     places |= {knob.parameter: knob.named_at if "unknown parameter" in said else knob.where
                for knob in study.knobs if knob.parameter}
-    said = said.removeprefix("--set: ")
     about = [name for name in places if f"'{name}'" in said]
     where = places[max(about, key=len)] if about else study.path
-    point = task.words(study.knobs)
-    return f"{where}: {said} (at {point})"
+    return f"{where}: {said} (at {job.label})"
 
 
 class Session:
@@ -66,19 +49,21 @@ class Session:
         self.program = find_program(program)
         self.study = read_study(path, changes)
         self.output = output or default_folder(path)
-        version = call((self.program, "--version")).strip()
-        self.points = points_of(self.study, version)
+        self.points = points_of(self.study, Origins(self.study.scene, self.program))
         self.tasks = [task for point in self.points for task in point.tasks]
+        self.jobs = [Job(folder_of(self.output, task), task.words(self.study.knobs), task.changes, task.origin)
+                     for task in self.tasks]
 
     def statuses(self):
-        return [(task, read_record(self.output, task)["status"]) for task in self.tasks]
+        return [(task, read_record(job.folder)["status"]) for task, job in zip(self.tasks, self.jobs)]
 
     def run(self, jobs=1, threads=1, again=False, say=print):
         """Runs what has not ended; False when a signal came first."""
-        pending = [task for task, status in self.statuses() if status == NOT_RUN]
-        if pending:
-            check_points(self.study, pending, self.program)
-        return Runner(self.study, self.output, self.program, threads, say).run_all(self.tasks, jobs, again)
+        new = [job for job in self.jobs if read_record(job.folder)["status"] == NOT_RUN]
+        check_points(self.study, new, self.program)
+        runner = Runner(self.study.scene, self.program, threads, self.study.longest_run, say,
+                        lambda run: check_columns(run, self.study.quantities))  # before all others are run for nothing
+        return runner.run_all(self.jobs, jobs, "failed" if again else "nothing")
 
     def lock(self):
         return Lock(self.output)
@@ -97,6 +82,6 @@ def run_study(path, output=None, set=None, jobs=1, threads=1, program=None, agai
     @set: {"Section/Name": value} for all runs; @again repeats those that failed.
     """
     session = Session(path, output, set, program)
-    with session.lock():
+    with session.lock(), heeding_signals():
         session.run(jobs, threads, again, say=lambda line: None)
         return session.findings()

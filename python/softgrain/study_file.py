@@ -181,7 +181,7 @@ def read_study(path, changes=None):
     if not levels or min(levels) <= 0:
         reader.refuse(("Levels",), "it must be relative errors above 0")
     study = Study(path, scene, reader.text("Title", default=os.path.splitext(os.path.basename(path))[0].replace("_", " ")),
-                  {"/".join(key[1:]): Item(reader.text(*key), item.where) for key, item in reader.items.items()
+                  {"/".join(key[1:]): Item(item.text, item.where) for key, item in reader.items.items()
                    if key[0] == "Settings" and len(key) > 1}, knobs, quantities, None,
                   reader.choice("Combinations", allowed=COMBINATIONS), reader.choice("Cost", allowed=COSTS),
                   reader.number("Longest run", default="0", least=0., words="it must be seconds, 0 for no limit"),

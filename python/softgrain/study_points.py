@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The points of a study: what is changed in each, and the runs that it takes."""
 
-import functools
-import hashlib
 import itertools
 import os
 from dataclasses import dataclass
 
 from .errors import InputError
 from .formula import Formula
-from .prm_file import read_prm
-from .programs import name_of
+from .made_by import Origin
+from .programs import folder_name
 from .study_file import IN_BRACES, is_number
+
+EMPTY = '""'  # how a value is written that empties a parameter
 
 
 @dataclass
@@ -20,6 +20,7 @@ class Task:
     values: dict  # {knob: text}
     changes: dict  # {parameter: text}
     name: str  # of the folder
+    origin: Origin
 
     def words(self, knobs):
         return ", ".join(f"{knob.name} = {self.values[knob.name]}" for knob in knobs) or "the scene"
@@ -55,24 +56,14 @@ def filled(text, values):
     return IN_BRACES.sub(one, text)
 
 
-@functools.lru_cache(maxsize=None)
-def content_of(scene):
-    """What a scene says, whatever its comments, order of lines and path."""
-    if scene.endswith(".json"):
-        with open(scene, "rb") as file:
-            return file.read().decode(errors="replace")
-    return repr(sorted((key, item.text) for key, item in read_prm(scene).items()))
-
-
-def task_of(study, values, version):
+def task_of(study, values, origins):
     """The run for a value of every knob; the same run has the same folder in every study of the scene."""
     changes = {name: filled(item.text, values) for name, item in study.settings.items()}
     changes.update({knob.parameter: values[knob.name] for knob in study.knobs if knob.parameter})
     changes.update(study.changes)
-    changes = {name: str(value) for name, value in changes.items()}
-    text = repr((content_of(study.scene), sorted(changes.items()), version))
-    digest = hashlib.sha256(text.encode()).hexdigest()[:8]
-    return Task(values, changes, f"{name_of(values)[:80]}-{digest}")
+    changes = {name: "" if value == EMPTY else str(value) for name, value in changes.items()}
+    origin = origins.of(changes)
+    return Task(values, changes, folder_name(values, origin), origin)
 
 
 def combinations(study, knobs):
@@ -85,8 +76,8 @@ def combinations(study, knobs):
     return found
 
 
-def points_of(study, version=""):
-    """The points of a study, the reference too."""
+def points_of(study, origins):
+    """The points of a study, the reference too; @origins: the Origins of runs of its scene."""
     compared = [knob for knob in study.knobs if not knob.average]
     averaged = [knob for knob in study.knobs if knob.average]
     repeats = [dict(zip([knob.name for knob in averaged], values))
@@ -98,7 +89,7 @@ def points_of(study, version=""):
         study.reference not in combinations(study, compared)
     points = []
     for number, values in enumerate(rows):
-        tasks = [task_of(study, {**values, **repeat}, version) for repeat in repeats]
+        tasks = [task_of(study, {**values, **repeat}, origins) for repeat in repeats]
         points.append(Point(values, tasks, values == study.reference, added and number == len(rows) - 1))
     names = [task.name for point in points for task in point.tasks]
     if len(set(names)) < len(names):

@@ -9,9 +9,9 @@ import numpy as np
 from .fits import smallest
 from .folder import Run
 from .report_entry import is_number
+from .runner import COMPLETED, FAILED, NOT_RUN, TOO_LONG, read_record
 from .study_points import folder_of
 from .study_quantities import Difference, check_columns, difference, reference_values, values_of
-from .study_runs import COMPLETED, FAILED, NOT_RUN, TOO_LONG, read_record
 from .study_verdict import is_front_sure, judge_uncertainty, verdict
 
 FEWEST = 3  # values of a knob from which an order is fitted
@@ -111,7 +111,7 @@ class Findings:
 def open_results(study, points, output):
     results = []
     for point in points:
-        records = [read_record(output, task) for task in point.tasks]
+        records = [read_record(folder_of(output, task)) for task in point.tasks]
         runs = [None] * len(records)
         for number, (task, record) in enumerate(zip(point.tasks, records)):
             folder = folder_of(output, task)

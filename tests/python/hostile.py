@@ -18,10 +18,10 @@ import common
 import softgrain
 from softgrain.page import read_data
 from softgrain.report import Choices, report
+from softgrain.runner import write_record
 from softgrain.study import Session
 from softgrain.study_page import study_page
 from softgrain.study_picture import draw_study
-from softgrain.study_runs import write_record
 from softgrain.study_text import print_findings
 
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
@@ -156,7 +156,7 @@ end
         session = Session("hostile_study.prm", "hostile_output")
         for number, (task, _) in enumerate(session.statuses()):
             os.makedirs("hostile_output/runs", exist_ok=True)
-            write_record("hostile_output", task, {"status": "completed" if number else "completed", "cpu_seconds": 1. + number,
+            write_record(os.path.join("hostile_output/runs", task.name), task.changes, {"status": "completed" if number else "completed", "cpu_seconds": 1. + number,
                                                   "wall_seconds": 1., **({"error": PAYLOAD} if number == 1 else {})})
             make_run(os.path.join("hostile_output/runs", task.name), status="completed")
         findings = session.findings()

@@ -26,8 +26,17 @@ class Programs(unittest.TestCase):
         self.assertEqual(run.parameters["Contact/Friction"], 0.25)
         self.assertGreaterEqual(max(run.history_table["axial_strain"]), 0.01)
         before = os.stat("one/history.csv").st_mtime_ns
-        self.assertTrue(softgrain.run(common.SCENE, output="one", again=False).finished)
+        same = {**SHORT, "Contact/Friction": 0.25}
+        self.assertTrue(softgrain.run(common.SCENE, same, "one", again=False).finished)
+        with self.assertRaisesRegex(softgrain.InputError, r"one holds another run, with Contact/Friction = 0.25 \(asked for: 0.3\): "):
+            softgrain.run(common.SCENE, {**same, "Contact/Friction": 0.3}, "one", again=False)
         self.assertEqual(os.stat("one/history.csv").st_mtime_ns, before)
+        # What the command line has put there since, and what it made alone, is known by nobody.
+        for folder, said in (("one", "other parameters, put there since"), ("alone", "not started from Python")):
+            subprocess.run([common.PROGRAM, "run", common.SCENE, "--output", folder, "--overwrite", *(
+                word for name, value in SHORT.items() for word in ("--set", f"{name}={value}"))], check=True, capture_output=True)
+            with self.assertRaisesRegex(softgrain.InputError, f"{folder} holds .*{said}"):
+                softgrain.run(common.SCENE, same, folder, again=False)
 
     def test_going_on_and_beginning_anew(self):
         def stopped():
@@ -66,6 +75,7 @@ class Programs(unittest.TestCase):
             time.sleep(0.01)
         run, states = softgrain.open("live"), set()
         while process.poll() is None:
+            time.sleep(0.02)
             if len(run) == 0:
                 continue
             state = run[-1]
@@ -92,21 +102,6 @@ class Programs(unittest.TestCase):
             softgrain.run(common.SCENE, program="no-such-program")
         with self.assertRaisesRegex(softgrain.RunFailed, "over 0.01 s"):
             softgrain.run(common.SCENE, output="late", timeout=0.01)
-
-    def test_sweep(self):
-        over = {"Contact/Friction": [0, 0.5], "Walls/top/Velocity": [0.5, 1.]}
-        runs = softgrain.sweep(common.SCENE, over, "sweep", set=SHORT, jobs=2)
-        self.assertEqual(sorted(os.listdir("sweep")), sorted(
-            f"Friction={f}_Velocity={v}" for f in (0, 0.5) for v in (0.5, 1.0)))
-        table = runs.collect(lambda run: {"steps": run.summary["steps"], "end_s": run.summary["simulated_time_s"]})
-        self.assertEqual(list(table["Contact/Friction"]), [0, 0, 0.5, 0.5])
-        np.testing.assert_allclose(table["end_s"] * table["Walls/top/Velocity"], 8e-5, rtol=0.5)
-        before = os.stat("sweep/Friction=0_Velocity=0.5/history.csv").st_mtime_ns
-        softgrain.sweep(common.SCENE, over, "sweep", set=SHORT)
-        self.assertEqual(os.stat("sweep/Friction=0_Velocity=0.5/history.csv").st_mtime_ns, before)
-        with self.assertRaisesRegex(softgrain.RunFailed, "1 of 2 runs failed; .*Friction=-1"):
-            softgrain.sweep(common.SCENE, {"Contact/Friction": [-1, 0.1]}, "failing", set=SHORT)
-        self.assertTrue(softgrain.open("failing/Friction=0.1").finished)
 
     def test_measure(self):
         table = softgrain.measure(common.EXAMPLE)

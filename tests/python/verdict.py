@@ -13,9 +13,9 @@ import unittest
 
 import common  # noqa: F401
 import numpy as np
+from softgrain.runner import write_record
 from softgrain.study import Session
 from softgrain.study_page import study_page
-from softgrain.study_runs import write_record
 
 PLACES = (0.82, 0.86, 0.90, 0.94)
 STUDY = """set Scene     = scene.prm
@@ -63,8 +63,8 @@ class Verdicts(unittest.TestCase):
         for task, _ in session.statuses():
             folder = f"{name}_output/runs/{task.name}"
             os.makedirs(folder, exist_ok=True)
-            write_record(f"{name}_output", task, {"status": "completed", "cpu_seconds": 100. / float(task.values["cell"]),
-                                                  "wall_seconds": 1.})
+            write_record(folder, task.changes, {"status": "completed", "cpu_seconds": 100. / float(task.values["cell"]),
+                                                "wall_seconds": 1.})
             own = errors.get(task.values["cell"], [np.zeros(4)] * seeds)[int(task.values["seed"]) - 1]
             write(f"{folder}/summary.json", json.dumps({"status": "completed", "steps": 4}))
             write(f"{folder}/parameters.prm", f"subsection Packing\n  {packing}\nend\n")
