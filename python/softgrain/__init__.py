@@ -21,6 +21,7 @@ from .folder import Run
 from .folder import open_run as open  # noqa: A004  (as h5py.File and xarray.open_dataset: softgrain.open)
 from .lammps import read_dump as read_lammps_dump
 from .programs import find_program, measure, run
+from .scene import Scene
 from .state import Outlines, State
 from .study import run_study
 from .sweeps import Row, Sweep, sweep
@@ -29,5 +30,5 @@ from .units import split_unit
 
 __version__ = "0.2.0"
 
-__all__ = ["InputError", "MissingName", "Outlines", "Row", "Run", "RunFailed", "State", "Sweep", "Table", "find_program",
+__all__ = ["InputError", "MissingName", "Outlines", "Row", "Run", "RunFailed", "Scene", "State", "Sweep", "Table", "find_program",
            "measure", "measures", "open", "read_lammps_dump", "read_table", "run", "run_study", "split_unit", "sweep"]

@@ -18,6 +18,7 @@ from .prm_file import read_prm
 NAME = "made_by.json"
 NOT_READ = ("Save to", "Library")  # last names of parameters whose file is written, or keeps what can be made anew
 NO_RESULT = ("Output directory", "Threads")  # where and how, but not what is computed
+UNREAD = "its text"  # the only entry of a file that cannot be read
 TOLD = 3  # differences in a message
 
 
@@ -67,7 +68,7 @@ def entries_of(scene):
         return {"/".join(key): (item.text, os.path.dirname(item.where.rpartition(":")[0]))
                 for key, item in read_prm(scene).items()}
     except (InputError, ValueError, AttributeError):
-        return {"its text": (digest_of(scene), folder)}
+        return {UNREAD: (digest_of(scene), folder)}
 
 
 def flattened(found, path=()):

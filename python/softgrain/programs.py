@@ -114,7 +114,7 @@ def knows(program, option):
 def run(scene, set=None, output=None, threads=None, program=None, timeout=None, again=None, restart=False,
         overwrite=False, verbose=False):
     """
-    Runs a parameter file with some parameters changed and returns the finished run.
+    Runs a parameter file, or a Scene, with some parameters changed and returns the finished run.
 
     @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). A run that is there
     already is an error unless something is said: of one that is finished, again=False opens it only and again=True runs it
@@ -125,6 +125,9 @@ def run(scene, set=None, output=None, threads=None, program=None, timeout=None, 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
     True
     """
+    if hasattr(scene, "write"):
+        return scene.run(output, set=set, threads=threads, program=program, timeout=timeout, again=again, restart=restart,
+                         overwrite=overwrite, verbose=verbose)
     program = find_program(program)
     changes = {name: text_of(value) for name, value in (set or {}).items()}
     if not os.path.exists(scene):

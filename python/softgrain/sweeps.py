@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A series of runs of a scene with some parameters changed."""
 
+import hashlib
 import itertools
 import os
 import sys
@@ -94,7 +95,7 @@ def tell(line):
 
 def sweep(scene, over, output, set=None, jobs=None, threads=1, program=None, timeout=None, again=False, retry=False, say=tell):
     """
-    Runs a scene once for every combination of the values of @over {"Section/Name": values}, or for every item of a list of
+    Runs a scene, a parameter file or a Scene, once for every combination of the values of @over {"Section/Name": values}, or for every item of a list of
     {"Section/Name": value}. @set is changed in all runs. @jobs run at a time, by default as many as there are cores for
     @threads each.
 
@@ -104,6 +105,8 @@ def sweep(scene, over, output, set=None, jobs=None, threads=1, program=None, tim
     again=True all. After Ctrl-C the runs save their state, and the same call goes on. @say gets a line when a run has ended.
     """
     program = find_program(program)
+    if hasattr(scene, "write"):
+        scene = scene.write(os.path.join(output, f"scene-{hashlib.sha256(scene.text.encode()).hexdigest()[:8]}.prm"), check=False)
     if not os.path.exists(scene):
         raise InputError(f"{scene}: there is no such file")
     jobs = jobs if jobs is not None else max(1, cores() // max(1, threads))

@@ -9,6 +9,7 @@ import numpy as np
 from .errors import InputError, MissingName
 from .units import UNITS, split_unit
 
+WORDS = ("material", "name", "shape")  # columns of tables that are no numbers
 COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
 
 
@@ -165,9 +166,13 @@ def as_frame(table):
     return table.to_pandas()
 
 
+def number(text):
+    return float(text) if text else np.nan
+
+
 def read_table(path):
     """
-    A file like history.csv; fields that are empty are NaN.
+    A file like history.csv, or the table of a packing; fields that are empty are NaN, and the columns WORDS hold words.
 
     A last row that is still being written is left out.
     """
@@ -182,6 +187,7 @@ def read_table(path):
     if not rows:
         raise InputError(f"{path} is empty")
     names = [name.strip() for name in rows[0]]
+    kinds = [str if name in WORDS else number for name in names]
     values = []
     for line, row in enumerate(rows[1:], start=2):
         if len(row) != len(names):
@@ -191,8 +197,8 @@ def read_table(path):
         if line == len(rows) and not text.endswith("\n"):
             break  # its last number may not be whole
         try:
-            values.append([float(item) if item.strip() else np.nan for item in row])
+            values.append([kind(item.strip()) for kind, item in zip(kinds, row)])
         except ValueError as error:
             raise InputError(f"{path} line {line}: {error}") from error
-    data = np.array(values, dtype=float).reshape(-1, len(names))
-    return Table({name: data[:, column] for column, name in enumerate(names)}, name, path)
+    columns = zip(*values) if values else [()] * len(names)
+    return Table({one: np.array(column, dtype=str if one in WORDS else float) for one, column in zip(names, columns)}, name, path)

@@ -80,6 +80,14 @@ class Origins(unittest.TestCase):
         self.assertEqual(len(set(folders)), 6)
         self.assertEqual(self.asked("there"), folders[-1])
 
+    def test_scene_of_python(self):
+        """A Scene is as good as a file, and another one is another run."""
+        scene = softgrain.Scene()
+        for friction in (0.1, 0.2, 0.1):
+            scene.contact.friction = friction
+            softgrain.sweep(scene, {"Packing/Seed": [1, 2]}, "seeds", program=stand_in("program"), say=lambda line: None)
+        self.assertEqual(len(glob.glob("seeds/Seed=*-*/")), 4)
+
     def test_another_run_in_a_folder(self):
         """A folder of the sweep in which something else was run since is none of its runs."""
         stand_in("program")
