@@ -5,18 +5,28 @@ import os
 
 import numpy as np
 
-from .errors import InputError, need
+from .errors import InputError, MissingName, need
 from .tables import Table
 
 NOBODY = 4294967295
 WIDTHS = {"position_m": 2, "velocity_m_per_s": 2, "center_m": 2, "place_m": 2, "normal": 2, "force_N_per_m": 2,
           "point_m": 2, "points_m": 2, "pivot_m": 2, "image_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
-OTHER_NAMES = {"size_m2": "area_m2"}  # the name that fields.pvd has
+# Names of arrays in files of softgrain 0.2.0 and before, and those that fields.pvd and history.csv have.
+OLD_NAMES = {"size_m2": "area_m2", "kinetic_J_per_m": "kinetic_energy_J_per_m", "elastic_J_per_m": "elastic_energy_J_per_m",
+             "dissipated_J_per_m": "dissipated_energy_J_per_m"}
 
 
 def shown_name(name):
-    """The name of an array in a table: that of fields.pvd where the two differ."""
-    return OTHER_NAMES.get(name, name.removeprefix("extra/"))
+    """The name of an array in a table, whatever the version of the file."""
+    return OLD_NAMES.get(name, name.removeprefix("extra/"))
+
+
+class Energies(dict):
+    """Energies by their names; one that does not exist is told with those that do."""
+
+    def __missing__(self, name):
+        raise MissingName(f"there is no energy '{name}'; " + (f"did you mean '{shown_name(name)}'?" if name in OLD_NAMES
+                                                             else f"there are {', '.join(self)}"))
 
 
 def open_file(path):
@@ -139,7 +149,7 @@ class SnapshotSource:
                 for b in range(len(bodies) - 1) if bodies[b + 1] > bodies[b]}
 
     def energies(self):
-        return {name: float(np.ravel(self.read(f"energies/{name}"))[0]) for name in self.names("energies")}
+        return Energies({shown_name(name): float(np.ravel(self.read(f"energies/{name}"))[0]) for name in self.names("energies")})
 
     def vertices(self):
         return self.read("outlines/points_m")

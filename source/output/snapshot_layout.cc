@@ -6,8 +6,10 @@
 #include <softgrain/output/units.h>
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace softgrain
 {
@@ -16,6 +18,23 @@ using namespace snapshot_rows;
 namespace
 {
 const std::string file_format = "softgrain snapshot 1";
+
+/// Names of arrays that files of 0.2.0 have otherwise, where history.csv and fields.pvd had these already.
+const std::vector<std::pair<std::string, std::string>> old_names = {
+    {"points/area_m2", "points/size_m2"},
+    {"energies/kinetic_energy_J_per_m", "energies/kinetic_J_per_m"},
+    {"energies/elastic_energy_J_per_m", "energies/elastic_J_per_m"},
+    {"energies/dissipated_energy_J_per_m", "energies/dissipated_J_per_m"}};
+
+/// The name of an array as a file has it.
+std::string name_in(const Hdf5File &file, const std::string &group, const std::string &name)
+{
+  if (!file.contains(group + name))
+    for (const auto &[now, before] : old_names)
+      if (now == name && file.contains(group + before))
+        return group + before;
+  return group + name;
+}
 
 /// Pairs of array name and member: one list serves writing and reading, so that they cannot differ.
 template <typename Action>
@@ -138,7 +157,7 @@ template <typename Points, typename Action>
 void for_each_point_array(Points &points, const Action &action)
 {
   action("points/position_m", points.position);
-  action("points/size_m2", points.size);
+  action("points/area_m2", points.size);
   action("points/velocity_m_per_s", points.velocity);
   action("points/stress_Pa", points.stress);
   action("points/out_of_plane_stress_Pa", points.out_of_plane_stress);
@@ -163,8 +182,8 @@ void read_points(const Hdf5File &file, const std::string &group, PointStates<2> 
 {
   if (!file.contains(group + "points"))
     return;
-  for_each_point_array(points,
-                       [&](const std::string &name, auto &values) { read_rows(file, group + name, values); });
+  for_each_point_array(points, [&](const std::string &name, auto &values)
+                       { read_rows(file, name_in(file, group, name), values); });
   read_indices(
       file, group + "points/body", points.body, [](unsigned int &body) -> auto & { return body; });
   for (const std::string &name : file.read_texts(group + "points/extra_names"))
@@ -275,9 +294,9 @@ void write_snapshot(Hdf5File &whole_file,
     write_lines(file, snapshot.obstacles);
   }
   const Energies &energies = snapshot.energies;
-  file.write("energies/kinetic_J_per_m", std::vector<double>{energies.kinetic});
-  file.write("energies/elastic_J_per_m", std::vector<double>{energies.elastic});
-  file.write("energies/dissipated_J_per_m", std::vector<double>{energies.dissipated});
+  file.write("energies/kinetic_energy_J_per_m", std::vector<double>{energies.kinetic});
+  file.write("energies/elastic_energy_J_per_m", std::vector<double>{energies.elastic});
+  file.write("energies/dissipated_energy_J_per_m", std::vector<double>{energies.dissipated});
   file.write("energies/external_work_J_per_m", std::vector<double>{energies.external_work});
   const std::string object = group.empty() ? "/" : group;
   whole_file.write_attribute(object, "format", file_format);
@@ -320,11 +339,11 @@ Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)
   }
   const auto energy = [&](const std::string &name)
   {
-    const std::vector<double> values = file.read_doubles(group + "energies/" + name);
+    const std::vector<double> values = file.read_doubles(name_in(file, group, "energies/" + name));
     return values.empty() ? 0. : values[0];
   };
-  snapshot.energies = {energy("kinetic_J_per_m"), energy("elastic_J_per_m"), energy("dissipated_J_per_m"),
-                       energy("external_work_J_per_m")};
+  snapshot.energies = {energy("kinetic_energy_J_per_m"), energy("elastic_energy_J_per_m"),
+                       energy("dissipated_energy_J_per_m"), energy("external_work_J_per_m")};
   return snapshot;
 }
 } // namespace softgrain

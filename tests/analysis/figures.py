@@ -47,7 +47,7 @@ def write_snapshots(directory, times, height):
             group["outlines/ring_offsets"] = np.array([0, 4])
             group["outlines/body_offsets"] = np.array([0, 1])
             group["points/position_m"] = np.array([[WIDTH / 2, h / 2]])
-            group["points/size_m2"] = np.array([1e-6])
+            group["points/area_m2"] = np.array([1e-6])
             group["points/body"] = np.array([0])
             group["walls/name"] = np.array([b"bottom", b"top", b"left", b"right"])
             group["walls/position_m"] = np.array([0, h, 0, WIDTH])

@@ -43,7 +43,7 @@ def write_snapshots(directory, times, strain, band):
             group["outlines/ring_offsets"] = 4 * np.arange(37)
             group["outlines/body_offsets"] = np.arange(37)
             group["points/position_m"] = np.stack([x, y], axis=1)
-            group["points/size_m2"] = np.full(36, 0.5)
+            group["points/area_m2"] = np.full(36, 0.5)
             group["points/body"] = np.arange(36)
             group["walls/name"] = np.array([b"bottom", b"top", b"left", b"right"])
             group["walls/position_m"] = np.array([0, 6, 0, 6.])

@@ -104,10 +104,10 @@ class Tools(unittest.TestCase):
             self.assertEqual(last["bodies/name"][0], b"disk")
             found = {}
             last.visititems(lambda name, item: found.update({name: item.attrs["units"].decode()}) if "units" in item.attrs else None)
-            for name, unit in (("points/stress_Pa", "Pa"), ("points/size_m2", "m^2"), ("contacts/force_N_per_m", "N/m"),
+            for name, unit in (("points/stress_Pa", "Pa"), ("points/area_m2", "m^2"), ("contacts/force_N_per_m", "N/m"),
                                ("bodies/angular_momentum_kg_m_per_s", "kg m/s"), ("points/deformation_gradient", "1"),
                                ("walls/velocity_m_per_s", "m/s"), ("points/extra/strain_energy_J_per_m3", "J/m^3"),
-                               ("energies/kinetic_J_per_m", "J/m")):
+                               ("energies/kinetic_energy_J_per_m", "J/m")):
                 self.assertEqual(found[name], unit)
             numbers = []
             last.visititems(lambda name, item: numbers.append(name) if getattr(item, "dtype", None) == float else None)

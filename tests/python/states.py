@@ -49,6 +49,35 @@ class States(unittest.TestCase):
         for body in (0, 1):
             np.testing.assert_allclose(fields.outlines[body][0], ours.outlines[body][0], atol=1e-12)
 
+    def test_one_set_of_names(self):
+        """Arrays of snapshots.h5, columns in Python, those of fields.pvd and of history.csv: one thing has one name."""
+        with h5py.File(self.run_.path("snapshots.h5")) as file:
+            for part in ("bodies", "points", "contacts", "walls"):
+                names = {name for name in file[f"steps/000000/{part}"] if not name.startswith("extra")}
+                self.assertEqual(names - set(self.run_.snapshots[0].source.table(part)), set(), part)
+                self.assertEqual(set(getattr(self.run_.fields[0], part)) - set(getattr(self.run_.snapshots[0], part)), set(), part)
+            self.assertEqual(set(file["steps/000000/energies"]) - set(self.run_.history_table), set())
+        self.assertEqual(set(self.run_[-1].energies) - set(self.run_.history_table), set())
+        with self.assertRaisesRegex(softgrain.MissingName, "'kinetic_J_per_m'; did you mean 'kinetic_energy_J_per_m'"):
+            self.run_[-1].energies["kinetic_J_per_m"]
+
+    def test_names_of_before(self):
+        """Files of 0.2.0 have some names otherwise; Python and the program read them all the same."""
+        shutil.rmtree("old", ignore_errors=True)
+        shutil.copytree(common.EXAMPLE, "old")
+        for name in os.listdir("old/snapshots"):
+            with h5py.File(f"old/snapshots/{name}", "r+") as file:
+                for now, before in (("points/area_m2", "points/size_m2"), *(
+                        (f"energies/{one}_energy_J_per_m", f"energies/{one}_J_per_m") for one in ("kinetic", "elastic", "dissipated"))):
+                    file.move(now, before)
+        old = softgrain.open("old")
+        self.assertEqual(old[-1].points.area_m2.tolist(), self.run_[-1].points.area_m2.tolist())
+        self.assertEqual(old[-1].points.units, self.run_[-1].points.units)
+        self.assertEqual(old[-1].energies, self.run_[-1].energies)
+        table, written = softgrain.measure("old"), self.run_.measures_table
+        for name in written:
+            np.testing.assert_array_equal(table[name], written[name], name)
+
     def test_strains(self):
         angle, stretch = 0.3, np.diag([1.2, 0.9])
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])

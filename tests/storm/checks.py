@@ -156,9 +156,9 @@ def energy_rise(scene, run):
     """(rise, largest energy [J/m], snapshot): kinetic and stored energy, less the work from outside, may only fall."""
     scale, lowest, rise = 0.0, math.inf, (0.0, 0)
     snapshots = run.snapshots()
-    stored = [float(numpy.ravel(s["energies/elastic_J_per_m"])[0]) for s in snapshots]
+    stored = [float(numpy.ravel(s["energies/elastic_energy_J_per_m"])[0]) for s in snapshots]
     for index, snapshot in enumerate(snapshots):
-        kinetic, work = (float(numpy.ravel(snapshot[f"energies/{name}_J_per_m"])[0]) for name in ("kinetic", "external_work"))
+        kinetic, work = (float(numpy.ravel(snapshot[f"energies/{name}_J_per_m"])[0]) for name in ("kinetic_energy", "external_work"))
         scale = max(scale, kinetic, abs(stored[index] - (stored[0] if scene.get("Model") == "bpm" else 0)), abs(work))
         total = kinetic + stored[index] - work
         lowest = min(lowest, total)

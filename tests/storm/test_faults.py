@@ -93,7 +93,7 @@ class Faults(unittest.TestCase):
     def test_energy_and_momentum_from_nothing(self):
         other = self.copy("energy")
         with h5py.File(next((other.out / "snapshots").glob("*2.h5")), "r+") as file:
-            file["energies/kinetic_J_per_m"][...] = 1.5 * file["energies/kinetic_J_per_m"][()]
+            file["energies/kinetic_energy_J_per_m"][...] = 1.5 * file["energies/kinetic_energy_J_per_m"][()]
             file["bodies/velocity_m_per_s"][...] = 1.001 * file["bodies/velocity_m_per_s"][()]
         self.assertEqual([kind for kind, _ in checks.judge(two_disks(), other)], ["energy", "momentum"])
 
