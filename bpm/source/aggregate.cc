@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/random.h>
 #include <softgrain/bpm/aggregate.h>
+#include <softgrain/bpm/settling.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/packing/packing.h>
 
@@ -18,8 +19,8 @@ namespace softgrain::bpm
 namespace
 {
 /// Shares of area of the packing that aggregates are cut from, the first that can be packed: few disks of one
-/// size do not fill a box well. Attraction makes it denser.
-constexpr double packed_fractions[] = {0.80, 0.76, 0.70, 0.60, 0.50};
+/// size do not fill a box well, and 0.78 is hard to reach for any. Attraction makes it denser.
+constexpr double packed_fractions[] = {0.76, 0.70, 0.60, 0.50};
 
 /// A packing with room for @p half [m] to all sides of the origin. @p radii come out.
 Packing<2> pack_around(const dealii::Tensor<1, 2> &half,
@@ -91,54 +92,6 @@ Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &setting
     aggregate.radius.push_back(radii[i]);
   }
   return aggregate;
-}
-
-/// Walls that hold nothing: the primaries of an aggregate in the making are alone.
-std::vector<Wall> no_walls;
-
-Primaries disks_of(const Aggregate &aggregate, const double density)
-{
-  Primaries disks;
-  disks.position = aggregate.position;
-  disks.radius = aggregate.radius;
-  disks.velocity.assign(aggregate.size(), {0., 0.});
-  disks.body.assign(aggregate.size(), 0);
-  for (const double r : aggregate.radius)
-    disks.mass.push_back(dealii::numbers::PI * r * r * density);
-  return disks;
-}
-
-/// Attraction and inelastic contacts until the kinetic energy is small beside what attraction could give.
-void relax(Aggregate &aggregate,
-           const std::string &name,
-           const double density,
-           const std::shared_ptr<const Attraction> &attraction,
-           const DynamicsSettings &settings)
-{
-  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
-  dynamics.detect(no_walls);
-  const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
-  const double dt = 0.05 * attraction_time(a0, density, force);
-  const double rest = 2e-8 * force * a0 * aggregate.size();
-  const unsigned int most = 20000;
-  for (unsigned int step = 0;; ++step)
-  {
-    dynamics.step(dt, no_walls, {});
-    if (step > 20 && dynamics.kinetic_energy() < rest)
-      break;
-    if (step == most)
-    {
-      std::ostringstream message;
-      message << "the primaries of body '" << name << "' do not come to rest: after " << most
-              << " steps their kinetic energy is " << dynamics.kinetic_energy() << " J/m, wanted is " << rest;
-      throw ComputationError(message.str());
-    }
-    // A little drag ends oscillations of the whole that no contact damps.
-    for (auto &v : dynamics.disks().velocity)
-      for (double &component : v)
-        component *= 0.98;
-  }
-  aggregate.position = dynamics.disks().position;
 }
 
 /// Takes away the primaries that reach beyond the outline. @return whether there were any.
@@ -223,19 +176,21 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
   Uniform random(seed);
   Aggregate aggregate = cut_out(body, settings.primaries, random);
   const bool attracted = attraction && attraction->contact_force() > 0.;
-  // How the run is to be solved does not matter here, so that one aggregate serves many runs.
-  DynamicsSettings plain;
-  plain.solver.tolerance = 1e-4;
-  for (bool whole = false; !whole;)
+  const bool trims = settings.primaries.number == 0;
+  Settling how = trims ? Settling::roughly : Settling::wholly;
+  for (bool done = false; !done;)
   {
     if (aggregate.size() > 1 && attracted)
-      relax(aggregate, body.name, density, attraction, plain);
+      settle(aggregate, body.name, density, attraction, how);
     center(aggregate, body);
     // Attraction smooths the dents that are left; a few rounds settle it.
-    whole = settings.primaries.number > 0 || !trim(aggregate, body);
+    const bool trimmed = trims && trim(aggregate, body);
     if (aggregate.size() == 0)
       throw InputError("not one primary fits into body '" + body.name +
                        "': lower 'Primaries/Largest diameter'");
+    done = !trimmed && how == Settling::wholly;
+    if (!trimmed)
+      how = Settling::wholly;
   }
   sort_by_place(aggregate);
   return aggregate;

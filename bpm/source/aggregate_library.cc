@@ -88,7 +88,7 @@ std::string aggregate_key(const BodyDescription<2> &body,
                           const std::uint64_t seed)
 {
   std::ostringstream text;
-  text << std::setprecision(17) << "aggregate 1;" << law << ';' << density << ';' << seed << ';';
+  text << std::setprecision(17) << "aggregate 2;" << law << ';' << density << ';' << seed << ';';
   body.shape->describe(text, body.center);
   const PrimarySettings &p = settings.primaries;
   text << p.sizes.smallest << ';' << p.sizes.largest << ';' << static_cast<int>(p.sizes.form) << ';'
