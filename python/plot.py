@@ -14,6 +14,7 @@ try:
     from softgrain import InputError, Run, fits, split_unit
     from softgrain.command import Parser, run_tool, save_figure, warn
     from softgrain.curves import DIAMETRAL, Curves, default_x, draw_panel, in_lines, panels_of, run_labels, usual_columns
+    from softgrain.dissipation import draw_dissipation
     from softgrain.drawing import STYLE
     from softgrain.options import add_shared, check_labels
     from softgrain.theory import THEORIES
@@ -36,14 +37,16 @@ def parse_arguments():
                "  softgrain plot fine coarse --y packing_fraction coordination\n"
                "  softgrain plot out --x packing_fraction --y coordination_without_rattlers contact_anisotropy\n"
                "  softgrain plot out --x packing_fraction --y coordination_of_bodies --fit power --fit-range 0.84 0.98\n"
-               "  softgrain plot disk --preset diametral --output fig3.10.svg\n")
+               "  softgrain plot disk --preset diametral --output fig3.10.svg\n"
+               "  softgrain plot out --preset dissipation                   what has become of the energy that is gone\n")
     parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
     parser.add_argument("--x", metavar="COLUMN", help="default: axial_strain when it changes, else time_s")
     parser.add_argument("--y", metavar="COLUMN", nargs="+",
                         help="columns with one unit share a panel, others get their own (default: the force on the "
                              "wall bottom; else the forces on the walls there are; without walls the energies)")
-    parser.add_argument("--preset", choices=("diametral",),
-                        help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory")
+    parser.add_argument("--preset", choices=("diametral", "dissipation"),
+                        help="diametral: a disk between two walls as in the thesis, F/L against ln(h0/h), with theory; dissipation: "
+                             "what contacts, materials and the method have taken, one on the other, of one run")
     parser.add_argument("--theory", metavar="NAME[,NAME]",
                         help="theories to draw with a force against axial_strain: hertz (thesis, eq. 3.31), johnson "
                              "(line contact), none (default: both for a disk between two walls, else none)")
@@ -202,6 +205,23 @@ def finish_panel(axes, arguments, x_scale, scale, negative):
         axes.legend(frameon=False, fontsize=10, handlelength=2.6)
 
 
+def draw_stack(arguments, run):
+    """The preset 'dissipation'; returns the path of the picture."""
+    if len(arguments.directories) > 1:
+        raise InputError("--preset dissipation is for one run")
+    if given := [name for name in ("y", "fit", "theory", "xlim", "ylim", "logx", "logy", "labels") if getattr(arguments, name)]:
+        raise InputError(f"--preset dissipation goes without --{given[0]}")
+    x = Curves(run).full_name(arguments.x or run.coordinate or "time_s")
+    path = arguments.output or os.path.join(run.directory, "pictures", "dissipation.png")
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
+        draw_dissipation(axes, run, x)
+        axes.set_title(arguments.title or "", pad=10)
+        save_figure(figure, path, arguments.dpi)
+        plt.close(figure)
+    return path
+
+
 def file_name(x, columns):
     """Columns without their units, which would make the name very long."""
     return f"{'-'.join(split_unit(name)[0] for name in columns)[:120]}-against-{split_unit(x)[0]}"
@@ -217,6 +237,9 @@ def main():
             for table in found:
                 print(f"{os.path.join(one.run.directory, os.path.basename(table.path))}: {len(table)} rows: "
                       f"{', '.join(table)}")
+        return 0
+    if arguments.preset == "dissipation":
+        print(draw_stack(arguments, curves[0].run))
         return 0
     x, columns = choose_columns(arguments, curves)
     theories = choose_theories(arguments, curves[0].run, x, columns)

@@ -15,7 +15,7 @@ try:
     from softgrain import film
     from softgrain.colouring import columns_of
     from softgrain.options import add_shared, between
-    from softgrain.picture import Options, Picture
+    from softgrain.picture import Options, picture_of
 except ImportError as missing:
     package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
     print(f"render: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
@@ -29,7 +29,8 @@ def parse_arguments():
                "  softgrain render out                              the last frame: von Mises stress, or primaries\n"
                "  softgrain render out --frame all --field pressure_Pa\n"
                "  softgrain render out --film --field velocity      a film, out/pictures/velocity.mp4\n"
-               "  softgrain render out --film out.gif --fps 10      the same for a page or a talk\n"
+               "  softgrain render out --film --output out.gif      the same for a page or a talk\n"
+               "  softgrain render out --field pressure,strain      both, one beside the other\n"
                "  softgrain render out --field strain --zoom 3      the middle, three times as large\n"
                "  softgrain render out --field coordination         number of contacts of every body\n"
                "  softgrain render out --field body --contacts inner --attraction\n"
@@ -43,7 +44,7 @@ def parse_arguments():
                              "DIR/pictures/FIELD.mp4)")
     add_shared(parser, "fps", default=12)
     parser.add_argument("--output", metavar="FILE",
-                        help="picture to write: .png, .svg, .pdf; for several frames the number is put before the "
+                        help="picture to write: .png, .svg, .pdf, or with --film .mp4, .gif; for several frames the number is put before the "
                              "ending (default: DIR/pictures/FIELD-NNNNNN.png)")
     parser.add_argument("--range", nargs=2, type=float, metavar=("MIN", "MAX"),
                         help="ends of the colour scale, in the field's SI unit (default: from the values)")
@@ -60,9 +61,9 @@ def parse_arguments():
     parser.add_argument("--style", choices=("smooth", "disks"),
                         help="the field made smooth in every grain, or every point as a disk of its area (default: "
                              "smooth for material points, disks for primaries)")
-    add_shared(parser, "title", help="text above the picture (default: time and strain)")
-    parser.add_argument("--width", type=between(1, 60, float, "inches"), default=7.0,
-                        help="of the picture, in inches (default: %(default)s)")
+    add_shared(parser, "title", help="text above the picture (default: time, and packing fraction or strain where the scene goes by it)")
+    parser.add_argument("--width", type=between(1, 60, float, "inches"),
+                        help="of the picture, in inches (default: 7; 4.2 for each of several fields)")
     add_shared(parser, "dpi", help="dots per inch (default: 220; 150 for a film)")
     parser.add_argument("--list", action="store_true", help="print frames and fields, draw nothing")
     arguments = parser.parse_args()
@@ -75,8 +76,10 @@ def parse_arguments():
         raise InputError(f"--range has no meaning with --field {arguments.field}")
     if arguments.zoom and (len(arguments.zoom) not in (1, 4) or (len(arguments.zoom) == 1 and not arguments.zoom[0] > 0)):
         raise InputError("--zoom takes one number above 0, or the two corners X0 Y0 X1 Y1 in metres")
+    if arguments.film and arguments.output:
+        raise InputError(f"--film {arguments.film} and --output {arguments.output} both name the film: leave one out")
     if arguments.film is not None and arguments.output:
-        raise InputError("--film and --output exclude each other: --film FILE names the film")
+        arguments.film = arguments.output
     if arguments.film is not None and arguments.frame not in (None, "all"):
         raise InputError("--film shows all frames: leave --frame out")
     return arguments
@@ -105,7 +108,7 @@ def output_path(arguments, options, state, several):
 
 
 def file_name(options):
-    return options.field.replace(":", "_").replace("/", "_")
+    return options.field.replace(":", "_").replace("/", "_").replace(",", "-")
 
 
 def make_film(arguments, states):
@@ -119,7 +122,7 @@ def make_film(arguments, states):
 
 def prepare(arguments, states):
     options = Options(**{item.name: getattr(arguments, item.name) for item in fields(Options)})
-    return options, Picture(options, states)
+    return options, picture_of(options, states)
 
 
 def print_list(run):

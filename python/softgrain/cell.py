@@ -61,7 +61,7 @@ class SpreadState:
     """
 
     def __init__(self, state, cell, low, high):
-        self.state, self.time, self.strain, self.number = state, state.time, state.strain, state.number
+        self.state, self.time, self.number = state, state.time, state.number
         self.walls = state.walls if state.has("walls") else None
         self.obstacle_lines = state.obstacle_lines
         boxes = {body: (rings[0].min(axis=0), rings[0].max(axis=0)) for body, rings in state.outlines.items()}

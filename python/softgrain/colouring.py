@@ -9,7 +9,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm, ListedColormap, Normalize
 
 from .drawing import colour_range, is_signed
-from .errors import InputError
+from .errors import InputError, MissingName, near_names
 from .units import describe, scaled_unit, split_unit, with_unit
 
 ALIASES = {"strain": "equivalent_strain", "speed": "velocity_m_per_s"}
@@ -64,7 +64,10 @@ def find_field(state, text):
         reason = f"frame {state.number} has no points to colour: run with points in its pictures, or use --field none; "
     elif base.endswith("_strain"):
         reason = "strains need the deformation gradient, which material points have; "
-    raise InputError(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; there are " +
+    known = [name for part in parts for name in columns_of(state, part)]
+    if near := near_names(base, [*known, *ALIASES]):
+        raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; did you mean {near}?")
+    raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; there are " +
                      ", ".join(sorted(columns_of(state, "points"))) +
                      "; of whole bodies: " + ", ".join(sorted(columns_of(state, "bodies"))))
 

@@ -2,6 +2,9 @@
 """What can go wrong, each told as one clear line."""
 
 
+import difflib
+
+
 class InputError(Exception):
     """What the user asked for cannot be done: one clear line, exit code 2."""
 
@@ -15,6 +18,19 @@ class MissingName(InputError, KeyError):
 
 class RunFailed(Exception):
     """The program ended with an error, or not in time; the text is its own line."""
+
+
+def near_names(name, known):
+    """
+    Names that look like one that does not exist, as 'a or b'; '' without any. The unit at the end of a name may be left out.
+
+    >>> near_names("pressur", ["pressure_Pa", "von_mises_Pa"])
+    'pressure_Pa'
+    """
+    from .units import split_unit
+    short = {split_unit(one)[0]: one for one in known}
+    found = difflib.get_close_matches(name, [*short, *known], 3, 0.75)
+    return " or ".join(dict.fromkeys(short.get(one, one) for one in found))
 
 
 def need(package, error):

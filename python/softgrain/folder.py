@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """An output folder of softgrain, of a run that has ended or still goes on."""
 
-import difflib
 import json
 import os
 
 import numpy as np
 
-from .errors import InputError, MissingName
+from .errors import InputError, MissingName, near_names
 from .fields import FieldSource, read_series
 from .parameters import read_parameters
 from .snapshots import SnapshotSource, read_times
 from .state import State
 from .tables import as_frame, read_table
-from .units import split_unit
 
 
 def stamp(path):
@@ -104,10 +102,10 @@ class Run:
             if full := table.resolve(name):
                 return table[full], table
         known = [one for table in tables for one in table]
-        near = difflib.get_close_matches(name, [*known, *(split_unit(one)[0] for one in known)], 3, 0.75)
+        near = near_names(name, known)
         text = f"there is no column '{name}' in {self.path('history.csv')}" + (" and measures.csv" if len(tables) > 1 else "")
         if near:
-            text += f"; did you mean {' or '.join(near)}?"
+            text += f"; did you mean {near}?"
         elif tables:
             text += f"; there are {', '.join(tables[0])}" + ("; 'softgrain plot DIR --list' names those of measures.csv, too"
                                                             if len(tables) > 1 else "")
@@ -220,17 +218,28 @@ class Run:
 
     # --- what several commands need ---
 
-    def strain_at(self, time):
-        """ln(h0/h) at a time, from history.csv; None when it does not say."""
+    def value_at(self, column, time):
+        """A column of history.csv or measures.csv at a time, by a straight line between rows; None when it does not say."""
         try:
-            history = self.history_table
+            values, table = self.column(column)
+            times = table["time_s"]
         except InputError:
             return None
-        times, strains = history.get("time_s"), history.get("axial_strain")
-        if times is None or strains is None:
-            return None
-        known = np.isfinite(strains)
-        return float(np.interp(time, times[known], strains[known])) if known.any() else None
+        known = np.isfinite(values)
+        return float(np.interp(time, times[known], values[known])) if known.any() else None
+
+    def strain_at(self, time):
+        """ln(h0/h) at a time; None when history.csv does not say."""
+        return self.value_at("axial_strain", time)
+
+    @property
+    def coordinate(self):
+        """
+        The column that the scene itself goes by: 'packing_fraction', 'axial_strain' or 'shear_strain', by what ends it, or what
+        changes; None where there is only the time.
+        """
+        from .coordinate import coordinate_of
+        return coordinate_of(self)
 
     def widths(self, times):
         """

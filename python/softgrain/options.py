@@ -23,7 +23,7 @@ SHARED = {
     "field": {"help": "field in colour, of the points or of whole bodies (coordination, mean_pressure_Pa; bodies/NAME where both "
                       "have it); the unit may be left out; a vector by its length or, with :x or :y at the end, a component; "
                       "'strain' is the equivalent logarithmic strain; 'body' gives neighbours different colours, 'none' leaves "
-                      "the grains plain (default: von_mises_Pa; body for primaries)"},
+                      "the grains plain; several, separated by commas, side by side (default: von_mises_Pa; body for primaries)"},
     "fps": {"type": between(0.1, 120, float, "frames per second"), "help": "frames of a film per second (default: %(default)s)"},
     "labels": {"nargs": "+", "metavar": "TEXT", "help": "names of the runs (default: of their folders)"},
     "title": {"metavar": "TEXT", "help": "text above the picture (default: none)"},

@@ -47,7 +47,7 @@ function curves(chart) {
   const traces = shown.map(one => ({
     type: "scatter", mode: chart.markers || one.table[one.y].length <= 60 ? "lines+markers" : "lines", name: one.name,
     x: scaled(one.table[chart.chosen_x], described(chart.chosen_x).divisor), y: scaled(one.table[one.y], divisor),
-    line: { color: one.colour, dash: one.dash || "solid", width: 2 }, marker: { size: 5 }, connectgaps: true,
+    line: { color: one.colour, dash: one.dash || "solid", width: 2 }, marker: { size: 5 }, ...(one.stack ? { stackgroup: "stack" } : { connectgaps: true }),
     hovertemplate: `%{y:.5g}<extra>${one.name}</extra>`
   }));
   const layout = {

@@ -5,7 +5,7 @@ import os
 import re
 from collections.abc import Mapping
 
-from .errors import InputError, MissingName
+from .errors import InputError, MissingName, near_names
 
 
 def plain(name):
@@ -78,8 +78,8 @@ class Parameters(Mapping):
         if name not in self.entries:
             last = plain(name.rsplit("/", 1)[-1])
             near = [key for key in self.entries if plain(key.rsplit("/", 1)[-1]) == last]
-            raise MissingName(f"there is no parameter '{name}' in {self.path}" +
-                              (f"; did you mean {' or '.join(near[:4])}?" if near else ""))
+            told = " or ".join(near[:4]) or near_names(name, self.entries)
+            raise MissingName(f"there is no parameter '{name}' in {self.path}" + (f"; did you mean {told}?" if told else ""))
         return self.entries[name]
 
     def names(self, section):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of grains: bodies or a field in colour, outlines, walls, forces; all of a series by the same scales."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -11,24 +12,37 @@ from . import drawing, primaries
 from .cell import SpreadState, cell_of
 from .colouring import Scale, colour_map, find_field
 from .command import save_figure
+from .coordinate import coordinate_at
 from .errors import InputError
 from .units import scaled_unit
 
+WIDTH, PANEL_WIDTH, LEAST_DRAWN = 7., 4.2, 0.8  # of a picture, of one of several, of the scene in it, in inches
 LEGEND_WIDTH = 3.2  # inches that legend and scale bar need side by side
 
 
 @dataclass
 class Options:
     """What a picture shows; the names are those of the options of `softgrain render`."""
-    field: str = None
-    range: tuple = None
-    colours: str = None
+    field: Optional[str] = None
+    range: Optional[tuple] = None
+    colours: Optional[str] = None
     contacts: str = "auto"
-    attraction: bool = None
-    style: str = None
-    title: str = None
-    width: float = 7.0
-    zoom: tuple = None
+    attraction: Optional[bool] = None
+    style: Optional[str] = None
+    title: Optional[str] = None
+    width: Optional[float] = None  # inches
+    zoom: Optional[tuple] = None
+
+
+@dataclass
+class Sizes:
+    """Of a figure, in inches: all of it, then what is left of the scene and below it, and the scene itself."""
+    width: float
+    height: float
+    margin: float
+    bottom: float
+    drawn: float
+    scene: float
 
 
 def get(state, part):
@@ -40,6 +54,7 @@ class Picture:
 
     def __init__(self, options, states):
         self.options, self.several = options, len(states) > 1
+        options.width = options.width if options.width is not None else WIDTH
         first = states[0]
         self.primaries = primaries.of_primaries(get(first, "points"))
         if options.field is None:
@@ -48,6 +63,8 @@ class Picture:
         self.scale = self.numbers = self.colours = None
         self.contacts = options.contacts
         self.full_force = self.strongest_attraction = 0.
+        self.longest, self.with_legend = max(abs(state.time) for state in states), True
+        self.time_scale, self.time_unit = scaled_unit("s", self.longest)
         self.n_bodies = max(1, len(first.outlines)) if first.has("outlines") else \
             len(np.unique(first.points["body"])) if first.has("points") else 1
         self.survey(states)
@@ -153,63 +170,80 @@ class Picture:
 
     def save(self, state, path, dpi):
         """Writes the picture of a state."""
-        with plt.rc_context(drawing.STYLE):
-            figure = self.figure(state)
-            try:
-                save_figure(figure, path, dpi)
-            finally:
-                plt.close(figure)
+        save(self, state, path, dpi)
         if self.several:
             state.forget()
 
     def figure(self, state):
         """The picture of a state as a matplotlib figure."""
-        cell = cell_of(state)
+        with plt.rc_context(drawing.STYLE):
+            sizes = self.sizes()
+            figure = plt.figure(figsize=(sizes.width, sizes.height))
+            self.draw(figure, 0., state, sizes)
+            return figure
+
+    def draw(self, figure, left, state, sizes, alone=True):
+        """
+        The picture of a state, so many inches from the left of a figure; when it is not @alone others beside it have the same title,
+        and the first the scale bar and what the widths of forces mean.
+        """
+        title, cell = self.title(state), cell_of(state)
         if cell:
             state = SpreadState(state, cell, self.low, self.high)
         numbers = self.numbers[state.owner] if cell and self.numbers is not None else self.numbers
-        with plt.rc_context(drawing.STYLE):
-            figure, axes, bar_axes = self.make_axes()
-            points_per_metre = 72 * figure.get_figwidth() * axes.get_position().width / (self.high[0] - self.low[0])
-            rings = state.outlines.rings if state.has("outlines") else {}
-            if state.has("walls") and len(state.walls):
-                drawing.draw_walls(axes, state.walls, self.thickness)
-            drawing.draw_obstacles(axes, state.obstacle_lines)
-            self.fill(axes, state, rings, numbers, points_per_metre)
-            if self.scale:
-                self.scale.draw_bar(figure, bar_axes)
-            width = np.clip(9 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 0.6, 1.5)
-            drawing.draw_outlines(axes, rings, float(width))
-            contacts = get(state, "contacts")
-            if contacts is not None and self.full_force:
-                {"inner": self.draw_inner, "chains": self.draw_chains, "arrows": self.draw_arrows}[self.contacts](
-                    figure, axes, state, contacts, points_per_metre)
+        axes, bar_axes = self.make_axes(figure, left, sizes)
+        points_per_metre = 72 * sizes.drawn / (self.high[0] - self.low[0])
+        rings = state.outlines.rings if state.has("outlines") else {}
+        if state.has("walls") and len(state.walls):
+            drawing.draw_walls(axes, state.walls, self.thickness)
+        drawing.draw_obstacles(axes, state.obstacle_lines)
+        self.fill(axes, state, rings, numbers, points_per_metre)
+        if self.scale:
+            self.scale.draw_bar(figure, bar_axes)
+        width = np.clip(9 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 0.6, 1.5)
+        drawing.draw_outlines(axes, rings, float(width))
+        contacts, self.with_legend = get(state, "contacts"), alone or left == 0
+        if contacts is not None and self.full_force:
+            {"inner": self.draw_inner, "chains": self.draw_chains, "arrows": self.draw_arrows}[self.contacts](
+                figure, axes, state, contacts, points_per_metre)
+        if alone or left == 0:
             size = max(self.high - self.low)
             margin = self.thickness if self.magnified == 1 else 0.
             drawing.draw_scale_bar(axes, self.high[0] - margin, self.low[1] - 0.03 * size, size)
-            axes.set_title(self.title(state), pad=10, fontsize=12)
-            return figure
+        if alone:
+            axes.set_title(title, pad=10, fontsize=12)
 
-    def make_axes(self):
-        """A figure as high as the scene needs, with room for title, scale bar and colour bar."""
+    def sizes(self, room=None):
+        """What a figure needs, as high as the scene, in inches; @room: that of a colour bar, which others beside it may have."""
         width, low, high = self.options.width, self.low, self.high
-        margin, bar_room, top, bottom = 0.15, 1.25 if self.scale else 0.0, 0.45, 0.55
-        drawn = width - 2 * margin - bar_room
+        margin, top, bottom = 0.15, 0.45, 0.55
+        room = self.bar_room if room is None else room
+        drawn = width - 2 * margin - room
+        if drawn < LEAST_DRAWN:
+            raise InputError(f"--width {width:g} leaves no room for a picture: at least {width - drawn + LEAST_DRAWN:g} inches are needed")
         height = drawn * (high[1] - low[1]) / (high[0] - low[0])
         if height > 1.6 * width:  # a tall scene: the height is the limit
             drawn, height = drawn * 1.6 * width / height, 1.6 * width
         bottom = max(bottom, 0.042 * max(drawn, height) + 0.24)  # for the scale bar below and its text
-        total_height = height + top + bottom
-        total_width = drawn + 2 * margin + bar_room
-        margin += max(0., LEGEND_WIDTH - total_width) / 2 if self.full_force and self.contacts != "arrows" else 0.
-        total_width = drawn + 2 * margin + bar_room
-        figure = plt.figure(figsize=(total_width, total_height))
-        axes = figure.add_axes([margin / total_width, bottom / total_height, drawn / total_width,
-                                height / total_height])
+        margin += max(0., LEGEND_WIDTH - drawn - 2 * margin - room) / 2 if self.full_force and self.contacts != "arrows" else 0.
+        return Sizes(drawn + 2 * margin + room, height + top + bottom, margin, bottom, drawn, height)
+
+    @property
+    def bar_room(self):
+        return 1.25 if self.scale else 0.
+
+    def make_axes(self, figure, left, sizes):
+        """Axes for the scene and, where there is a scale of colours, for its bar."""
+        whole_width, whole_height = figure.get_size_inches()
+        left += sizes.margin
+
+        def rectangle(x, y, width, height):
+            return [x / whole_width, y / whole_height, width / whole_width, height / whole_height]
+        axes = figure.add_axes(rectangle(left, sizes.bottom, sizes.drawn, sizes.scene))
         axes.set_aspect("equal")
         axes.set_autoscale_on(False)
-        axes.set_xlim(low[0], high[0])
-        axes.set_ylim(low[1], high[1])
+        axes.set_xlim(self.low[0], self.high[0])
+        axes.set_ylim(self.low[1], self.high[1])
         if self.magnified > 1:  # a thin frame: the scene goes on
             axes.set_xticks([])
             axes.set_yticks([])
@@ -217,11 +251,9 @@ class Picture:
             axes.set_axis_off()
         bar_axes = None
         if self.scale:
-            bar_height = max(min(height, 4.5) * 0.86, 1.2)
-            bar_axes = figure.add_axes([(margin + drawn + 0.2) / total_width,
-                                        (bottom + 0.5 * (height - bar_height)) / total_height, 0.17 / total_width,
-                                        bar_height / total_height])
-        return figure, axes, bar_axes
+            bar = max(min(sizes.scene, 4.5) * 0.86, 1.2)
+            bar_axes = figure.add_axes(rectangle(left + sizes.drawn + 0.2, sizes.bottom + 0.5 * (sizes.scene - bar), 0.17, bar))
+        return axes, bar_axes
 
     def fill(self, axes, state, rings, numbers, points_per_metre):
         """The insides of the bodies."""
@@ -279,7 +311,8 @@ class Picture:
                 fill = colour = primaries.REPULSION
         width_per_force = width / self.full_force
         drawing.draw_chains(axes, primaries.between_bodies(contacts), centers, width_per_force, width, fill)
-        primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, colour=colour, fill=fill)
+        if self.with_legend:
+            primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, colour=colour, fill=fill)
 
     def draw_inner(self, figure, axes, state, contacts, points_per_metre):
         points = get(state, "points")
@@ -288,16 +321,66 @@ class Picture:
         if len(contacts):
             primaries.draw_force_lines(axes, *primaries.force_lines(contacts, points), width_per_force,
                                        2 * width_per_force * self.full_force, self.strongest_attraction > 0)
-        primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, self.strongest_attraction)
+        if self.with_legend:
+            primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, self.strongest_attraction)
 
     def title(self, state):
+        """Time, in one unit for the whole series, and packing fraction or strain where the scene goes by it."""
         if self.options.title is not None:
             return self.options.title
-        scale, unit = scaled_unit("s", abs(state.time))
-        title = f"$t$ = {state.time / scale:.4g} {unit}"
-        if state.strain is not None:
-            title += rf"      $\varepsilon$ = {state.strain:.3f}"
-        return title
+        time = state.time / self.time_scale
+        longest = self.longest / self.time_scale
+        decimals = max(0, 3 - int(np.floor(np.log10(longest)))) if longest > 0 else 0
+        title = f"$t$ = {time:.{decimals}f} {self.time_unit}" if self.several else f"$t$ = {time:.4g} {self.time_unit}"
+        coordinate = coordinate_at(state.run, state.time) if getattr(state, "run", None) else ""
+        return title + ("      " + coordinate if coordinate else "")
 
 
-__all__ = ["Options", "Picture"]
+class SideBySide:
+    """Pictures of the same states in several fields, one beside the other; of several each has its own colour bar."""
+
+    def __init__(self, options, states):
+        own = options.field.split(",")
+        width = (options.width if options.width is not None else PANEL_WIDTH * len(own)) / len(own)
+        self.pictures = [Picture(replace(options, field=field.strip(), width=width), states) for field in own]
+        options.field = ",".join(picture.options.field for picture in self.pictures)
+
+    def figure(self, state):
+        """The picture of a state as a matplotlib figure."""
+        room = max(picture.bar_room for picture in self.pictures)
+        with plt.rc_context(drawing.STYLE):
+            sizes = [picture.sizes(room) for picture in self.pictures]
+            height = max(size.height for size in sizes)
+            figure, left = plt.figure(figsize=(sum(size.width for size in sizes), height)), 0.
+            for picture, size in zip(self.pictures, sizes):
+                picture.draw(figure, left, state, size, alone=False)
+                left += size.width
+            figure.text(0.5, 1 - 0.2 / height, self.pictures[0].title(state), ha="center", va="center", fontsize=12)
+            return figure
+
+    def save(self, state, path, dpi):
+        """Writes the picture of a state."""
+        save(self, state, path, dpi)
+        if self.pictures[0].several:
+            state.forget()
+
+
+def save(picture, state, path, dpi):
+    with plt.rc_context(drawing.STYLE):
+        figure = picture.figure(state)
+        try:
+            save_figure(figure, path, dpi)
+        finally:
+            plt.close(figure)
+
+
+def picture_of(options, states):
+    """A Picture of the states; of several fields, separated by commas, one beside the other."""
+    if options.field and "," in options.field:
+        if options.range:
+            raise InputError("--range is for one field")
+        return SideBySide(options, states)
+    return Picture(options, states)
+
+
+__all__ = ["Options", "Picture", "SideBySide", "picture_of"]

@@ -6,7 +6,9 @@ import re
 
 import numpy as np
 
+from .coordinate import changes
 from .curves import COLOURS, moves
+from .dissipation import can_be_stacked, column_of, dissipation_of
 from .page import escape
 from .units import describe, html_of, scaled_unit, split_unit
 
@@ -75,19 +77,50 @@ def add_curves(page, entries):
         return
     section = page.section("Curves")
     columns = list(dict.fromkeys(name for names in tables.values() for table in names for name in page.tables[table]))
-    x_choices = [name for name in ("axial_strain", "time_s", "packing_fraction", "step") if
+    x_choices = [name for name in first(coordinate_of_all(entries), ["axial_strain", "time_s", "packing_fraction", "step"]) if
                  any(moves(np.array(page.tables[table].get(name) or [0], dtype=float))
                      for names in tables.values() for table in names)] or ["time_s"]
     for heading, pattern, options in PANELS:
         shown = [name for name in columns if re.match(pattern, name)]
         shown = [name for name in shown if any(moves(np.array(page.tables[table].get(name) or [0], dtype=float))
                                                for names in tables.values() for table in names)]
-        if shown:
+        if shown and shown != x_choices[:1]:  # a column against itself tells nothing
             section.curves(heading, series_of(entries, tables, shown, page.columns), x_choices, shown[:1], follow=True,
                            **options)
+        if heading == "Energies":
+            add_dissipation(section, entries, page, x_choices)
     every = series_of(entries, tables, [None], page.columns)
     section.curves("Any column against any other", every, first(x_choices[0], columns), first("elastic_energy_J_per_m", columns),
                    wide=True)
+
+
+def coordinate_of_all(entries):
+    """The column that all scenes go by; of different ones the strain where it changes in all, else the time."""
+    found = {entry.run.coordinate for entry in entries} - {None}
+    if len(found) == 1 and all(changes(entry.run, *found) for entry in entries):
+        return found.pop()
+    return "axial_strain" if all(changes(entry.run, "axial_strain") for entry in entries) else "time_s"
+
+
+def add_dissipation(section, entries, page, x_choices):
+    """What has become of the energy that is gone, a stack for each run."""
+    for number, entry in enumerate(entries):
+        if not os.path.exists(entry.run.path("history.csv")) or "dissipated_energy_J_per_m" not in entry.run.history_table:
+            continue
+        kinds, history = dissipation_of(entry.run), entry.run.history_table
+        places = [name for name in x_choices if name in history]
+        if not kinds or not places:
+            continue
+        name = f"{number}/dissipation"
+        table = {**{place: history[place] for place in places}, **{column_of(kind): values for kind, values in kinds.items()}}
+        page.tables[name] = {column: values.tolist() for column, values in thinned(table).items()}
+        divisor, unit = scaled_unit("J/m", np.nanmax(np.abs(history["dissipated_energy_J_per_m"]), initial=0))
+        for kind in kinds:
+            page.columns[column_of(kind)] = {"label": f"Dissipated by {kind}", "unit": unit, "divisor": divisor}
+        series = [{"name": kind, "tables": [name], "y": column_of(kind), "colour": COLOURS[place % len(COLOURS)],
+                   "stack": can_be_stacked(kinds)} for place, kind in enumerate(kinds)]
+        section.curves("Dissipation by kind" + (f", {entry.label}" if len(entries) > 1 else ""), series, places,
+                       [column_of(next(iter(kinds)))], follow=True)
 
 
 def first(name, columns):

@@ -9,7 +9,7 @@ import numpy as np
 from . import film
 from .errors import InputError
 from .page import data_address, tag
-from .picture import Options, Picture
+from .picture import Options, Picture, picture_of
 from .report_entry import with_prefix
 
 PICTURE_DPI, FILM_DPI = 150, 110
@@ -31,7 +31,7 @@ def add_pictures(page, entries, choices, problems):
     common = picture_of_all([states for *_, states, _ in found], choices)
     for entry, run, states, ending in found:
         try:
-            picture = common or Picture(Options(field=choices.field), states)
+            picture = common or picture_of(Options(field=choices.field), states)
             items = pictures_of(run, states, picture, ending, choices)
         except (InputError, OSError) as error:
             problems.append((entry.colour, entry.label, str(error)))
@@ -64,7 +64,7 @@ def picture_of_all(series, choices, alike=0.2):
         sizes = [np.ptp(Picture.places(states[0]), axis=0) for states in series]
         if np.ptp(sizes, axis=0).max() > alike * np.max(sizes):
             return None
-        return Picture(Options(field=choices.field), [state for states in series for state in states])
+        return picture_of(Options(field=choices.field), [state for states in series for state in states])
     except InputError:
         return None  # each run says for itself what is missing
 

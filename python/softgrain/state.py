@@ -180,11 +180,12 @@ class State:
     def plot(self, field=None, **options):
         """
         A picture of the grains as `softgrain render` draws it; returns the matplotlib figure. Options are those of the
-        command: field, contacts, attraction, style, range, colours, zoom, title, width.
+        command: field, contacts, attraction, style, range, colours, zoom, title, width; of a list of fields there is a picture each,
+        one beside the other.
         """
-        from .picture import Options, Picture
-        picture = Picture(Options(field=field, **options), [self])
-        return picture.figure(self)
+        from .picture import Options, picture_of
+        field = field if field is None or isinstance(field, str) else ",".join(field)
+        return picture_of(Options(field=field, **options), [self]).figure(self)
 
     def to_xarray(self):
         """An xarray.Dataset with the dimensions body, point, contact and wall, and units as attributes."""

@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 
-from .errors import InputError, MissingName
+from .errors import InputError, MissingName, near_names
 from .units import UNITS, split_unit
 
 WORDS = ("material", "name", "shape")  # columns of tables that are no numbers
@@ -36,7 +36,9 @@ class Table:
         full = self.resolve(name)
         if full is None:
             where = f"{self._title} of {self._path}" if self._path else self._title
-            raise MissingName(f"there is no '{name}' in {where}; there are " + (", ".join(self._columns) or "none"))
+            near = near_names(name, self._columns)
+            raise MissingName(f"there is no '{name}' in {where}; " + (f"did you mean {near}?" if near else
+                                                                      f"there are {', '.join(self._columns) or 'none'}"))
         value = self._columns[full]
         if callable(value):
             value = self._columns[full] = value()

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,7 @@ import numpy as np
 import softgrain
 from softgrain import film
 from softgrain.cell import SpreadState, cell_of
+from softgrain.dissipation import draw_dissipation
 from softgrain.picture import Options, Picture
 from softgrain.state import Outlines
 from softgrain.tables import Table
@@ -30,7 +32,7 @@ def shape(path):
 
 class OfCell:
     """A disk in a corner and one in the middle of a cell of 2 x 1 whose copy above stands 0.5 to the right; they touch across a side."""
-    number, time, strain, obstacle_lines = 0, 0., None, ()
+    number, time, obstacle_lines = 0, 0., ()
 
     def __init__(self):
         turn = np.linspace(0, 2 * np.pi, 25)[:-1]
@@ -93,7 +95,8 @@ class Pictures(unittest.TestCase):
         if not shutil.which("ffmpeg"):
             self.refused("apt install ffmpeg", "render.py", common.EXAMPLE, "--film", *PNG)
             return
-        path, = self.draw("render.py", common.EXAMPLE, "--film", "film.mp4", "--field", "strain", *PNG)
+        path, = self.draw("render.py", common.EXAMPLE, "--film", "--output", "film.mp4", "--field", "strain", *PNG)
+        self.assertEqual(path, "film.mp4")
         done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
                                "stream=nb_read_frames,width,height", "-of", "json", path], text=True, check=True,
                               capture_output=True)
@@ -119,7 +122,8 @@ class Pictures(unittest.TestCase):
 
     def test_film_is_refused(self):
         self.refused("must be .mp4 or .gif", "render.py", common.EXAMPLE, "--film", "film.avi")
-        self.refused("--film and --output", "render.py", common.EXAMPLE, "--film", "--output", "a.png")
+        self.refused("--film a.png: the ending must be .mp4 or .gif", "render.py", common.EXAMPLE, "--film", "--output", "a.png")
+        self.refused("both name the film", "render.py", common.EXAMPLE, "--film", "a.mp4", "--output", "b.mp4")
         self.refused("leave --frame out", "render.py", common.EXAMPLE, "--film", "--frame", "2")
         with self.assertRaisesRegex(softgrain.InputError, "must be .mp4 or .gif"):
             film.require_maker("film.webm")
@@ -131,9 +135,57 @@ class Pictures(unittest.TestCase):
             image = matplotlib.image.imread(path)[..., :3]
             self.assertGreater(np.ptp(image, axis=2).max(), 0.3, field)  # there is colour
         self.refused("of whole bodies: area_m2, coordination", "render.py", common.EXAMPLE, "--field", "colour")
+        self.refused("no field 'presure' in ", "render.py", common.EXAMPLE, "--field", "presure")
+        self.refused("did you mean pressure_Pa?", "render.py", common.EXAMPLE, "--field", "presure")
         listed = " ".join(self.draw("render.py", common.EXAMPLE, "--list"))
         self.assertIn("equivalent_strain", listed)
         self.assertIn("coordination", listed)
+
+    def test_titles_of_a_series(self):
+        """One unit of time, as many digits in all, and what the scene goes by: the strain that ends it, or the packing fraction."""
+        run_ = softgrain.open(common.EXAMPLE)
+        titles = [Picture(Options(), run_[:]).title(state) for state in run_]
+        self.assertRegex(titles[0], r"^\$t\$ = 0.000 ms      \$\\varepsilon\$ = 0.000$")
+        self.assertTrue(all(re.match(r"^\$t\$ = \d\.\d{3} ms      \$\\varepsilon\$ = 0\.\d{3}$", title) for title in titles), titles)
+        shutil.copytree(common.EXAMPLE, "by_phi", ignore=shutil.ignore_patterns("fields*"))
+        path = "by_phi/parameters.prm"
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        changed = re.sub(r"set Axial strain( *)= 0.08", r"set Axial strain\1= 0", text)
+        changed = re.sub(r"set Packing fraction( *)= 0(\.0*)?\n", r"set Packing fraction\1= 0.9\n", changed)
+        self.assertNotEqual(text, changed)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(changed)
+        other = softgrain.open("by_phi")
+        self.assertEqual((run_.coordinate, other.coordinate), ("axial_strain", "packing_fraction"))
+        value = other.history_table["packing_fraction"][-1]
+        self.assertIn(rf"$\Phi$ = {value:.3f}", Picture(Options(), [other[-1]]).title(other[-1]))
+
+    def test_side_by_side(self):
+        path, = self.draw("render.py", common.EXAMPLE, "--field", "pressure,strain", "--output", "both.png", *PNG)
+        single, = self.draw("render.py", common.EXAMPLE, "--field", "pressure", "--width", "4.2", "--output", "one.png", *PNG)
+        self.assertEqual(shape(path), (shape(single)[0], 2 * shape(single)[1]))
+        figure = softgrain.open(common.EXAMPLE)[-1].plot(["pressure", "strain"])
+        labels = [axes.get_ylabel() for axes in figure.axes]
+        self.assertTrue(labels[1].startswith("Pressure") and labels[3].startswith("Equivalent strain"), labels)
+        plt.close("all")
+        self.refused("--range is for one field", "render.py", common.EXAMPLE, "--field", "pressure,strain", "--range", "0", "1")
+        self.refused("--width 1.5 leaves no room", "render.py", common.EXAMPLE, "--width", "1.5")
+
+    def test_dissipation(self):
+        """Kinds lie on each other up to what is dissipated in all."""
+        path, = self.draw("plot.py", common.EXAMPLE, "--preset", "dissipation", "--output", "kinds.svg")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        for word in ("contacts", "time scheme", "Dissipated energy"):
+            self.assertIn(word, text)
+        figure, axes = plt.subplots()
+        run_ = softgrain.open(common.EXAMPLE)
+        draw_dissipation(axes, run_, "time_s")
+        top = max(area.get_paths()[0].vertices[:, 1].max() for area in axes.collections)
+        self.assertAlmostEqual(top / axes.lines[0].get_ydata()[-1], 1, delta=1e-3)
+        plt.close("all")
+        self.refused("goes without --y", "plot.py", common.EXAMPLE, "--preset", "dissipation", "--y", "top_force")
 
     def test_zoom(self):
         run_ = softgrain.open(common.EXAMPLE)

@@ -74,6 +74,17 @@ class Report(unittest.TestCase):
         self.assertIn(unit["unit"], ("N/m", "kN/m"))
         self.assertTrue(1 <= largest / unit["divisor"] < 1000)
 
+    def test_dissipation(self):
+        """A stack for each run, whose top is what is dissipated in all, over what the scenes go by."""
+        found = [chart for chart in self.data["charts"] if chart["heading"].startswith("Dissipation by kind, ")]
+        self.assertEqual([chart["heading"].rpartition(", ")[2] for chart in found], ["smooth", "rough <&>"])
+        for number, chart in enumerate(found):
+            self.assertEqual((chart["x"][0], chart["follow"]), ("axial_strain", True))
+            self.assertTrue(all(series["stack"] for series in chart["series"]))
+            table = self.data["tables"][f"{number}/dissipation"]
+            whole = self.data["tables"][f"{number}/history"]["dissipated_energy_J_per_m"][-1]
+            self.assertAlmostEqual(sum(table[series["y"]][-1] for series in chart["series"]) / whole, 1, delta=1e-3)
+
     def test_numbers_and_parameters(self):
         summary = softgrain.open(common.EXAMPLE).summary
         self.assertIn(f"<td>{summary['steps']}</td>", self.text)
