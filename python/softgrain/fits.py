@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fits: lines, powers and exponentials, and the laws of chapter 4 of Nguyen (2016); None where the data do not reach."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,7 +45,7 @@ class Curve:
     constants: dict
     formula: str
     quality: float
-    shape: callable
+    shape: Callable
     at_limit: bool = False  # c is at the end of the values that are tried: the data do not say what it is
 
     def __call__(self, x):

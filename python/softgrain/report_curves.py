@@ -3,6 +3,7 @@
 
 import os
 import re
+from typing import Tuple
 
 import numpy as np
 
@@ -58,7 +59,7 @@ def add_tables(page, entries):
     return result
 
 
-PANELS = (  # heading, columns, options
+PANELS: Tuple[Tuple[str, str, dict], ...] = (  # heading, columns, options
     ("Forces on the walls", r".*(?<!normal)_force_N_per_m$", {}),
     ("Packing fraction", r"packing_fraction$", {}),
     ("Coordination", r"coordination$", {}),

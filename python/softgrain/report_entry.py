@@ -4,6 +4,7 @@
 import math
 import os
 from dataclasses import dataclass
+from typing import Optional
 
 from .page import chip
 from .units import scaled_unit
@@ -74,9 +75,9 @@ def proper(summary):
 @dataclass
 class Choices:
     """What the user may choose; the names are those of the options of `softgrain report`."""
-    title: str = None
-    field: str = None
-    labels: list = None
+    title: Optional[str] = None
+    field: Optional[str] = None
+    labels: Optional[list] = None
     film: bool = True
     frames: int = 40
     fps: float = 8.

@@ -10,6 +10,7 @@ import math
 import os
 import re
 from dataclasses import dataclass, field
+from typing import Optional
 
 from .errors import InputError
 from .formula import CONSTANTS, FUNCTIONS, Formula
@@ -54,7 +55,7 @@ class Quantity:
     width: float  # y is a mean over x ± width
     norm: str
     average: str = "means"  # of averaged runs the means are compared, or errors are averaged
-    formula: Formula = None  # of x and the numeric knobs
+    formula: Optional[Formula] = None  # of x and the numeric knobs
     curve: object = None  # table of two columns
     where: str = ""
 

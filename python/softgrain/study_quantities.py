@@ -2,6 +2,7 @@
 """Quantities of a study: a curve of a run at some places, and how far it is from a reference."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -16,7 +17,7 @@ class Difference:
     """How far a point is from the reference; relative numbers."""
     error: float = np.nan
     scatter: float = np.nan  # standard deviation of the difference of one run about its mean
-    signed: np.ndarray = None  # at every place
+    signed: Optional[np.ndarray] = None  # at every place
     note: str = ""  # why there is no number
 
 

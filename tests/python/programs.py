@@ -69,7 +69,7 @@ class Programs(unittest.TestCase):
 
     def test_while_it_runs(self):
         process = subprocess.Popen([common.PROGRAM, "run", common.SCENE, "--output", "live", "--threads", "1", "--set",
-                                    "Output/Snapshots every=1e-5", "--set", "Output/Fields every=1e-5"],
+                                    "Output/Snapshots every=1e-5", "--set", "Output/Fields every=1e-5", "--set", "Stop/Axial strain=0.04"],
                                    stdout=subprocess.DEVNULL)
         while not os.path.exists("live/snapshots.h5") and process.poll() is None:
             time.sleep(0.01)

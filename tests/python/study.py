@@ -381,11 +381,12 @@ class PageOfStudy(Unchecked):
 
     def test_without_states(self):
         """Runs that wrote no states are shown all the same."""
-        name = bar("bare.prm", change=lambda text: text.replace("field outputs = 1", "field outputs = 0").replace("1e-3", "2e-3"))
+        name = bar("bare.prm", change=lambda text: text.replace("field outputs = 1", "field outputs = 0").replace("1e-3", "2e-3").replace(
+            "8e-3, 4e-3", "8e-3"))
         self.assertEqual(run("study.py", name)[0], 0)
         data = read_data(text_of("output/studies/bare/study.html"))
         curves = [chart for chart in data["charts"] if "series" in chart]
-        self.assertEqual([len(chart["series"]) for chart in curves], [3])
+        self.assertEqual([len(chart["series"]) for chart in curves], [2])
         self.assertGreater(len(data["tables"]["0/energy"]["energy"]), 10)
 
     @unittest.skipUnless(BROWSER, "no Chromium is there to open the page")
