@@ -121,15 +121,31 @@ std::string BpmModel::cause_of_no_solution() const
   return cause.str();
 }
 
+std::string BpmModel::where_is(const Overlap &overlap) const
+{
+  std::ostringstream text;
+  const std::string &body = scene.bodies[overlap.body].name;
+  text << "primaries of ";
+  if (overlap.with == Overlap::With::wall)
+    text << "body '" << body << "' and wall '" << scene.walls[overlap.other].name << "'";
+  else if (overlap.with == Overlap::With::obstacle)
+    text << "body '" << body << "' and obstacle '" << scene.obstacles[overlap.other].name << "'";
+  else if (overlap.other == overlap.body)
+    text << "body '" << body << "'";
+  else
+    text << "the bodies '" << body << "' and '" << scene.bodies[overlap.other].name << "'";
+  text << " lie " << overlap.depth << " m deep in each other at (" << overlap.place << ") m";
+  return text.str();
+}
+
 std::string BpmModel::why_not(const DynamicsReport &report, const double limit) const
 {
   std::ostringstream reason;
-  if (report.solver.converged && report.on_the_way > limit)
-    reason << "the last one moved primaries through each other or through an obstacle, " << report.on_the_way
-           << " m deep, allowed is " << limit << " m ('Contact/Largest penetration')";
+  const std::string allowed = ", allowed is " + text(limit, " m") + " ('Contact/Largest penetration')";
+  if (report.solver.converged && report.on_the_way.depth > limit)
+    reason << "on the way of the last one, " << where_is(report.on_the_way) << allowed;
   else if (report.solver.converged)
-    reason << "the last one left primaries that overlap by " << report.max_penetration << " m, allowed is "
-           << limit << " m ('Contact/Largest penetration')";
+    reason << "after the last one, " << where_is(dynamics->deepest_overlap()) << allowed;
   else
     reason << "the contact solver is at a residual of " << report.solver.residual << " after "
            << report.solver.sweeps << " sweeps ('Contact/Maximum sweeps'); " << cause_of_no_solution();
@@ -173,12 +189,13 @@ StepReport BpmModel::advance(const double dt_limit)
       fallbacks += done.solver.fell_back;
       return {true, ""};
     }
+    const std::string reason = why_not(done, limit);
     moving_walls = walls_before;
     dynamics->contact_memory() = memory;
     put_back(obstacles_before, moving_obstacles);
     dynamics->take_back_motion(moving_walls);
     memory_is_of_attempt = true;
-    return {false, why_not(done, limit)};
+    return {false, reason};
   };
   const StepTaken taken = step_control.advance(settings.step, wanted_step(), dt_limit, now, try_step);
   dynamics->forget_motion();

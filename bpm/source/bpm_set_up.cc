@@ -194,6 +194,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   dynamics->part(moving_walls);
   drive_walls(0.);
   dynamics->detect(moving_walls);
+  if (state == nullptr)
+    check_apart();
   area_at_start = outlined_areas();
   balance.initial_momentum = dynamics->momentum();
 }
@@ -303,5 +305,13 @@ void BpmModel::check_places() const
       throw InputError(message.str());
     }
   }
+}
+
+void BpmModel::check_apart() const
+{
+  const Overlap found = dynamics->deepest_overlap(true);
+  if (found.depth > settings.largest_penetration * dynamics->mean_diameter())
+    throw InputError("at the start " + where_is(found) +
+                     ": move one of them, or change 'Primaries/Number per body'");
 }
 } // namespace softgrain::bpm

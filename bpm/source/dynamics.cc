@@ -391,7 +391,7 @@ DynamicsReport Dynamics::step(const double dt,
     report.on_the_way = deepest_on_the_way(dt);
   }
   detect(walls);
-  report.max_penetration = std::max(deepest, report.on_the_way);
+  report.max_penetration = std::max(deepest, report.on_the_way.depth);
   return report;
 }
 } // namespace softgrain::bpm

@@ -21,32 +21,41 @@ struct Moved
 {
   std::array<double, 2> from, way; ///< [m]
   double radius;                   ///< [m]
+  std::uint32_t body;
   bool free;
 
   double lower(const unsigned int d) const { return from[d] + std::min(0., way[d]) - radius; }
   double upper(const unsigned int d) const { return from[d] + std::max(0., way[d]) + radius; }
 };
 
-/// How deep two disks have been in each other between the ends of their ways [m].
-double overlap_between(const Moved &a, const Moved &b)
+/// The deeper of two.
+void note(const Overlap &other, Overlap &deepest)
+{
+  if (other.depth > deepest.depth)
+    deepest = other;
+}
+
+/// How deep two disks have been in each other between the ends of their ways.
+Overlap overlap_between(const Moved &a, const Moved &b)
 {
   if (!a.free && !b.free)
-    return 0.;
+    return {};
   if (a.lower(1) > b.upper(1) || b.lower(1) > a.upper(1))
-    return 0.;
+    return {};
   const std::array<double, 2> x = {a.from[0] - b.from[0], a.from[1] - b.from[1]},
                               u = {a.way[0] - b.way[0], a.way[1] - b.way[1]};
   const double square = u[0] * u[0] + u[1] * u[1];
   const double nearest = -(x[0] * u[0] + x[1] * u[1]);
   if (nearest <= 0. || nearest >= square)
-    return 0.;
+    return {};
   const double share = nearest / square;
-  return std::max(0., a.radius + b.radius - std::hypot(x[0] + share * u[0], x[1] + share * u[1]));
+  return {a.radius + b.radius - std::hypot(x[0] + share * u[0], x[1] + share * u[1]), a.body,
+          Overlap::With::body, b.body, dealii::Point<2>(a.from[0], a.from[1])};
 }
 
 /// Deepest overlap of all pairs on their way. Seen from their mean motion few disks are fast, and only pairs
 /// with one of them are looked at.
-double deepest_of(std::vector<Moved> &all, const double limit)
+Overlap deepest_of(std::vector<Moved> &all, const double limit)
 {
   std::array<double, 2> mean{};
   for (const Moved &one : all)
@@ -67,25 +76,68 @@ double deepest_of(std::vector<Moved> &all, const double limit)
     }
   }
   if (fast.empty())
-    return 0.;
+    return {};
   const auto by_place = [](const Moved &a, const Moved &b) { return a.lower(0) < b.lower(0); };
   std::sort(fast.begin(), fast.end(), by_place);
   std::sort(slow.begin(), slow.end(), by_place);
-  double deepest = 0.;
+  Overlap deepest;
   for (std::size_t i = 0; i < fast.size(); ++i)
   {
     for (std::size_t j = i + 1; j < fast.size() && fast[j].lower(0) <= fast[i].upper(0); ++j)
-      deepest = std::max(deepest, overlap_between(fast[i], fast[j]));
+      note(overlap_between(fast[i], fast[j]), deepest);
     auto other = std::lower_bound(slow.begin(), slow.end(), fast[i].lower(0) - widest,
                                   [](const Moved &one, const double x) { return one.lower(0) < x; });
     for (; other != slow.end() && other->lower(0) <= fast[i].upper(0); ++other)
-      deepest = std::max(deepest, overlap_between(fast[i], *other));
+      note(overlap_between(fast[i], *other), deepest);
   }
   return deepest;
 }
 } // namespace
 
-double Dynamics::deepest_on_the_way(const double dt) const
+Overlap Dynamics::deepest_overlap(const bool bodies_apart) const
+{
+  const std::size_t n = primaries.size(), first_at_obstacle = rows.size() - obstacle_rows.size();
+  Overlap found;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    if (-gap[row] <= found.depth)
+      continue;
+    const std::uint32_t a = rows.a[row], b = rows.b[row];
+    if (bodies_apart && b < n && primaries.body[a] == primaries.body[b])
+      continue;
+    found = {-gap[row], primaries.body[a], Overlap::With::body, 0,
+             dealii::Point<2>(primaries.position[a][0], primaries.position[a][1])};
+    if (b < n)
+      found.other = primaries.body[b];
+    else if (row < first_at_obstacle)
+    {
+      found.with = Overlap::With::wall;
+      found.other = b - n;
+    }
+    else
+    {
+      found.with = Overlap::With::obstacle;
+      found.other = obstacle_rows[row - first_at_obstacle].obstacle;
+    }
+  }
+  return deepest_of_all_ranks(found);
+}
+
+Overlap Dynamics::deepest_of_all_ranks(const Overlap &here) const
+{
+  if (!share)
+    return here;
+  Overlap found;
+  for (const std::vector<double> &n :
+       share->of_ranks().of_all({here.depth, static_cast<double>(here.body), static_cast<double>(here.with),
+                                 static_cast<double>(here.other), here.place[0], here.place[1]}))
+    note({n[0], static_cast<std::uint32_t>(n[1]), static_cast<Overlap::With>(static_cast<int>(n[2])),
+          static_cast<std::uint32_t>(n[3]), dealii::Point<2>(n[4], n[5])},
+         found);
+  return found;
+}
+
+Overlap Dynamics::deepest_on_the_way(const double dt) const
 {
   double farthest = 0.;
   for (std::size_t i = 0; i < n_own(); ++i)
@@ -94,15 +146,15 @@ double Dynamics::deepest_on_the_way(const double dt) const
     for (const std::vector<double> &other : share->of_ranks().of_all({farthest}))
       farthest = std::max(farthest, other[0]);
   const double limit = short_way * smallest;
-  double deepest = 0.;
+  Overlap deepest;
   if (farthest > limit)
     deepest = share ? deepest_of_ranks(dt, limit) : deepest_of_disks(dt, limit);
   if (obstacles != nullptr)
-    deepest = std::max(deepest, deepest_in_obstacles(dt));
+    note(deepest_in_obstacles(dt), deepest);
   return deepest;
 }
 
-double Dynamics::deepest_of_disks(const double dt, const double limit) const
+Overlap Dynamics::deepest_of_disks(const double dt, const double limit) const
 {
   std::vector<Moved> all(primaries.size());
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -111,29 +163,32 @@ double Dynamics::deepest_of_disks(const double dt, const double limit) const
     all[i] = {{x[0] - dt * v[0], x[1] - dt * v[1]},
               {dt * v[0], dt * v[1]},
               primaries.radius[i],
+              primaries.body[i],
               inverse_mass[i] > 0.};
   }
-  const double found = deepest_of(all, limit);
+  const Overlap found = deepest_of(all, limit);
   if (!cell)
     return found;
   // Pairs across the sides of a cell are not looked at: there no disk may go far. The ways are relative now.
   for (const Moved &one : all)
     if (std::hypot(one.way[0], one.way[1]) > limit)
-      return smallest;
+      return {smallest, one.body, Overlap::With::body, one.body, dealii::Point<2>(one.from[0], one.from[1])};
   return found;
 }
 
-double Dynamics::deepest_of_ranks(const double dt, const double limit) const
+Overlap Dynamics::deepest_of_ranks(const double dt, const double limit) const
 {
   std::vector<double> free(primaries.size());
   for (std::size_t i = 0; i < free.size(); ++i)
     free[i] = inverse_mass[i] > 0. ? 1. : 0.;
+  const std::vector<double> bodies_here(primaries.body.begin(), primaries.body.end());
   // The first rank looks at all, in the order that they have without ranks.
   const std::vector<double> x = share->at_first(primaries.position.data()->data(), 2, primaries),
                             v = share->at_first(primaries.velocity.data()->data(), 2, primaries),
                             r = share->at_first(primaries.radius.data(), 1, primaries),
-                            f = share->at_first(free.data(), 1, primaries);
-  double deepest = 0.;
+                            f = share->at_first(free.data(), 1, primaries),
+                            b = share->at_first(bodies_here.data(), 1, primaries);
+  Overlap deepest;
   if (share->of_ranks().first())
   {
     std::vector<Moved> all(r.size());
@@ -141,17 +196,16 @@ double Dynamics::deepest_of_ranks(const double dt, const double limit) const
       all[i] = {{x[2 * i] - dt * v[2 * i], x[2 * i + 1] - dt * v[2 * i + 1]},
                 {dt * v[2 * i], dt * v[2 * i + 1]},
                 r[i],
+                static_cast<std::uint32_t>(b[i]),
                 f[i] > 0.};
     deepest = deepest_of(all, limit);
   }
-  for (const std::vector<double> &other : share->of_ranks().of_all({deepest}))
-    deepest = std::max(deepest, other[0]);
-  return deepest;
+  return deepest_of_all_ranks(deepest);
 }
 
-double Dynamics::deepest_in_obstacles(const double dt) const
+Overlap Dynamics::deepest_in_obstacles(const double dt) const
 {
-  double deepest = 0.;
+  Overlap deepest;
   for (std::size_t o = 0; o < obstacles->size(); ++o)
   {
     const ObstacleMotion &way = (*obstacles)[o].way;
@@ -170,7 +224,9 @@ double Dynamics::deepest_in_obstacles(const double dt) const
         continue;
       const auto n = static_cast<std::size_t>(std::ceil(length / apart));
       for (std::size_t k = 1; k < n; ++k)
-        deepest = std::max(deepest, r - feet->distance(o, from + (1. * k / n) * gone, r));
+        note({r - feet->distance(o, from + (1. * k / n) * gone, r), primaries.body[i],
+              Overlap::With::obstacle, static_cast<std::uint32_t>(o), dealii::Point<2>(x[0], x[1])},
+             deepest);
     }
   }
   return deepest;

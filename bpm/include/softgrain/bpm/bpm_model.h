@@ -84,6 +84,10 @@ private:
   Primaries primaries_of(const StateReader &state);
   void grade(Primaries &disks) const;
   void check_places() const;
+  /// Primaries may lie in each other though their bodies' shapes do not, or in an obstacle. @throw InputError
+  void check_apart() const;
+  /// Which lie in each other, how deep and where.
+  std::string where_is(const Overlap &overlap) const;
   double wanted_step() const;
   /// Velocities up to this are rounding [m/s].
   double rounded_velocity() const;

@@ -54,6 +54,22 @@ struct DynamicsSettings
   bool rotations() const;
 };
 
+/// A primary in something else.
+struct Overlap
+{
+  enum class With
+  {
+    body,
+    wall,
+    obstacle
+  };
+  double depth = 0;       ///< [m]
+  std::uint32_t body = 0; ///< of the primary
+  With with = With::body;
+  std::uint32_t other = 0; ///< number of that body, wall or obstacle
+  dealii::Point<2> place;  ///< centre of the primary [m]
+};
+
 /// What one step did.
 struct DynamicsReport
 {
@@ -68,7 +84,7 @@ struct DynamicsReport
   double gravity_work = 0;            ///< of it, by gravity [J/m]
   dealii::Tensor<1, 2> force_impulse; ///< of body forces [N s/m]
   double max_penetration = 0;         ///< after the step, and on the way to there [m]
-  double on_the_way = 0;              ///< the part of it between the ends of the step [m]
+  Overlap on_the_way;                 ///< the deepest one between the ends of the step
   dealii::Tensor<1, 2> cell_impulse;  ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 
@@ -192,6 +208,9 @@ public:
   /// Deepest overlap of the present places [m].
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
+  /// The same with bodies and place; of @p bodies_apart only between different bodies, and with walls and
+  /// obstacles. All ranks together.
+  Overlap deepest_overlap(bool bodies_apart = false) const;
 
   /// Memories of the contacts between bodies and with walls.
   Adhesion &contact_memory() { return adhesion; }
@@ -324,11 +343,12 @@ private:
   void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report);
   void move_primaries(double dt);
   /// Deepest overlap, of primaries with each other and with obstacles, between the ends of the step that they
-  /// have just made; found from their ways alone, not from rows [m].
-  double deepest_on_the_way(double dt) const;
-  double deepest_of_disks(double dt, double limit) const;
-  double deepest_of_ranks(double dt, double limit) const;
-  double deepest_in_obstacles(double dt) const;
+  /// have just made; found from their ways alone, not from rows.
+  Overlap deepest_on_the_way(double dt) const;
+  Overlap deepest_of_disks(double dt, double limit) const;
+  Overlap deepest_of_ranks(double dt, double limit) const;
+  Overlap deepest_in_obstacles(double dt) const;
+  Overlap deepest_of_all_ranks(const Overlap &here) const;
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
   void account(double dt,
                const std::vector<std::array<double, 2>> &acceleration,
