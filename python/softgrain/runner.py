@@ -10,6 +10,7 @@ import fcntl
 import glob
 import json
 import os
+import re
 import signal
 import subprocess
 import threading
@@ -23,6 +24,7 @@ from .programs import GRACE, error_of, last_errors
 
 NOT_RUN, COMPLETED, FAILED, INTERRUPTED, TOO_LONG = "not run", "completed", "failed", "interrupted", "too long"
 ENDED = (COMPLETED, FAILED, TOO_LONG)  # not begun again without being asked to
+PROGRESS = re.compile(r"([\d.]+) %\s+left (.+?)\s*$", re.MULTILINE)  # of a line of the program's log
 
 
 @dataclass
@@ -94,9 +96,11 @@ def heeding_signals():
 
 class Runner:
     """
-    Starts runs of a scene. @longest: seconds that one may take, 0: no limit. @say gets a line when one has ended, and
-    @look, which may raise an InputError, the Run of each that is completed.
+    Starts runs of a scene. @longest: seconds that one may take, 0: no limit. @say gets a line when one has ended, and of those that
+    go on every minute; @look, which may raise an InputError, the Run of each that is completed.
     """
+
+    every = 60.  # seconds between lines on a run that goes on
 
     def __init__(self, scene, program, threads=1, longest=0., say=print, look=lambda run: None):
         self.scene, self.program, self.threads, self.longest, self.say, self.look = scene, program, threads, longest, say, look
@@ -144,7 +148,7 @@ class Runner:
         begin = time.monotonic()
         with open(job.folder + ".log", "a" if earlier else "w", encoding="utf-8") as log:
             process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
-            code, usage, too_long = self.wait(process, begin)
+            code, usage, too_long = self.wait(process, begin, job)
         record = {"status": self.status_of(code, too_long), "exit_code": code}
         for name, value in (("wall_seconds", time.monotonic() - begin),
                             ("cpu_seconds", usage.ru_utime + usage.ru_stime)):
@@ -169,9 +173,17 @@ class Runner:
                  f"{', ' + record['error'] if 'error' in record else ''}, {record['wall_seconds']:.1f} s" +
                  (f", left about {left:.0f} s" if left >= 1. and not self.stopping.is_set() else ""))
 
-    def wait(self, process, begin):
+    def tell_progress(self, job):
+        """A line on a run that goes on, of what it says itself."""
+        with open(job.folder + ".log", encoding="utf-8", errors="replace") as log:
+            found = PROGRESS.findall(log.read())
+        if found:
+            with self.printing:
+                self.say(f"{job.label}: {found[-1][0]} %, left {found[-1][1]}")
+
+    def wait(self, process, begin, job):
         """(exit code, resources, whether it took too long) once it has ended, told to end or by itself."""
-        told, too_long, pause = None, False, 0.005
+        told, too_long, pause, said = None, False, 0.005, begin
         while True:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
@@ -184,6 +196,9 @@ class Runner:
                 told = now
             elif told is not None and now - told > GRACE:
                 process.kill()
+            if now - said > self.every:
+                said = now
+                self.tell_progress(job)
             time.sleep(pause)
             pause = min(0.1, 1.3 * pause)
 

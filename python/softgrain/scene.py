@@ -288,8 +288,11 @@ class Scene(Section):
         a table beside the file of the scene, which 'Packing/File' names.
         """
         names = value_text(material, None) if isinstance(material, (str, Section)) else material
-        columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in (x, y, radius)),
-                                      np.atleast_1d(np.asarray(names if names is not None else "", dtype=str)))
+        try:
+            columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in (x, y, radius)),
+                                          np.atleast_1d(np.asarray(names if names is not None else "", dtype=str)))
+        except ValueError as error:
+            raise InputError(f"x, y, radius and material must be numbers and names, or arrays of one length: {error}") from error
         self._grains.extend(zip(*(column.tolist() for column in columns)))
 
     # --- what the program gets ---
@@ -328,6 +331,8 @@ class Scene(Section):
 
     def _put(self, path: str, check: bool = True) -> str:
         scene = self
+        if self._grains and self.packing.file:
+            raise InputError(f"disks are placed, and 'Packing/File' = '{self.packing.file}' is another packing: leave one out")
         if self._grains:
             table = grains_path(path)
             with open(table, "w", encoding="utf-8") as file:

@@ -183,6 +183,12 @@ class Scenes(unittest.TestCase):
         self.assertEqual(np.round(run.parameters["Stop/End time"], 9), 1e-4)
         self.assertEqual(softgrain.read_table("table/three_grains.csv")["radius_m"].tolist(), [1e-3, 1.1e-3, 1.1e-3])
         self.assertEqual(run.summary["bodies"], 3)
+        other = scene.copy()
+        other.packing.file = "grains.csv"
+        for said, call in (("is another packing: leave one out", lambda: other.write("twice.prm", check=False)),
+                           ("arrays of one length", lambda: other.place([1, 2, 3], [1, 2], 1))):
+            with self.assertRaisesRegex(softgrain.InputError, said):
+                call()
         # The same again is there; with other grains it is another run.
         self.assertIsNone(scene.run("table/three", again=False).log)
         scene.place(1e-3, 3e-3, 0.5e-3, "gel")

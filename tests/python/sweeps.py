@@ -16,6 +16,7 @@ import unittest
 import common
 import numpy as np
 import softgrain
+from softgrain.runner import Runner
 
 SHORT = {"Stop/Axial strain": 0.01, "Output/Snapshots every": 0, "Output/Fields every": 0, "Output/Measures": ""}
 # A program of another kind, which is quick: it only says when its runs begin and end.
@@ -23,6 +24,7 @@ STAND_IN = """#!/bin/sh
 [ "$1" = run ] || exit 0
 while [ "$1" != --output ]; do shift; done
 mkdir -p "$2"
+echo "t = 1 s  step 7  41.5 %  left 3 min 20 s"
 date +"%s.%N begin" >> times; sleep {pause}; date +"%s.%N end" >> times
 echo "set Model = mpm" > "$2/parameters.prm"
 echo '{{"status": "completed"}}' > "$2/summary.json"
@@ -140,6 +142,17 @@ class Rows(unittest.TestCase):
                 most = max(most, running)
             self.assertEqual(most, jobs)
             self.assertEqual(sorted(line.partition(" ")[0] for line in lines), [f"[{number}/5]" for number in range(1, 6)])
+
+    def test_progress(self):
+        """Of a run that takes long there is a line now and then, with what it says itself."""
+        usual, Runner.every = Runner.every, 0.05
+        lines = []
+        try:
+            softgrain.sweep(common.SCENE, {"Packing/Seed": [4]}, "slowly", program=stand_in("slowly_", 0.3), say=lines.append)
+        finally:
+            Runner.every = usual
+        self.assertEqual(lines[0], "Packing/Seed = 4: 41.5 %, left 3 min 20 s")
+        self.assertRegex(lines[-1], "^.1/1. Packing/Seed = 4: completed")
 
 
 class Interrupted(unittest.TestCase):
