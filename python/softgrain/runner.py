@@ -234,7 +234,7 @@ def check_jobs(scene, program, jobs, seconds):
         new = set(job.changes.items()) - seen
         if not new and seen:
             continue
-        words = [program, "check", scene]
+        words = [program, "check", scene, "--output", job.folder]
         for name, value in job.changes.items():
             words += ["--set", f"{name}={value}"]
         done = subprocess.run(words, capture_output=True, text=True, check=False)

@@ -121,7 +121,7 @@ class Rows(unittest.TestCase):
         self.assertEqual(len(softgrain.sweep(common.SCENE, over, "failing", set=SHORT, say=lines.append).failures), 2)
         self.assertEqual(lines, ["3 of 3 runs are there, 2 of them failed (retry=True runs them again)"])
         with self.assertRaisesRegex(softgrain.InputError, "all 1 runs failed: 'Contact/Friction' = '-1' is not allowed"):
-            softgrain.sweep(common.SCENE, over[1:2], "refused", say=lines.append)
+            softgrain.sweep(common.SCENE, over[1:2], "failing", set=SHORT, say=lines.append)
         with self.assertRaisesRegex(softgrain.InputError, "Friktion.*did you mean 'Friction'"):
             softgrain.sweep(common.SCENE, {"Contact/Friktion": [0, 1]}, "unknown", say=lines.append)
         self.assertEqual(os.listdir("unknown"), [".lock"])
