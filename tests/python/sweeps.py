@@ -6,6 +6,7 @@ common.py.
 
 import glob
 import os
+import re
 import signal
 import stat
 import subprocess
@@ -33,7 +34,7 @@ INTERRUPTED = """
 import sys
 import softgrain.sweeps
 softgrain.sweeps.MOST_CHECKS = 0.
-softgrain.sweep(sys.argv[1], {"Contact/Friction": [0, 0.1, 0.2]}, "stopped", set={"Time/CFL multiple": 0.1, "Stop/Axial strain": 0.02}, jobs=2)
+softgrain.sweep(sys.argv[1], {"Contact/Friction": [0, 0.1, 0.2]}, "stopped", set={"Time/CFL multiple": 0.05, "Stop/Axial strain": 0.02}, jobs=2)
 """
 
 
@@ -165,17 +166,20 @@ class Interrupted(unittest.TestCase):
         def rows():
             return [read(path).count("\n") for path in sorted(glob.glob("stopped/*/history.csv"))]
 
-        while process.poll() is None and not (len(rows()) == 2 and min(rows()) > 20):
+        while process.poll() is None and not (len(rows()) == 2 and min(rows()) > 3):
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=100)
         self.assertNotEqual(process.returncode, 0)
-        self.assertIn("KeyboardInterrupt: 0 of 3 runs are there; the same call goes on", errors)
-        self.assertEqual([softgrain.open(folder).status for folder in glob.glob("stopped/*/")], ["interrupted"] * 2)
+        done = len(re.findall(": completed", errors))  # where the machine is slow one may have ended before
+        self.assertLess(done, 2, errors)
+        self.assertIn(f"KeyboardInterrupt: {done} of 3 runs are there; the same call goes on", errors)
+        self.assertEqual(sorted(softgrain.open(folder).status for folder in glob.glob("stopped/*/")),
+                         ["completed"] * done + ["interrupted"] * (2 - done))
         before = {path: read(path) for path in glob.glob("stopped/*/history.csv")}
-        done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr.count(": completed"), 3)
+        again = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(again.stderr.count(": completed"), 3 - done)
         for path, text in before.items():
             self.assertTrue(read(path).startswith(text[:text.rindex("\n", 0, -1)]))
         for folder in glob.glob("stopped/*/"):
