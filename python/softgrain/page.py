@@ -24,8 +24,11 @@ POLICY = ("default-src 'none'; img-src data: blob:; media-src data: blob:; style
 
 
 def library():
-    """The text of the chart library: in the sources contrib/third-party, installed PREFIX/share/softgrain/third-party."""
-    for folder in HERE.parents:
+    """
+    The text of the chart library: in the sources contrib/third-party, installed PREFIX/share/softgrain/third-party, of a wheel the same
+    in the package.
+    """
+    for folder in (HERE / "program", *HERE.parents):
         for place in ("contrib/third-party", "share/softgrain/third-party"):
             path = folder / place / LIBRARY
             if path.is_file():

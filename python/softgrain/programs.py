@@ -31,8 +31,9 @@ def find_program(program=None):
         if not found:
             raise InputError(f"the program {named} cannot be started")
         return found
-    # PREFIX/share/softgrain/python/softgrain, or python/softgrain in the sources.
-    places = [folder / "bin" / "softgrain" for folder in HERE.parents if (folder / "share" / "softgrain").is_dir()]
+    # In a wheel, PREFIX/share/softgrain/python/softgrain, or python/softgrain in the sources.
+    places = [HERE / "program" / "bin" / "softgrain"]
+    places += [folder / "bin" / "softgrain" for folder in HERE.parents if (folder / "share" / "softgrain").is_dir()]
     places += sorted(HERE.parents[1].glob("build/*/bin/softgrain"), key=lambda path: path.parts[-3] != "release")
     for place in places:
         if os.access(place, os.X_OK) and place.is_file():

@@ -109,19 +109,34 @@ class Programs(unittest.TestCase):
         self.assertEqual(list(table), list(written))
         np.testing.assert_allclose(table["coordination"], written["coordination"])
 
-    def test_installed_by_pip(self):
+    def wheel(self, *words):
+        """Makes a wheel and installs it into a folder of its own; returns the folder and what a Python finds there."""
         found = subprocess.run([sys.executable, "-c", "import setuptools, wheel, pip"], capture_output=True, check=False)
         if found.returncode:
             self.skipTest("pip, setuptools and wheel are not all there")
-        shutil.copytree(common.PYTHON, "source", ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
-        subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-build-isolation", "--no-deps", "--no-index",
-                        "--target", "site", "./source"], check=True, capture_output=True)
+        name = "wheel_with" if words else "wheel_alone"
+        made = subprocess.run([sys.executable, os.path.join(common.PYTHON, os.pardir, "contrib/wheel.py"), *words, "--output", name],
+                              check=True, capture_output=True, text=True).stdout.strip()
+        site = os.path.abspath(f"site_{name}")
+        subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--no-index", "--target", site, made], check=True,
+                       capture_output=True)
+        environment = {**os.environ, "PYTHONPATH": site, "PATH": "/usr/bin:/bin"}
+        del environment["SOFTGRAIN"]
+        return site, made, environment
+
+    def test_installed_by_pip(self):
+        site, made, environment = self.wheel()
+        self.assertRegex(made, r"^wheel_alone/softgrain-[\d.]+-py3-none-any.whl$")
         done = subprocess.run([sys.executable, "-c", "import softgrain, sys; print(softgrain.__file__); "
                                "print(len(softgrain.open(sys.argv[1])))", common.EXAMPLE], check=True, text=True,
-                              capture_output=True, env=dict(os.environ, PYTHONPATH=os.path.abspath("site")))
+                              capture_output=True, env=environment)
         place, n = done.stdout.split()
-        self.assertEqual(place, os.path.abspath("site/softgrain/__init__.py"))
+        self.assertEqual(place, os.path.join(site, "softgrain/__init__.py"))
         self.assertEqual(int(n), len(softgrain.open(common.EXAMPLE)))
+        done = subprocess.run([sys.executable, "-m", "softgrain", "run", common.SCENE], check=False, text=True, capture_output=True,
+                              env=environment)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("softgrain: error: the program softgrain is not in PATH", done.stderr)
 
     def test_installed_with_the_program(self):
         build = os.path.dirname(os.path.dirname(common.PROGRAM))
@@ -138,6 +153,13 @@ class Programs(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", "import softgrain; print(softgrain.__file__, softgrain.find_program())"],
                               text=True, check=True, capture_output=True, env=environment)
         self.assertEqual(done.stdout.split(), [os.path.join(packages[0], "softgrain/__init__.py"), program])
+        # The same as a wheel: the program is found in it, its tools are run by the Python that it was installed for.
+        site, made, environment = self.wheel("prefix")
+        self.assertRegex(made, r"^wheel_with/softgrain-[\d.]+-py3-none-linux_\w+.whl$")
+        for words, said in ((["--version"], f"^softgrain {softgrain.__version__}\n"), (["render", common.EXAMPLE, "--list"], "fields: .*pressure_Pa")):
+            done = subprocess.run([sys.executable, "-m", "softgrain", *words], check=True, text=True, capture_output=True, env=environment)
+            self.assertRegex(done.stdout, said)
+        self.assertTrue(os.access(os.path.join(site, "softgrain/program/bin/softgrain"), os.X_OK))
 
     def test_version(self):
         done = subprocess.run([common.PROGRAM, "--version"], check=True, text=True, capture_output=True)
