@@ -118,7 +118,7 @@ class Programs(unittest.TestCase):
         made = subprocess.run([sys.executable, os.path.join(common.PYTHON, os.pardir, "contrib/wheel.py"), *words, "--output", name],
                               check=True, capture_output=True, text=True).stdout.strip()
         site = os.path.abspath(f"site_{name}")
-        subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--no-index", "--target", site, made], check=True,
+        subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--no-index", "--no-compile", "--target", site, made], check=True,
                        capture_output=True)
         environment = {**os.environ, "PYTHONPATH": site, "PATH": "/usr/bin:/bin"}
         del environment["SOFTGRAIN"]
