@@ -258,6 +258,11 @@ class Run:
         raise InputError(f"{self.directory} does not say how wide the grain is: neither a column width_m in history.csv "
                          "nor outlines in snapshots.h5 or fields.pvd")
 
+    def loads_on(self, body):
+        """What a body, by its number or name, feels from each partner in all states, as a table: time_s, partner_name, force, torque."""
+        from .loads import loads_on
+        return loads_on(self, body)
+
     def plot(self, *columns, x=None, axes=None, **style):
         """
         Columns of history.csv or measures.csv as curves; returns matplotlib's axes. Without a name: those that

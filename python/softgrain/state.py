@@ -8,6 +8,7 @@ import numpy as np
 from . import contacts as pairing
 from . import kinematics
 from .errors import InputError
+from .loads import loads_of, resultants
 
 
 class Outlines:
@@ -74,7 +75,7 @@ class State:
 
     def forget(self):
         """Frees what was read: of a long film only one state stays in memory."""
-        for name in ("points", "bodies", "outlines", "contacts", "pairs", "walls", "obstacles", "obstacle_lines", "energies"):
+        for name in ("points", "bodies", "outlines", "contacts", "pairs", "loads", "walls", "obstacles", "obstacle_lines", "energies"):
             self.__dict__.pop(name, None)
         self.source.forget()
 
@@ -100,6 +101,8 @@ class State:
             table["mean_pressure_Pa"] = lambda: -table["mean_stress_Pa"][:, :2].mean(axis=1)
         if self.has("contacts") and "body" in table:
             table["coordination"] = lambda: pairing.coordination_of(table["body"], self.pairs)
+            for column, name in (("contact_force_N_per_m", "force_N_per_m"), ("contact_torque_N", "torque_N")):
+                table[column] = lambda name=name: resultants(table["body"], self.loads, name)
         return table
 
     @cached_property
@@ -119,6 +122,11 @@ class State:
     def pairs(self):
         """Contacts as the measures count them: one row for two bodies, or a body and a wall, that touch."""
         return pairing.pairs_of(self.contacts)
+
+    @cached_property
+    def loads(self):
+        """What each body feels from each of its partners: force, and torque about its centre of mass."""
+        return loads_of(self)
 
     @cached_property
     def walls(self):

@@ -134,7 +134,7 @@ class Pictures(unittest.TestCase):
             path, = self.draw("render.py", common.EXAMPLE, "--field", field, "--output", "field.png", *PNG)
             image = matplotlib.image.imread(path)[..., :3]
             self.assertGreater(np.ptp(image, axis=2).max(), 0.3, field)  # there is colour
-        self.refused("of whole bodies: area_m2, coordination", "render.py", common.EXAMPLE, "--field", "colour")
+        self.refused("of whole bodies: area_m2, contact_force_N_per_m", "render.py", common.EXAMPLE, "--field", "colour")
         self.refused("no field 'presure' in ", "render.py", common.EXAMPLE, "--field", "presure")
         self.refused("did you mean pressure_Pa?", "render.py", common.EXAMPLE, "--field", "presure")
         listed = " ".join(self.draw("render.py", common.EXAMPLE, "--list"))

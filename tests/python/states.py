@@ -14,6 +14,16 @@ import numpy as np
 import softgrain
 from softgrain import Table
 from softgrain.contacts import pairs_of
+from softgrain.loads import loads_of
+
+
+class OfCell:
+    """Bodies with contacts, and nothing else."""
+
+    def __init__(self, centers, contacts):
+        self.bodies = Table({"body": np.arange(len(centers)), "center_m": centers})
+        self.contacts = Table({name: np.array(values) for name, values in contacts.items()})
+        self.run = softgrain.open(common.EXAMPLE)
 
 
 class States(unittest.TestCase):
@@ -77,6 +87,32 @@ class States(unittest.TestCase):
         table, written = softgrain.measure("old"), self.run_.measures_table
         for name in written:
             np.testing.assert_array_equal(table[name], written[name], name)
+
+    def test_loads(self):
+        """What bodies feel adds up to what walls bear, and what two bodies do to each other is opposite."""
+        for state in (self.run_[-1], self.run_.fields[-1]):
+            loads, walls = state.loads, state.walls
+            for wall in range(len(walls)):
+                force = loads.force_N_per_m[loads.wall == wall].sum(axis=0)
+                np.testing.assert_allclose(force @ walls.normal[wall], walls.normal_force[wall], rtol=1e-5, atol=1e-3)
+            between = loads.where(loads.partner >= 0)
+            self.assertEqual((list(between.body), list(between.partner)), ([0, 1], [1, 0]))
+            np.testing.assert_allclose(between.force_N_per_m[0], -between.force_N_per_m[1])
+            np.testing.assert_allclose(state.bodies.contact_force_N_per_m.sum(axis=0), loads.force_N_per_m[loads.wall >= 0].sum(axis=0),
+                                       rtol=1e-6, atol=1e-4)
+        over_time = self.run_.loads_on("lower")
+        self.assertEqual(set(over_time.partner_name) - {"upper", "bottom", "left", "right"}, set())
+        top = over_time.where((over_time.partner_name == "upper") & (over_time.time_s == self.run_.times[-1]))
+        last = self.run_[-1].loads
+        np.testing.assert_allclose(top.force_N_per_m, last.force_N_per_m[(last.body == 0) & (last.partner == 1)], rtol=1e-12)
+        with self.assertRaisesRegex(softgrain.InputError, "no body 'middle' in .*; there are lower, upper"):
+            self.run_.loads_on("middle")
+        # A force beside the centre has a torque, here of a contact across the side of a cell two metres wide.
+        state = OfCell(np.array([[0.5, 0.], [1.5, 0.]]), {"body_a": [0], "body_b": [1], "wall": [-1], "place_m": [[0., 0.1]],
+                                                          "image_m": [[-2., 0.]], "force_N_per_m": [[3., 0.]]})
+        found = loads_of(state)
+        np.testing.assert_allclose(found.torque_N, [-0.3, 0.3])
+        np.testing.assert_allclose(found.force_N_per_m, [[3., 0.], [-3., 0.]])
 
     def test_strains(self):
         angle, stretch = 0.3, np.diag([1.2, 0.9])
@@ -179,6 +215,17 @@ class States(unittest.TestCase):
         low, high = last["bounds"].T
         self.assertTrue((low[:2] < points["position_m"].min(axis=0)).all())
         self.assertTrue((high[:2] > points["position_m"].max(axis=0)).all())
+
+    def test_dump_for_others(self):
+        """The reader of another program finds the same places."""
+        try:
+            from ase.io import read
+        except ImportError:
+            self.skipTest("python3-ase is not there")
+        self.run_.to_lammps_dump("ase.dump")
+        frames = read("ase.dump", index=":", format="lammps-dump-text")
+        self.assertEqual([len(frame) for frame in frames], [len(state.points) for state in self.run_])
+        np.testing.assert_allclose(frames[-1].positions[:, :2], self.run_[-1].points["position_m"], rtol=1e-8)
 
     def test_meshes(self):
         from vtkmodules.util.numpy_support import vtk_to_numpy
