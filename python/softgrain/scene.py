@@ -69,7 +69,7 @@ class Section:
     def _missing(self, name: str, known: Iterable[str] = ()) -> MissingParameter:
         """@known: the names that there are, of files; else those that Python has."""
         known = list(known) or self._known()
-        near = difflib.get_close_matches(name, known, 1, 0.7)
+        near = difflib.get_close_matches(name, known, 1, 0.6)
         where = f"'{self._path.rstrip('/')}'" if self._path else "a scene"
         return MissingParameter(f"{where} has no '{name}'" +
                                 (f"; did you mean '{near[0]}'?" if near else f"; there are {', '.join(sorted(known)) or 'none'}"))
