@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
 Files that include others, files with many mistakes, files of somebody else: which line counts, what is told, and that
-`check` writes nothing. Arguments: PROGRAM REPOSITORY WORK.
+`check` writes nothing. Arguments: test_app_many_starts REPOSITORY WORK.
 """
 
 import json
 import os
 import shutil
-import subprocess
 import sys
 import unittest
+
+from starts import Starts
 
 PROGRAM, REPOSITORY, WORK = map(os.path.abspath, sys.argv[1:4])
 shutil.rmtree(WORK, ignore_errors=True)
@@ -61,9 +62,7 @@ def text_of(name):
         return file.read()
 
 
-def softgrain(*words):
-    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=False, timeout=100)
-    return done.returncode, done.stdout, done.stderr
+softgrain = Starts(PROGRAM)
 
 
 class Cases(unittest.TestCase):
@@ -309,4 +308,5 @@ class Libraries(Cases):
 
 
 if __name__ == "__main__":
+    unittest.addModuleCleanup(softgrain.end)
     unittest.main(argv=[sys.argv[0]])

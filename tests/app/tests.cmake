@@ -43,8 +43,15 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/command_line.py $<TARGET_FILE:softgrain_executable>
       ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/app/command_line.run)
   set_tests_properties(app/command_line PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+  # The program, linked with its libraries once for many calls.
+  add_executable(test_app_many_starts ${CMAKE_CURRENT_SOURCE_DIR}/app/starts/many_starts.cc
+    ${PROJECT_SOURCE_DIR}/source/app/main.cc)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/source/app/main.cc PROPERTIES COMPILE_DEFINITIONS main=softgrain_main)
+  set_target_properties(test_app_many_starts PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/app)
+  softgrain_setup_target(test_app_many_starts)
+  target_link_libraries(test_app_many_starts softgrain)
   add_test(NAME app/careful_inputs
-    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/careful_inputs.py $<TARGET_FILE:softgrain_executable>
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/careful_inputs.py $<TARGET_FILE:test_app_many_starts>
       ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/app/careful_inputs.run)
   set_tests_properties(app/careful_inputs PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 endif()

@@ -2,6 +2,8 @@
 """Runs of a program: with limits of time, and what they leave behind as arrays."""
 import csv
 import dataclasses
+import functools
+import json
 import math
 import os
 import pathlib
@@ -75,12 +77,27 @@ def unit_of(text):
     return UNITS[text]
 
 
+@functools.lru_cache
+def linear_solvers(path):
+    """Those that a program was built with."""
+    printed = subprocess.run([path, "parameters", "--format", "json", "--model", "mpm"], check=True, capture_output=True,
+                             text=True).stdout
+    return json.loads(printed)["Linear solver"]["Type"]["allowed"].removeprefix("one of ").split(", ")
+
+
 class Program:
     """A program under test. Counts the processor time of all its runs."""
 
     def __init__(self, path, limit=60):
         self.path, self.limit = pathlib.Path(path).resolve(), limit
         self.seconds, self.n = 0.0, 0
+
+    def fitted(self, scene):
+        """A scene whose linear solver this program was built without takes the default; the answer is the same."""
+        solver = scene.get("Linear solver/Type")
+        if solver and solver not in linear_solvers(self.path):
+            scene.values = {path: value for path, value in scene.values.items() if not path.startswith("Linear solver/")}
+        return scene
 
     def run(self, scene, folder, threads=1, more=(), keep=False):
         """Runs a scene in a folder of its own. Code 124 says that it did not end."""

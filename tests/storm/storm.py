@@ -75,7 +75,7 @@ def keep_failures(records, known, options):
     for (seed, relation, kind), _, verdict in table.failures(records):
         if (seed, relation, kind) in known or kind == "storm":
             continue
-        scene, seen = generate(seed), ""
+        scene, seen = program.fitted(generate(seed)), ""
         if program.seconds < options.shrink:
             scene, seen = shrink.shrink(scene, program, options.work / "shrinking", relation, kind,
                                         min(60, options.shrink - program.seconds))

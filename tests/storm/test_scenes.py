@@ -21,6 +21,7 @@ import generator
 import kinds
 import polygons
 import relations
+import runs
 import scene
 
 PROGRAM, FOLDER = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
@@ -33,6 +34,14 @@ class Scenes(unittest.TestCase):
             self.assertEqual(first.write(), second.write())
             self.assertEqual(scene.read(first.save(FOLDER / "same")), first, seed)
             shutil.rmtree(FOLDER / "same")
+
+    def test_programs_with_fewer_solvers(self):
+        """A solver that a program was built without is left out, and the others stay."""
+        program = runs.Program(PROGRAM)
+        one = scene.Scene({"Linear solver/Type": "nobody_has_it", "Linear solver/Tolerance": 1e-13, "Time/Scheme": "newmark"})
+        self.assertEqual(program.fitted(one).values, {"Time/Scheme": "newmark"})
+        one = scene.Scene({"Linear solver/Type": "cholesky"})
+        self.assertEqual(program.fitted(one).values, {"Linear solver/Type": "cholesky"})
 
     def test_other_seeds_are_other_scenes(self):
         self.assertEqual(len({generator.generate(seed).write() for seed in range(1, 21)}), 20)

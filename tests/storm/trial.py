@@ -51,7 +51,7 @@ def try_scene(scene, program, folder, asked=None, most=0):
 
 def try_seed(seed, program, folder, most, asked=None, wanted=lambda scene: True):
     """The record of a seed, or nothing when its scene is not wanted."""
-    scene = generate(seed)
+    scene = program.fitted(generate(seed))
     if not wanted(scene):
         return None
     before, begin = program.seconds, time.monotonic()
