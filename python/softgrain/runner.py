@@ -30,6 +30,7 @@ PROGRESS = re.compile(r"([\d.]+) %\s+left (.+?)\s*$", re.MULTILINE)  # of a line
 @dataclass
 class Job:
     """One run: its folder, which is named by what makes it, and what the scene is changed in."""
+    scene: str  # its parameter file
     folder: str
     label: str
     changes: dict  # {"Section/Name": text}
@@ -96,14 +97,14 @@ def heeding_signals():
 
 class Runner:
     """
-    Starts runs of a scene. @longest: seconds that one may take, 0: no limit. @say gets a line when one has ended, and of those that
+    Starts runs. @longest: seconds that one may take, 0: no limit. @say gets a line when one has ended, and of those that
     go on every minute; @look, which may raise an InputError, the Run of each that is completed.
     """
 
     every = 60.  # seconds between lines on a run that goes on
 
-    def __init__(self, scene, program, threads=1, longest=0., say=print, look=lambda run: None):
-        self.scene, self.program, self.threads, self.longest, self.say, self.look = scene, program, threads, longest, say, look
+    def __init__(self, program, threads=1, longest=0., say=print, look=lambda run: None):
+        self.program, self.threads, self.longest, self.say, self.look = program, threads, longest, say, look
         self.stopping, self.printing = threading.Event(), threading.Lock()
         self.done, self.total, self.at_once, self.spent = 0, 0, 1, 0.
 
@@ -130,7 +131,7 @@ class Runner:
         return not self.stopping.is_set()
 
     def words_of(self, job, anew):
-        words = [self.program, "run", self.scene]
+        words = [self.program, "run", job.scene]
         for name, value in job.changes.items():
             words += ["--set", f"{name}={value}"]
         words += ["--output", job.folder]
@@ -224,23 +225,24 @@ def earlier_cost(folder):
     return {"wall_seconds": seconds, "cpu_seconds": seconds}
 
 
-def check_jobs(scene, program, jobs, seconds):
+def check_jobs(program, jobs, seconds):
     """
     Lets the program read scenes before the first is run; of many, or of those that take long to build, only some: until every
     value was seen once, or @seconds have passed. Gives (job, what the program said) for each that it refuses.
     """
     seen, begin = set(), time.monotonic()
     for job in jobs:
-        new = set(job.changes.items()) - seen
-        if not new and seen:
+        own = {("", job.scene), *job.changes.items()}
+        new = own - seen
+        if not new:
             continue
-        words = [program, "check", scene, "--output", job.folder]
+        words = [program, "check", job.scene, "--output", job.folder]
         for name, value in job.changes.items():
             words += ["--set", f"{name}={value}"]
         done = subprocess.run(words, capture_output=True, text=True, check=False)
         if done.returncode == 2:
             yield job, (last_errors(done.stderr) or done.stderr.strip()).removeprefix("--set: ")
-        seen |= set(job.changes.items()) or {None}
+        seen |= own
         if time.monotonic() - begin > seconds:
             return
 

@@ -295,6 +295,11 @@ class Scene(Section):
             raise InputError(f"x, y, radius and material must be numbers and names, or arrays of one length: {error}") from error
         self._grains.extend(zip(*(column.tolist() for column in columns)))
 
+    @property
+    def grains(self) -> list:
+        """The disks that were placed: x, y, radius, name of the material, '' without one."""
+        return list(self._grains)
+
     # --- what the program gets ---
 
     @property

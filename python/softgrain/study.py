@@ -28,7 +28,7 @@ def default_folder(path):
 
 def check_points(study, jobs, program):
     """Lets the program read points that have not been run, so that every value is seen before anything is computed."""
-    for job, said in check_jobs(study.scene, program, jobs, MOST_CHECKS):
+    for job, said in check_jobs(program, jobs, MOST_CHECKS):
         raise InputError(explain(study, job, said))
 
 
@@ -51,7 +51,7 @@ class Session:
         self.output = output or default_folder(path)
         self.points = points_of(self.study, Origins(self.study.scene, self.program))
         self.tasks = [task for point in self.points for task in point.tasks]
-        self.jobs = [Job(folder_of(self.output, task), task.words(self.study.knobs), task.changes, task.origin)
+        self.jobs = [Job(self.study.scene, folder_of(self.output, task), task.words(self.study.knobs), task.changes, task.origin)
                      for task in self.tasks]
 
     def statuses(self):
@@ -61,7 +61,7 @@ class Session:
         """Runs what has not ended; False when a signal came first."""
         new = [job for job in self.jobs if read_record(job.folder)["status"] == NOT_RUN]
         check_points(self.study, new, self.program)
-        runner = Runner(self.study.scene, self.program, threads, self.study.longest_run, say,
+        runner = Runner(self.program, threads, self.study.longest_run, say,
                         lambda run: check_columns(run, self.study.quantities))  # before all others are run for nothing
         return runner.run_all(self.jobs, jobs, "failed" if again else "nothing")
 

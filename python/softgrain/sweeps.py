@@ -93,34 +93,31 @@ def tell(line):
     print(line, file=sys.stderr, flush=True)
 
 
-def sweep(scene, over, output, set=None, jobs=None, threads=1, program=None, timeout=None, again=False, retry=False, say=tell):
+def sweep(scene, over=None, output=None, set=None, jobs=None, threads=1, program=None, timeout=None, again=False, retry=False, say=tell):
     """
-    Runs a scene, a parameter file or a Scene, once for every combination of the values of @over {"Section/Name": values}, or for every item of a list of
-    {"Section/Name": value}. @set is changed in all runs. @jobs run at a time, by default as many as there are cores for
-    @threads each.
+    Runs a scene, a parameter file or a Scene, once for every combination of the values of @over {"Section/Name": values}, or for
+    every item of a list of {"Section/Name": value}. Several scenes are a dict {name: scene}; their name is then the change "scene". @set is
+    changed in all runs. @jobs run at a time, by default as many as there are cores for @threads each.
 
     Each run has a folder in @output, named by what is changed and by all that makes the run: the scene with its includes, the files that it
     names, what is changed, the program. Runs that are there already are not repeated, those that were interrupted go on. What
     failed, or took longer than @timeout [s], is a row with its message and does not stop the others; retry=True runs it again,
     again=True all. After Ctrl-C the runs save their state, and the same call goes on. @say gets a line when a run has ended.
     """
+    if not output:
+        raise InputError("a sweep needs a folder: say output=")
     program = find_program(program)
-    if hasattr(scene, "write"):
-        scene = scene.write(os.path.join(output, f"scene-{hashlib.sha256(scene.text.encode()).hexdigest()[:8]}.prm"), check=False)
-    if not os.path.exists(scene):
-        raise InputError(f"{scene}: there is no such file")
     jobs = jobs if jobs is not None else max(1, cores() // max(1, threads))
     if jobs < 1:
         raise InputError(f"jobs is {jobs}; it must be at least 1")
-    combinations = combinations_of(over)
-    todo = jobs_of(scene, combinations, output, set or {}, program)
+    todo, changes = jobs_of(scene, combinations_of(over or {}), output, set or {}, program)
     with Lock(output), heeding_signals():
         if not again:
             say_what_is_there(todo, say)
-        refuse_before(os.fspath(scene), todo, program, say)
-        runner = Runner(os.fspath(scene), program, threads, timeout or 0., say)
+        refuse_before(todo, program, say)
+        runner = Runner(program, threads, timeout or 0., say)
         whole = runner.run_all(todo, jobs, "all" if again else "failed" if retry else "nothing")
-    rows = [row_of(job, changes) for job, changes in zip(todo, combinations)]
+    rows = [row_of(job, own) for job, own in zip(todo, changes)]
     if not whole:
         raise KeyboardInterrupt(f"{sum(row.run is not None for row in rows)} of {len(rows)} runs are there; the same call goes on")
     found = Sweep(rows)
@@ -131,26 +128,41 @@ def sweep(scene, over, output, set=None, jobs=None, threads=1, program=None, tim
     return found
 
 
+def file_of(scene, output):
+    """The parameter file of a scene; a Scene is written into the folder of the sweep, by a name of its own."""
+    if hasattr(scene, "write"):
+        name = hashlib.sha256(repr((scene.text, scene.grains)).encode()).hexdigest()[:8]
+        return scene.write(os.path.join(output, f"scene-{name}.prm"), check=False)
+    if not os.path.exists(scene):
+        raise InputError(f"{scene}: there is no such file")
+    return os.fspath(scene)
+
+
 def jobs_of(scene, combinations, output, changes, program):
-    """The Job of every combination."""
-    origins, found = Origins(scene, program), []
-    for own in combinations:
-        texts = {name: text_of(value) for name, value in {**changes, **own}.items()}
-        origin = origins.of(texts)
-        label = ", ".join(f"{name} = {text_of(value)}" for name, value in own.items()) or "the scene"
-        found.append(Job(os.path.join(output, folder_name(own, origin)), label, texts, origin))
+    """The Job of every combination, and what is changed in it."""
+    found, all_changes = [], []
+    for name, one in (scene.items() if isinstance(scene, Mapping) else [(None, scene)]):
+        path = file_of(one, output)
+        origins = Origins(path, program)
+        for own in combinations:
+            texts = {key: text_of(value) for key, value in {**changes, **own}.items()}
+            origin = origins.of(texts)
+            own = own if name is None else {"scene": name, **own}
+            label = ", ".join(f"{key} = {text_of(value)}" for key, value in own.items()) or "the scene"
+            found.append(Job(path, os.path.join(output, folder_name(own, origin)), label, texts, origin))
+            all_changes.append(own)
     folders = [job.folder for job in found]
     if len(dict.fromkeys(folders)) < len(folders):
         raise InputError("two combinations of the sweep are the same run, "
                          f"{found[folders.index(max(folders, key=folders.count))].label}: give every value once")
-    return found
+    return found, all_changes
 
 
-def refuse_before(scene, jobs, program, say):
+def refuse_before(jobs, program, say):
     """
     Scenes that the program refuses are failures before anything is run. A name that it does not know is wrong in all of them.
     """
-    for job, said in check_jobs(scene, program, [job for job in jobs if read_record(job.folder)["status"] == NOT_RUN], MOST_CHECKS):
+    for job, said in check_jobs(program, [job for job in jobs if read_record(job.folder)["status"] == NOT_RUN], MOST_CHECKS):
         if "unknown parameter" in said:
             raise InputError(said)
         write_record(job.folder, job.changes, {"status": FAILED, "error": said, "exit_code": BAD_INPUT, "wall_seconds": 0.,

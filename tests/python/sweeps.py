@@ -91,6 +91,19 @@ class Origins(unittest.TestCase):
             softgrain.sweep(scene, {"Packing/Seed": [1, 2]}, "seeds", program=stand_in("program"), say=lambda line: None)
         self.assertEqual(len(glob.glob("seeds/Seed=*-*/")), 4)
 
+    def test_several_scenes(self):
+        """Mixtures made in Python, at a time; those that differ in the places of their disks alone are different, too."""
+        scenes = {}
+        for seed in (1, 2):
+            scenes[seed] = softgrain.Scene()
+            scenes[seed].place([0, 1, 2], 0, np.random.default_rng(seed).uniform(0.3, 0.4, 3))
+        found = softgrain.sweep(scenes, {"Contact/Friction": [0, 1]}, "mixtures", program=stand_in("program"), say=lambda line: None)
+        self.assertEqual([run.changes for run in found], [{"scene": seed, "Contact/Friction": friction} for seed in (1, 2) for friction in (0, 1)])
+        self.assertEqual(len(glob.glob("mixtures/scene-*_grains.csv")), 2)
+        self.assertEqual(list(found.collect()["scene"]), [1, 1, 2, 2])
+        with self.assertRaisesRegex(softgrain.InputError, "needs a folder"):
+            softgrain.sweep(scenes)
+
     def test_another_run_in_a_folder(self):
         """A folder of the sweep in which something else was run since is none of its runs."""
         stand_in("program")
