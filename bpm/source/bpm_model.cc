@@ -234,7 +234,7 @@ void BpmModel::keep_books(const DynamicsReport &report)
 {
   for (Wall &wall : moving_walls)
     wall.accept_pressure();
-  balance.wall_impulse += report.wall_impulse;
+  balance.wall_impulse += report.wall_impulse + report.driven_impulse;
   balance.body_force_impulse += report.cell_impulse;
   balance.body_force_impulse += report.force_impulse;
   balance.note_momentum(dynamics->moving());
@@ -243,6 +243,7 @@ void BpmModel::keep_books(const DynamicsReport &report)
   balance.body_force_work += report.force_work - report.gravity_work;
   balance.contact_loss += report.contact_loss;
   balance.adhesion_work += report.adhesion_work;
+  balance.driven_work += report.driven_work;
   balance.wall_damping_loss += report.damping_loss;
 }
 
@@ -301,6 +302,7 @@ std::vector<std::pair<std::string, double>> BpmModel::works() const
       std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
   workers.cell =
       std::any_of(moving_walls.begin(), moving_walls.end(), [](const Wall &wall) { return wall.repeats(); });
+  workers.driven_bodies = std::any_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });
   workers.adhesion = settings.dynamics.pairs.adhere();
   return columns_of_work(balance, moving_walls, moving_obstacles, workers);
 }

@@ -382,6 +382,7 @@ DynamicsReport Dynamics::step(const double dt,
     if (obstacles != nullptr)
       move_obstacles(dt, report);
     account(dt, acceleration, gravity, report);
+    account_driven(dt, report);
     report.contact_loss += report.adhesion_work;
     note_contacts(dt);
     alike([&]() { move_primaries(dt); });

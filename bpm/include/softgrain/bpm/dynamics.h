@@ -77,15 +77,17 @@ struct DynamicsReport
   dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
   double contact_loss = 0;           ///< kinetic energy that contacts took beside adhesion [J/m]
   double adhesion_work = 0;          ///< done by adhesion [J/m]
-  double wall_work = 0; ///< done by walls of prescribed velocity, by loads of others, obstacles, cell [J/m]
-  double cell_work = 0; ///< of it, by a cell that deforms beside its sides: see CellMotion [J/m]
-  double damping_loss = 0;            ///< in the damping of walls [J/m]
-  double force_work = 0;              ///< done by body forces, gravity among them [J/m]
-  double gravity_work = 0;            ///< of it, by gravity [J/m]
-  dealii::Tensor<1, 2> force_impulse; ///< of body forces [N s/m]
-  double max_penetration = 0;         ///< after the step, and on the way to there [m]
-  Overlap on_the_way;                 ///< the deepest one between the ends of the step
-  dealii::Tensor<1, 2> cell_impulse;  ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
+  double wall_work = 0;   ///< done by walls of prescribed velocity, by loads of others, obstacles, cell [J/m]
+  double cell_work = 0;   ///< of it, by a cell that deforms beside its sides: see CellMotion [J/m]
+  double driven_work = 0; ///< done by what keeps driven bodies on their way [J/m]
+  dealii::Tensor<1, 2> driven_impulse; ///< from driven bodies on others [N s/m]
+  double damping_loss = 0;             ///< in the damping of walls [J/m]
+  double force_work = 0;               ///< done by body forces, gravity among them [J/m]
+  double gravity_work = 0;             ///< of it, by gravity [J/m]
+  dealii::Tensor<1, 2> force_impulse;  ///< of body forces [N s/m]
+  double max_penetration = 0;          ///< after the step, and on the way to there [m]
+  Overlap on_the_way;                  ///< the deepest one between the ends of the step
+  dealii::Tensor<1, 2> cell_impulse;   ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 
 /**
@@ -354,6 +356,7 @@ private:
                const std::vector<std::array<double, 2>> &acceleration,
                const dealii::Tensor<1, 2> &gravity,
                DynamicsReport &report) const;
+  void account_driven(double dt, DynamicsReport &report) const;
 
   Primaries primaries;
   std::vector<std::shared_ptr<const Attraction>> laws;
