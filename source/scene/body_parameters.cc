@@ -39,8 +39,10 @@ void declare_motion(dealii::ParameterHandler &prm)
       "Body force", "0; 0", Anything(),
       "Force per mass besides gravity, formulas of x, y (place now), X, Y (place at rest) and t: "
       "\"bx; by\". Units: N/kg.");
-  prm.declare_entry("Driven", "false", Bool(),
-                    "Whether the body moves rigidly with its velocity at the start, whatever it meets.");
+  prm.declare_entry(
+      "Driven", "false", Bool(),
+      "Whether the body keeps its velocity, the same everywhere, whatever it meets; it does not turn, "
+      "and passes through walls, obstacles and other driven bodies.");
 }
 
 BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler &prm)

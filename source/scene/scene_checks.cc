@@ -69,6 +69,26 @@ void check_formulas(const BodyDescription<2> &body)
                {x, y, x, y, 0.});
 }
 
+/// A driven body moves as one: what would turn or deform it would be left out without a word.
+void check_drive(const BodyDescription<2> &body)
+{
+  if (!body.driven)
+    return;
+  const std::string path = "'Bodies/" + body.name;
+  if (body.angular_velocity != 0.)
+    throw InputError(path + "/Angular velocity' = '" + number(body.angular_velocity) +
+                     "' is not allowed with " + path +
+                     "/Driven' = 'true': a driven body does not turn; leave it at 0");
+  // Three places that no symmetry connects.
+  const double places[3][2] = {{0.31, 0.17}, {-0.23, 0.41}, {0.07, -0.37}}, width = body.shape->size();
+  for (const Expression &component : vector_expression(body.velocity, {"x", "y"}))
+    for (const auto &place : places)
+      if (component({body.center[0] + width * place[0], body.center[1] + width * place[1]}) !=
+          component({body.center[0], body.center[1]}))
+        throw InputError(path + "/Velocity' = '" + body.velocity + "' is not allowed with " + path +
+                         "/Driven' = 'true': a driven body moves as one, give the same velocity everywhere");
+}
+
 void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall)
 {
   const auto distances = body.shape->distances_from_plane(wall.point, wall.normal);
@@ -218,7 +238,12 @@ void check_scene(const Scene<2> &scene)
   for (const BodyDescription<2> &body : scene.bodies)
   {
     if (mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); }))
-      mistakes.attempt([&]() { check_formulas(body); });
+      mistakes.attempt(
+          [&]()
+          {
+            check_formulas(body);
+            check_drive(body);
+          });
   }
   mistakes.attempt([&]() { check_walls(scene.walls); });
   mistakes.attempt([&]() { (void) ContactPairs(scene); }); // whether its tables agree with themselves

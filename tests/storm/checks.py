@@ -106,8 +106,9 @@ def deepest_of_primaries(scene, snapshot):
 def deepest_overlap(scene, snapshot):
     """(depth, what lies in what) of the deepest overlap of a snapshot, in cells."""
     if scene.get("Model") == "bpm":
-        beyond = max((depth / spacing_of(scene), f"beyond wall {name}") for rings in outlines(snapshot)
-                     for name, depth in {"": 0.0, **walls_beyond(snapshot, rings)}.items())
+        names = list(by_name(snapshot, "bodies", "area_m2"))
+        beyond = max((depth / spacing_of(scene), f"beyond wall {name}") for b, rings in enumerate(outlines(snapshot))
+                     for name, depth in {"": 0.0, **({} if is_driven(scene, names[b]) else walls_beyond(snapshot, rings))}.items())
         return max(beyond, deepest_of_primaries(scene, snapshot)) if "points/position_m" in snapshot else beyond
     cell, bodies = spacing_of(scene), outlines(snapshot)
     names, found = list(by_name(snapshot, "bodies", "area_m2")), (0.0, "")
@@ -117,12 +118,19 @@ def deepest_overlap(scene, snapshot):
             for way in ([(0.0, 0.0)] if a != b else []) + moved:
                 other = [ring + way for ring in second] if way != (0.0, 0.0) else second
                 found = max(found, (polygons.depth(first, other, cell / 4) / cell, f"{names[a]} and {names[b]}"))
+        if is_driven(scene, names[b]):
+            continue
         for name, beyond in walls_beyond(snapshot, second).items():
             found = max(found, (beyond / cell, f"{names[b]} beyond wall {name}"))
         for name, line in obstacle_lines(snapshot).items():
             places = polygons.line_places(line, cell / 4)
             found = max(found, (polygons.depth_of_places(places, second) / cell, f"obstacle {name} in {names[b]}"))
     return found
+
+
+def is_driven(scene, body):
+    """Driven bodies keep their way through walls and obstacles: nothing could stop either of the two."""
+    return scene.get(f"Bodies/{body}/Driven") is True or scene.get(f"Bodies/{body}/Driven") == "true"
 
 
 def walls_beyond(snapshot, rings):

@@ -109,6 +109,8 @@ def add_motion(dice, scene, name, body, sizes, family):
         scene.set(f"Bodies/{name}/Angular velocity", dice.choice([-1, 1]) * sizes.speed / body.radius())
     elif family in ("flight", "floor") and name == "b2" and dice.random() < 0.15:
         scene.set(f"Bodies/{name}/Driven", True)
+        if "y" in scene.get(f"Bodies/{name}/Velocity", ""):  # it moves as one
+            scene.set(f"Bodies/{name}/Velocity", f"{number(sizes.speed)}; 0")
 
 
 def add_surroundings(dice, scene, grains, sizes, scheme, family):
