@@ -37,6 +37,13 @@ void Simulation::print_end(const std::string &status)
     if (!std::isfinite(error))
       log.both() << "there is no balance of " << what << ": no " << what
                  << " was above what rounding makes of it\n";
+  constexpr double much = 0.02;
+  if (summary.energy_balance_error > much)
+    log.both() << "warning: energy came from nothing, or is gone: the balance misses "
+               << 100. * summary.energy_balance_error
+               << " % of the largest energy (energy_balance_error of summary.json); a smaller 'Time/Time "
+                  "step' may help"
+               << '\n';
   if (status == "interrupted")
     log.both() << "the state is saved in " << checkpoint_path(parameters.output_directory, model.step())
                << "; the same command with --restart goes on from there\n";
