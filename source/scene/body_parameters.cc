@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/geometry/polygon.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
@@ -21,8 +22,9 @@ void declare_shape(dealii::ParameterHandler &prm)
   const Registry<Shape<2>> &shapes = Registry<Shape<2>>::instance();
   prm.declare_entry("Shape", "disk", Selection(shapes.choice()),
                     "Shape at rest, with its parameters; " + shapes.choice_in_words());
-  prm.declare_entry("Center", "0, 0", List(Double(), 2, 2, ","),
-                    "Center of a disk, a rectangle or an ellipse, \"x, y\". Units: m.");
+  prm.declare_entry(
+      "Center", "0, 0", List(Double(), 2, 2, ","),
+      "Center of a disk, a rectangle or an ellipse, \"x, y\"; a polygon has that of its area. Units: m.");
   for (const std::string &shape : shapes.names())
     shapes.create(shape)->declare_parameters(prm);
 }
@@ -53,6 +55,9 @@ BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler 
   std::shared_ptr<Shape<2>> shape = Registry<Shape<2>>::instance().create(prm.get("Shape"));
   shape->parse_parameters(prm, body.center);
   body.shape = shape;
+  // A polygon says where it is by its corners alone; it turns about its middle as other shapes do.
+  if (const Polygon corners = shape->corners(); prm.get("Shape") == "polygon" && corners.size() > 2)
+    body.center = area_and_centroid(corners).second;
   body.velocity = prm.get("Velocity");
   body.angular_velocity = prm.get_double("Angular velocity");
   body.body_force = prm.get("Body force");
