@@ -163,7 +163,12 @@ void check(const std::string &name,
   const Ray<dim> ray = some_ray<dim>();
   const Eigen::VectorXd u = body.changes(1, 0.03);
   const auto meets = [&](const Eigen::VectorXd &nodal)
-  { return meet(ray, surface, body.field, nodal, guess); };
+  {
+    RaySide<dim> side = meet(ray, surface, body.field, nodal, guess);
+    if (side.met)
+      side.find_functions(body.field);
+    return side;
+  };
   const RaySide<dim> side = meets(u);
   double first_error = 0., second_error = 0., asymmetry = 0.;
   for (unsigned int seed = 2; seed < 6; ++seed)

@@ -113,7 +113,7 @@ bool FrameState::evaluate(const FrameScene &scene,
         {
           corner.met = true;
           corner.place = frame.rays[k].place[side];
-          corner.function = scene.bodies[b].field.functions_at(corner.place.position);
+          corner.find_functions(scene.bodies[b].field);
           corner.normal = frame.direction;
         }
         corner.height =
@@ -133,6 +133,10 @@ bool FrameState::evaluate(const FrameScene &scene,
       here.gap += sign(side) * found.height;
       here.by_motion -= sign(side) * (found.normal * t);
     }
+    if (here.met && (force[k] > 0. || free_gap(k) < within))
+      for (unsigned int side = 0; side < 2; ++side)
+        if (body(side) != none && side != frame.corner)
+          here.side[side].find_functions(scene.bodies[body(side)].field);
   }
   return all_met;
 }

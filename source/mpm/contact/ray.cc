@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/ray.h>
+#include <softgrain/mpm/field/field_near.h>
 
 #include <cmath>
 #include <limits>
@@ -16,11 +17,11 @@ constexpr double rounding = 1e-14; ///< of a place, over its distance from the o
 template <int dim>
 struct Deformed
 {
-  Deformed(const SurfacePlace<dim> &place, const PlaceFunctions<dim> &function, const Eigen::VectorXd &nodal)
-      : position(place.position + function.at(nodal))
+  Deformed(const SurfacePlace<dim> &place, const FieldNear<dim> &field)
+      : position(place.position + field.value)
   {
     for (unsigned int k = 0; k < dim - 1; ++k)
-      tangent[k] = place.tangent[k] + function.along(nodal, place.tangent[k]);
+      tangent[k] = place.tangent[k] + field.along(place.tangent[k]);
   }
 
   dealii::Point<dim> position;
@@ -43,7 +44,7 @@ template <int dim>
 void derive(const Ray<dim> &ray,
             const Deformed<dim> &surface,
             const dealii::Tensor<2, dim - 1> &inverse,
-            const Eigen::VectorXd &nodal,
+            const FieldNear<dim> &field,
             RaySide<dim> &side)
 {
   side.height = (surface.position - ray.origin) * ray.direction;
@@ -63,8 +64,8 @@ void derive(const Ray<dim> &ray,
     {
       const dealii::Tensor<1, dim> &a = side.place.tangent[i], &b = side.place.tangent[j];
       // The place goes on along the surface at rest, which bends, and the field bends it further.
-      dealii::Tensor<1, dim> second = side.function.along(nodal, a, b);
-      second -= side.place.bend[i][j] * (side.place.normal + side.function.along(nodal, side.place.normal));
+      dealii::Tensor<1, dim> second = field.along(a, b);
+      second -= side.place.bend[i][j] * (side.place.normal + field.along(side.place.normal));
       side.sliding_twice += (side.normal * second) * outer_product(side.way[i], side.way[j]);
     }
 }
@@ -80,12 +81,12 @@ RaySide<dim> meet(const Ray<dim> &ray,
   RaySide<dim> side;
   side.place = guess;
   double before = std::numeric_limits<double>::max();
+  FieldNear<dim> near(field, nodal);
   for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
   {
-    side.function = field.functions_at(side.place.position);
-    if (side.function.node.empty())
+    if (!near.look_at(side.place.position))
       return side;
-    const Deformed<dim> here(side.place, side.function, nodal);
+    const Deformed<dim> here(side.place, near);
     const dealii::Tensor<2, dim - 1> J = jacobian(ray, here);
     // A surface that stands along the ray, or has been turned over, has no height.
     if (!(determinant(J) * determinant(J) > 1e-6))
@@ -101,7 +102,7 @@ RaySide<dim> meet(const Ray<dim> &ray,
     if (error <= rounding * distance || (error >= 0.5 * before && error < 1e-9 * distance))
     {
       side.met = true;
-      derive(ray, here, inverse, nodal, side);
+      derive(ray, here, inverse, near, side);
       return side;
     }
     before = error;

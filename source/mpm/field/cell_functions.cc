@@ -35,29 +35,6 @@ void multiply(const ShapeFunction &shape,
           slopes[k][d] *= n[e][offsets[k][e]];
     }
 }
-
-/// The same without extent, where the functions are straight between their kinks: with second derivatives.
-template <int dim>
-void multiply(const ShapeFunction &shape,
-              const std::vector<std::array<int, dim>> &offsets,
-              const dealii::Point<dim> &unit,
-              std::vector<double> &values,
-              std::vector<dealii::Tensor<1, dim>> &slopes,
-              std::vector<dealii::Tensor<2, dim>> &curvatures)
-{
-  multiply<dim>(shape, offsets, unit, 0., values, slopes);
-  std::array<ShapeFunction::Values, dim> n, dn;
-  for (unsigned int d = 0; d < dim; ++d)
-    shape.evaluate(unit[d], 0., n[d], dn[d]);
-  for (unsigned int k = 0; k < curvatures.size(); ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int e = 0; e < dim; ++e)
-      {
-        curvatures[k][d][e] = d == e ? 0. : 1.;
-        for (unsigned int f = 0; f < dim; ++f)
-          curvatures[k][d][e] *= f == d || f == e ? dn[f][offsets[k][f]] : n[f][offsets[k][f]];
-      }
-}
 } // namespace
 
 template <int dim>
@@ -86,6 +63,18 @@ CellFunctions<dim>::CellFunctions(const ShapeFunction &shape) : shape(&shape)
   const std::vector<ShapeFunction::Polynomial> polynomials = shape.polynomials();
   if (!polynomials.empty())
     products.emplace(polynomials);
+  for (const ShapeFunction::Polynomial &polynomial : polynomials)
+  {
+    std::vector<double> derivatives(ShapeFunction::max_nodes);
+    polynomial.value(0., derivatives);
+    coefficients.emplace_back();
+    double factorial = 1.;
+    for (unsigned int power = 0; power < derivatives.size(); ++power)
+    {
+      coefficients.back()[power] = derivatives[power] / factorial;
+      factorial *= power + 1;
+    }
+  }
 }
 
 template <int dim>
@@ -103,16 +92,23 @@ void CellFunctions<dim>::evaluate(const dealii::Point<dim> &unit,
 }
 
 template <int dim>
-void CellFunctions<dim>::evaluate(const dealii::Point<dim> &unit,
-                                  std::vector<double> &values,
-                                  std::vector<dealii::Tensor<1, dim>> &slopes,
-                                  std::vector<dealii::Tensor<2, dim>> &curvatures) const
+typename CellFunctions<dim>::Factors CellFunctions<dim>::factors(const dealii::Point<dim> &unit) const
 {
-  if (!products)
-    return multiply<dim>(*shape, offsets, unit, values, slopes, curvatures);
-  std::vector<dealii::Tensor<3, dim>> no_third;
-  std::vector<dealii::Tensor<4, dim>> no_fourth;
-  products->evaluate(unit, values, slopes, curvatures, no_third, no_fourth);
+  Factors result{};
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    auto &[value, slope, curvature] = result[d];
+    if (coefficients.empty())
+      shape->evaluate(unit[d], 0., value, slope);
+    for (unsigned int i = 0; i < coefficients.size(); ++i)
+      for (unsigned int power = ShapeFunction::max_nodes; power-- > 0;)
+      {
+        curvature[i] = curvature[i] * unit[d] + 2. * slope[i];
+        slope[i] = slope[i] * unit[d] + value[i];
+        value[i] = value[i] * unit[d] + coefficients[i][power];
+      }
+  }
+  return result;
 }
 
 template <int dim>

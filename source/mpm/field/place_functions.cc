@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The field of a body at any place, with derivatives.
 #include <softgrain/mpm/field/body_field.h>
+#include <softgrain/mpm/field/field_near.h>
 #include <softgrain/mpm/field/place_functions.h>
 
 namespace softgrain::mpm
@@ -17,33 +18,97 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
   const Index c = home(lattice->cell_of(x));
   if (!cell_box.contains(c) || cell_box(c) == none)
     return result;
-  std::vector<double> values(n_cell_nodes);
-  std::vector<dealii::Tensor<1, dim>> slopes(n_cell_nodes);
-  std::vector<dealii::Tensor<2, dim>> curvatures(n_cell_nodes);
-  functions->evaluate(unit_position(x, c), values, slopes, curvatures);
   const unsigned int cell = cell_box(c);
   const double edge_length = edge(c) * lattice->cell_size();
+  const auto factors = functions->factors(unit_position(x, c));
+  const std::vector<unsigned int> &independent = cell_dependence[cell];
   result.cell = cell;
-  result.node = cell_dependence[cell];
+  result.node.assign(independent.begin(), independent.end());
   result.value.assign(result.node.size(), 0.);
-  result.slope.resize(result.node.size());
-  result.curvature.resize(result.node.size());
+  result.slope.assign(result.node.size(), dealii::Tensor<1, dim>());
   const Eigen::MatrixXd &spread = cell_matrix[cell]; // from independent nodes to those of the cell
-  const auto add = [&](const unsigned int at, const unsigned int k, const double weight)
-  {
-    result.value[at] += weight * values[k];
-    result.slope[at] += weight / edge_length * slopes[k];
-    result.curvature[at] += weight / (edge_length * edge_length) * curvatures[k];
-  };
   for (unsigned int k = 0; k < n_cell_nodes; ++k)
+  {
+    const auto &offset = functions->offset(k);
+    double value = 1.;
+    dealii::Tensor<1, dim> slope;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      value *= factors[d][0][offset[d]];
+      slope[d] = 1. / edge_length;
+      for (unsigned int e = 0; e < dim; ++e)
+        slope[d] *= factors[e][d == e ? 1 : 0][offset[e]];
+    }
     if (spread.size() == 0)
-      add(k, k, 1.);
-    else
-      for (unsigned int at = 0; at < result.node.size(); ++at)
-        add(at, k, spread(k, at));
+    {
+      result.value[k] = value;
+      result.slope[k] = slope;
+      continue;
+    }
+    for (unsigned int at = 0; at < result.node.size(); ++at)
+    {
+      result.value[at] += spread(k, at) * value;
+      result.slope[at] += spread(k, at) * slope;
+    }
+  }
   return result;
+}
+
+template <int dim>
+bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
+{
+  const auto c = field.home(field.lattice->cell_of(x));
+  if (!field.cell_box.contains(c) || field.cell_box(c) == none)
+    return false;
+  const auto &functions = *field.functions;
+  if (const unsigned int there = field.cell_box(c); there != cell)
+  {
+    cell = there;
+    const std::vector<unsigned int> &independent = field.cell_dependence[cell];
+    const Eigen::MatrixXd &spread = field.cell_matrix[cell];
+    node.assign(field.n_cell_nodes, Vector());
+    for (unsigned int k = 0; k < node.size(); ++k)
+      if (spread.size() == 0)
+        node[k] = PlaceFunctions<dim>::of_node(nodal, independent[k]);
+      else
+        for (unsigned int at = 0; at < independent.size(); ++at)
+          node[k] += spread(k, at) * PlaceFunctions<dim>::of_node(nodal, independent[at]);
+  }
+  const double edge_length = field.edge(c) * field.lattice->cell_size();
+  const auto factors = functions.factors(field.unit_position(x, c));
+  value = Vector();
+  slope = {};
+  curvature = {};
+  for (unsigned int k = 0; k < node.size(); ++k)
+  {
+    const auto &offset = functions.offset(k);
+    double here = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      here *= factors[d][0][offset[d]];
+    value += here * node[k];
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      double by_d = 1. / edge_length;
+      for (unsigned int f = 0; f < dim; ++f)
+        by_d *= factors[f][d == f ? 1 : 0][offset[f]];
+      slope[d] += by_d * node[k];
+      for (unsigned int e = 0; e <= d; ++e)
+      {
+        double by_both = 1. / (edge_length * edge_length);
+        for (unsigned int f = 0; f < dim; ++f)
+          by_both *= factors[f][(d == f ? 1 : 0) + (e == f ? 1 : 0)][offset[f]];
+        curvature[d][e] += by_both * node[k];
+      }
+    }
+  }
+  for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int e = d + 1; e < dim; ++e)
+      curvature[d][e] = curvature[e][d];
+  return true;
 }
 
 template PlaceFunctions<2> BodyField<2>::functions_at(const dealii::Point<2> &) const;
 template PlaceFunctions<3> BodyField<3>::functions_at(const dealii::Point<3> &) const;
+template class FieldNear<2>;
+template class FieldNear<3>;
 } // namespace softgrain::mpm

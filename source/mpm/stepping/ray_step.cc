@@ -108,7 +108,7 @@ bool RayStep::evaluate(const Vectors &to)
                    const unsigned int w = frames[f].layout().wall;
                    met[f] = frames[f].evaluate(scene, displacement, to,
                                                w == FrameState::none ? 0. : motion[w].velocity * plan.dt,
-                                               force[f], path, 2. * candidates_within * h);
+                                               force[f], path, candidates_within * h + way_of_walls());
                  }
                });
   return std::find(met.begin(), met.end(), 0) == met.end();

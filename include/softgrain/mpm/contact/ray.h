@@ -47,7 +47,10 @@ struct RaySide
   SurfacePlace<dim> place;      ///< in the configuration of the grid
   double height = 0;            ///< [m]
   Vector normal;                ///< w above
-  PlaceFunctions<dim> function; ///< of the field at the place
+  PlaceFunctions<dim> function; ///< of the field at the place, once they are asked for
+
+  /// Fills them: derivatives with regard to nodes need them.
+  void find_functions(const BodyField<dim> &field) { function = field.functions_at(place.position); }
 
   /// delta height for the changes @p v of the nodes [m].
   double change(const Eigen::VectorXd &v) const { return normal * function.at(v); }
@@ -103,7 +106,7 @@ struct RaySide
 };
 
 /**
- * @brief Where the ray meets a surface, by Newton's method from @p guess on.
+ * @brief Where the ray meets a surface, by Newton's method from @p guess on, without functions of the field.
  * @param nodal displacement of the independent nodes of @p field [m]
  * @return one that is not met where the surface turns away from the ray, ends at a corner before it, or
  * leaves the field

@@ -121,7 +121,7 @@ public:
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.
   NodeWeights weights_at(const dealii::Point<dim> &x) const;
-  /// The same with derivatives.
+  /// The same with slopes.
   PlaceFunctions<dim> functions_at(const dealii::Point<dim> &x) const;
 
   /// Independent nodes that the nodes of cell @p c depend on, and the matrix (nodes_per_cell x that many)
@@ -138,6 +138,8 @@ public:
   const std::vector<std::vector<unsigned int>> &colors() const { return cell_colors; }
 
 private:
+  template <int>
+  friend class FieldNear;
   struct Box
   {
     Index lower{}, size{};

@@ -6,29 +6,32 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <Eigen/Core>
+#include <boost/container/small_vector.hpp>
 
-#include <vector>
+#include <Eigen/Core>
 
 namespace softgrain::mpm
 {
 /**
- * @brief The nodal field of a body at one place, with its first two derivatives.
+ * @brief The nodal field of a body at one place, with its slopes.
  *
  * The displacement there is the sum of value times node value over the independent nodes that reach the
- * place; its gradient and its second gradient follow with the slopes and the curvatures. All derivatives are
- * those in the configuration in which the field was built.
+ * place; its gradient follows with the slopes, which are those in the configuration in which the field was
+ * built. FieldNear has second derivatives.
  */
 template <int dim>
 struct PlaceFunctions
 {
   using Vector = dealii::Tensor<1, dim>;
 
-  unsigned int cell = 0;                         ///< of the body, whose independent nodes these are
-  std::vector<unsigned int> node;                ///< independent nodes; none: out of reach
-  std::vector<double> value;                     ///< one per node
-  std::vector<Vector> slope;                     ///< [1/m]
-  std::vector<dealii::Tensor<2, dim>> curvature; ///< [1/m^2]
+  /// As many as most places have without an allocation.
+  template <class T>
+  using List = boost::container::small_vector<T, dim == 2 ? 16 : 36>;
+
+  unsigned int cell = 0;   ///< of the body, whose independent nodes these are
+  List<unsigned int> node; ///< independent nodes; none: out of reach
+  List<double> value;      ///< one per node
+  List<Vector> slope;      ///< [1/m]
 
   /// The values of the nodes, dim components each, become the vector at the place.
   Vector at(const Eigen::VectorXd &nodal) const
@@ -36,24 +39,6 @@ struct PlaceFunctions
     Vector result;
     for (unsigned int k = 0; k < node.size(); ++k)
       result += value[k] * of_node(nodal, node[k]);
-    return result;
-  }
-
-  /// How that vector changes along @p direction [per m].
-  Vector along(const Eigen::VectorXd &nodal, const Vector &direction) const
-  {
-    Vector result;
-    for (unsigned int k = 0; k < node.size(); ++k)
-      result += (slope[k] * direction) * of_node(nodal, node[k]);
-    return result;
-  }
-
-  /// Its second change, along @p one and @p other [per m^2].
-  Vector along(const Eigen::VectorXd &nodal, const Vector &one, const Vector &other) const
-  {
-    Vector result;
-    for (unsigned int k = 0; k < node.size(); ++k)
-      result += (one * (curvature[k] * other)) * of_node(nodal, node[k]);
     return result;
   }
 
