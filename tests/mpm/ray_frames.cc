@@ -64,6 +64,17 @@ subsection Stop
 end
 )";
 
+/// Adds vectors of nodes to those of a body.
+struct Into
+{
+  Eigen::VectorXd &nodal;
+  void operator()(const unsigned int node, const dealii::Tensor<1, 2> &value) const
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      nodal[2 * node + d] += value[d];
+  }
+};
+
 class Contact
 {
 public:
@@ -80,7 +91,7 @@ public:
     Vectors displacement = start;
     for (unsigned int b = 0; b < way.size(); ++b)
       displacement[b] += way[b];
-    return frame.evaluate(scene, displacement, way, 0., forces, 1., 1e9);
+    return frame.evaluate(scene, displacement, way, {}, forces, 1., 1e9);
   }
 
   double gaps() const
@@ -101,8 +112,8 @@ public:
       if (const unsigned int b = frame.body(side); b != FrameState::none)
       {
         for (unsigned int k = 0; k < forces.size(); ++k)
-          frame.add_gradient(k, side, forces[k], result[b]);
-        frame.add_mean(side, -frame.tangential(forces), result[b]);
+          frame.for_gradient(k, side, forces[k], Into{result[b]});
+        frame.for_mean(side, -frame.tangential(forces), Into{result[b]});
       }
     return result;
   }
@@ -118,8 +129,8 @@ public:
     for (unsigned int side = 0; side < 2; ++side)
       if (const unsigned int b = frame.body(side); b != FrameState::none)
       {
-        frame.add_mixed(side, forces, mixed[b]);
-        frame.add_mean(side, 1., mean[b]);
+        frame.for_mixed(side, forces, Into{mixed[b]});
+        frame.for_mean(side, 1., Into{mean[b]});
         for (unsigned int k = 0; k < forces.size(); ++k)
           frame.ray(k).side[side].second_derivative(
               [&](const unsigned int i, const unsigned int j, const dealii::Tensor<2, 2> &block)

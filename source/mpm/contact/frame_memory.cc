@@ -11,8 +11,8 @@ namespace
 {
 using Frame = ContactFrame<2>;
 
-constexpr unsigned int numbers_of_frame = 7, numbers_of_ray = 4; ///< that are not whole
-constexpr unsigned int counts_of_frame = 5, counts_of_ray = 2;
+constexpr unsigned int numbers_of_frame = 7, numbers_of_ray = 5; ///< that are not whole
+constexpr unsigned int counts_of_frame = 6, counts_of_ray = 2;
 
 OutlineSurface outline_of(const Body<2> &body)
 {
@@ -31,7 +31,7 @@ void save_frames(StateWriter &out, const std::string &name, const std::vector<Fr
   std::vector<double> where, rays;
   for (const Frame &frame : frames)
   {
-    who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.corner});
+    who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.corner, frame.id});
     for (unsigned int d = 0; d < 2; ++d)
       where.push_back(frame.origin[d]);
     for (unsigned int d = 0; d < 2; ++d)
@@ -41,7 +41,8 @@ void save_frames(StateWriter &out, const std::string &name, const std::vector<Fr
     {
       pieces.insert(pieces.end(), {ray.place[0].piece, ray.place[1].piece});
       rays.insert(rays.end(),
-                  {static_cast<double>(ray.index[0]), ray.force, ray.place[0].along, ray.place[1].along});
+                  {static_cast<double>(ray.index[0]), ray.force, ray.friction, ray.place[0].along,
+                   ray.place[1].along});
     }
   }
   out.write(name + "/who", who);
@@ -82,6 +83,7 @@ void load_frames(const StateReader &in,
     frame.body = names[0];
     frame.partner = names[1];
     frame.corner = names[4];
+    frame.id = names[5];
     frame.wall = at_wall ? names[2] : Frame::none;
     const double *numbers = &where[numbers_of_frame * f];
     frame.origin = dealii::Point<2>(numbers[0], numbers[1]);
@@ -95,13 +97,14 @@ void load_frames(const StateReader &in,
       const double *of_ray = &rays[numbers_of_ray * next];
       ray.index[0] = static_cast<int>(of_ray[0]);
       ray.force = of_ray[1];
+      ray.friction = of_ray[2];
       for (unsigned int side = 0; side < 2; ++side)
         if (of_side(frame, side) != Frame::none)
         {
           const std::uint64_t piece = pieces[counts_of_ray * next + side];
           if (piece >= bodies[of_side(frame, side)].boundary.grid_position.size())
             in.refuse(name + "/pieces", "the outline has no such piece");
-          ray.place[side] = outlines[of_side(frame, side)].at(piece, of_ray[2 + side]);
+          ray.place[side] = outlines[of_side(frame, side)].at(piece, of_ray[3 + side]);
         }
       frame.rays.push_back(ray);
     }

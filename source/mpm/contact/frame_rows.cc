@@ -17,8 +17,10 @@ NodeWeights weights_of(const PlaceFunctions<2> &function)
 }
 } // namespace
 
-std::vector<ContactRow<2>>
-rows_of_frames(const std::vector<FrameState> &frames, const RayForces &force, ContactMemory<2> &memory)
+std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
+                                          const RayForces &force,
+                                          const RayForces &rubbing,
+                                          ContactMemory<2> &memory)
 {
   std::vector<ContactRow<2>> rows;
   for (unsigned int f = 0; f < frames.size(); ++f)
@@ -34,18 +36,25 @@ rows_of_frames(const std::vector<FrameState> &frames, const RayForces &force, Co
       row.body = layout.body;
       row.partner = layout.partner;
       row.wall = layout.wall;
-      row.body_weights = weights_of(ray.side[1].function).shared();
+      dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
+      row.normal = given / given.norm();
+      if (frame.rubs(k))
+      {
+        // Friction does its work between the places that it holds together.
+        row.normal = dealii::Tensor<1, 2>({-ray.e[1], ray.e[0]});
+        row.friction = frame.friction_coefficient();
+        given += rubbing[f][k] * ray.e;
+      }
+      row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function).shared();
       if (layout.partner != FrameState::none)
-        row.partner_weights = weights_of(ray.side[0].function).shared();
-      const dealii::Tensor<1, 2> along = frame.resultant(k);
-      row.normal = along / along.norm();
+        row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function).shared();
       const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion();
       row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
       row.length = layout.spacing;
       row.log_full_width = layout.log_full_width;
       // Rows of a frame have all but their place in common, see pair_of().
-      row.key = (static_cast<std::uint64_t>(f) << 40) + (static_cast<std::uint64_t>(k) << 24);
-      memory.impulses[row.key] = {{force[f][k] * along.norm() * memory.step, 0.}};
+      row.key = (layout.id << 40) + (static_cast<std::uint64_t>(layout.rays[k].index[0] & 0xffff) << 24);
+      memory.impulses[row.key] = {{given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
       rows.push_back(std::move(row));
     }
   }

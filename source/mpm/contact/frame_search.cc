@@ -106,7 +106,10 @@ public:
       if (!met)
         continue;
       if (old != frame.rays.end())
+      {
         place.force = old->force;
+        place.friction = old->friction;
+      }
       if (height[1] - height[0] > scene.reach && place.force == 0.)
         continue;
       rays.push_back(place);
@@ -247,8 +250,12 @@ Ray<2> ray_of(const ContactFrame<2> &frame, const double offset)
 std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> frames)
 {
   std::multimap<Frame::Key, Frame> before;
+  std::uint64_t next_id = 1;
   for (Frame &frame : frames)
+  {
+    next_id = std::max(next_id, frame.id + 1);
     before.emplace(frame.key(), std::move(frame));
+  }
   std::vector<SampledSurface<2>> samples(scene.bodies.size());
   parallel_for(samples.size(), 1,
                [&](const std::size_t begin, const std::size_t end)
@@ -343,7 +350,11 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
   for (Task &task : tasks)
     for (Frame &frame : task.found)
       if (!frame.rays.empty())
+      {
+        if (frame.id == 0)
+          frame.id = next_id++;
         result.push_back(std::move(frame));
+      }
   return result;
 }
 } // namespace softgrain::mpm

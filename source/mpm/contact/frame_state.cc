@@ -21,6 +21,9 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
   if (subgrid.on)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
+  if (scene.pairs != nullptr)
+    friction = frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
+                                     : scene.pairs->friction(frame.body, frame.partner);
   double sum = 0.;
   for (const auto &ray : frame.rays)
     sum += ray.force;
@@ -65,10 +68,63 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
         }
 }
 
+bool FrameState::meet_ray(const FrameScene &scene,
+                          const std::vector<Eigen::VectorXd> &displacement,
+                          const double wall_height,
+                          const Ray<2> &ray,
+                          const unsigned int k)
+{
+  RayHere &here = rays[k];
+  here.gap = here.by_motion = 0.;
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const unsigned int b = body(side);
+    if (b == none)
+    {
+      here.gap -= wall_height;
+      continue;
+    }
+    if (side == frame.corner)
+    {
+      RaySide<2> &corner = here.side[side];
+      if (!corner.met)
+      {
+        corner.met = true;
+        corner.place = frame.rays[k].place[side];
+        corner.find_functions(scene.bodies[b].field);
+        corner.normal = frame.direction;
+      }
+      corner.height =
+          (corner.place.position + corner.function.at(displacement[b]) - frame.origin) * frame.direction;
+      here.gap += sign(side) * corner.height;
+      continue;
+    }
+    const RaySide<2> found = meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b],
+                                  here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
+    if (!found.met)
+      return false;
+    here.side[side] = found;
+    here.gap += sign(side) * found.height;
+    here.by_motion -= sign(side) * (found.normal * frame.across[0]);
+  }
+  return true;
+}
+
+void FrameState::begin_to_rub(const unsigned int k)
+{
+  RayHere &here = rays[k];
+  for (unsigned int side = 0; side < 2; ++side)
+    if (body(side) != none)
+      here.start[side] = here.side[side].place;
+  const Vector pushed = resultant(k);
+  here.bound = friction * pushed.norm();
+  here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
+}
+
 bool FrameState::evaluate(const FrameScene &scene,
                           const std::vector<Eigen::VectorXd> &displacement,
                           const std::vector<Eigen::VectorXd> &increment,
-                          const double wall_way,
+                          const Vector &wall_way,
                           const std::vector<double> &force,
                           const double path,
                           const double within)
@@ -84,106 +140,43 @@ bool FrameState::evaluate(const FrameScene &scene,
     if (body(side) != none)
       for (const auto &[i, weight] : mean[side])
         moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
+  const double wall_height =
+      frame.partner != none
+          ? 0.
+          : (scene.walls[frame.wall].point + wall_way - frame.origin) * frame.direction;
   Ray<2> ray = ray_of(frame, 0.);
   bool all_met = true;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
+    const bool first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
-    here.near = here.path == 0. || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within);
+    here.near = first || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within);
     if (!here.near)
       continue;
     here.path = path;
     ray.offset[0] = frame.rays[k].index[0] * frame.spacing + moved;
-    here.met = true;
-    here.gap = here.by_motion = 0.;
+    here.met = meet_ray(scene, displacement, wall_height, ray, k);
+    all_met = all_met && (here.met || force[k] == 0.);
+    if (here.met && first && friction > 0.)
+      begin_to_rub(k);
+    if (!here.met || !(force[k] > 0. || free_gap(k) < within))
+      continue;
     for (unsigned int side = 0; side < 2; ++side)
-    {
-      const unsigned int b = body(side);
-      if (b == none)
+      if (body(side) != none && side != frame.corner)
+        here.side[side].find_functions(scene.bodies[body(side)].field);
+    if (!rubs(k))
+      continue;
+    here.slide = frame.partner == none ? -(wall_way * here.e) : 0.;
+    for (unsigned int side = 0; side < 2; ++side)
+      if (const unsigned int b = body(side); b != none)
       {
-        const WallMotion<2> &wall = scene.walls[frame.wall];
-        here.gap -= (wall.point - frame.origin) * frame.direction + wall_way;
-        continue;
+        if (here.hold[side].node.empty())
+          here.hold[side] = scene.bodies[b].field.functions_at(here.start[side].position);
+        here.slide += sign(side) * (here.hold[side].at(increment[b]) * here.e);
       }
-      if (side == frame.corner)
-      {
-        RaySide<2> &corner = here.side[side];
-        if (!corner.met)
-        {
-          corner.met = true;
-          corner.place = frame.rays[k].place[side];
-          corner.find_functions(scene.bodies[b].field);
-          corner.normal = frame.direction;
-        }
-        corner.height =
-            (corner.place.position + corner.function.at(displacement[b]) - frame.origin) * frame.direction;
-        here.gap += sign(side) * corner.height;
-        continue;
-      }
-      const RaySide<2> found = meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b],
-                                    here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
-      if (!found.met)
-      {
-        here.met = false;
-        all_met = all_met && force[k] == 0.;
-        break;
-      }
-      here.side[side] = found;
-      here.gap += sign(side) * found.height;
-      here.by_motion -= sign(side) * (found.normal * t);
-    }
-    if (here.met && (force[k] > 0. || free_gap(k) < within))
-      for (unsigned int side = 0; side < 2; ++side)
-        if (body(side) != none && side != frame.corner)
-          here.side[side].find_functions(scene.bodies[body(side)].field);
   }
   return all_met;
-}
-
-void FrameState::add_gradient(const unsigned int k,
-                              const unsigned int side,
-                              const double factor,
-                              Eigen::Ref<Eigen::VectorXd> nodal) const
-{
-  const RaySide<2> &here = rays[k].side[side];
-  const Vector along = sign(side) * factor * here.normal;
-  for (unsigned int i = 0; i < here.function.node.size(); ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-      nodal[2 * here.function.node[i] + d] += here.function.value[i] * along[d];
-}
-
-void FrameState::add_mean(const unsigned int side,
-                          const double factor,
-                          Eigen::Ref<Eigen::VectorXd> nodal) const
-{
-  for (const auto &[i, weight] : mean[side])
-    for (unsigned int d = 0; d < 2; ++d)
-      nodal[2 * i + d] += factor * weight * frame.across[0][d];
-}
-
-void FrameState::add_mixed(const unsigned int side,
-                           const std::vector<double> &force,
-                           Eigen::Ref<Eigen::VectorXd> nodal) const
-{
-  const Vector &t = frame.across[0];
-  for (unsigned int k = 0; k < rays.size(); ++k)
-  {
-    if (force[k] == 0. || !rays[k].met)
-      continue;
-    const RaySide<2> &here = rays[k].side[side];
-    // A ray that moves by c meets a body that has moved by -c.
-    const Vector bend = here.sliding_twice * t;
-    const double along = here.way[0] * t;
-    for (unsigned int i = 0; i < here.function.node.size(); ++i)
-    {
-      const Vector change = -sign(side) * force[k] *
-                            (here.function.value[i] * bend +
-                             (here.function.slope[i] * here.place.tangent[0]) * along * here.normal);
-      for (unsigned int d = 0; d < 2; ++d)
-        nodal[2 * here.function.node[i] + d] += change[d];
-    }
-  }
 }
 
 double FrameState::twice_by_motion(const std::vector<double> &force) const
@@ -205,13 +198,14 @@ double FrameState::tangential(const std::vector<double> &force) const
   return sum;
 }
 
-ContactFrame<2> FrameState::after(const std::vector<double> &force) const
+ContactFrame<2> FrameState::after(const std::vector<double> &force, const std::vector<double> &rubbing) const
 {
   ContactFrame<2> result = frame;
   result.origin += moved * frame.across[0];
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     result.rays[k].force = force[k];
+    result.rays[k].friction = rubbing[k];
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)
         result.rays[k].place[side] = rays[k].side[side].place;

@@ -29,8 +29,6 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
   if (!Ranks().alone())
     refuse("with several ranks");
   const ContactPairs pairs(scene);
-  if (!pairs.frictionless())
-    refuse("with friction");
   if (pairs.adhere())
     refuse("with adhesion");
   if (!scene.obstacles.empty())
@@ -42,7 +40,7 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
   {
     if (wall.type != WallDescription<2>::Type::plane)
       refuse("where 'Walls/" + wall.name + "' is no plane");
-    if (!wall.drive->prescribed() || wall.drive->shears())
+    if (!wall.drive->prescribed())
       refuse("where 'Walls/" + wall.name + "' bears a load");
   }
 }

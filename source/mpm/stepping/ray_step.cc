@@ -43,7 +43,7 @@ public:
       , motion(motion)
       , h(problem.lattice->cell_size())
       , equations(problem, state, work, plan)
-      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h + 2. * way_of_walls()}
+      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h + 2. * way_of_walls(), &problem.pairs}
       , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
   {
   }
@@ -54,12 +54,16 @@ public:
   StepOutcome outcome;
 
 private:
+  FrameState::Vector way_of(const WallMotion<2> &wall) const
+  {
+    return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
+  }
   /// The largest of any wall over the step [m].
   double way_of_walls() const
   {
     double way = 0.;
     for (const WallMotion<2> &wall : motion)
-      way = std::max(way, std::abs(wall.velocity) * plan.dt);
+      way = std::max(way, way_of(wall).norm());
     return way;
   }
   bool evaluate(const Vectors &way);
@@ -78,7 +82,7 @@ private:
   StepEquations equations;
   FrameScene scene;
   std::vector<FrameState> frames;
-  RayForces force;
+  RayForces force, rubbing; ///< normal forces and friction of rays [N/m]
   FrameSystem system;
   Vectors way, trial, displacement;
   double residual = 0.; ///< largest unbalanced force of a body over the largest force on one
@@ -107,7 +111,7 @@ bool RayStep::evaluate(const Vectors &to)
                  {
                    const unsigned int w = frames[f].layout().wall;
                    met[f] = frames[f].evaluate(scene, displacement, to,
-                                               w == FrameState::none ? 0. : motion[w].velocity * plan.dt,
+                                               w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
                                                force[f], path, candidates_within * h + way_of_walls());
                  }
                });
@@ -116,29 +120,47 @@ bool RayStep::evaluate(const Vectors &to)
 
 void RayStep::measure()
 {
-  double worst = 0., scale = 0.;
+  double worst = 0., scale = 0., wrong_friction = 0.;
   deepest = 0.;
   Vectors contact(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
     contact[b].setZero(way[b].size());
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
-    const double tau = frames[f].tangential(force[f]);
+    const FrameState &frame = frames[f];
+    const double tau = frame.tangential(force[f]);
     for (unsigned int side = 0; side < 2; ++side)
     {
-      const unsigned int b = frames[f].body(side);
+      const unsigned int b = frame.body(side);
       if (b == FrameState::none)
         continue;
-      for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-        if (force[f][k] > 0.)
-          frames[f].add_gradient(k, side, force[f][k], contact[b]);
-      frames[f].add_mean(side, -tau, contact[b]);
-    }
-    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-      if (frames[f].ray(k).met)
+      const auto add = [&](const unsigned int node, const FrameState::Vector &value)
       {
-        const double gap = frames[f].free_gap(k) + frames[f].ray_softness() * force[f][k];
+        for (unsigned int d = 0; d < 2; ++d)
+          contact[b][2 * node + d] += value[d];
+      };
+      for (unsigned int k = 0; k < frame.n_rays(); ++k)
+      {
+        if (force[f][k] > 0.)
+          frame.for_gradient(k, side, force[f][k], add);
+        if (rubbing[f][k] != 0.)
+          frame.for_slide(k, side, rubbing[f][k], add);
+      }
+      frame.for_mean(side, -tau, add);
+    }
+    for (unsigned int k = 0; k < frame.n_rays(); ++k)
+      if (frame.ray(k).met)
+      {
+        const double gap = frame.free_gap(k) + frame.ray_softness() * force[f][k];
         deepest = std::max(deepest, force[f][k] > 0. ? std::abs(gap) : -gap);
+        if (!frame.rubs(k) || !(force[f][k] > 0.))
+          continue;
+        const double most = frame.ray(k).bound * force[f][k],
+                     slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
+        wrong_friction = std::max(wrong_friction, std::abs(rubbing[f][k]) - most);
+        // Friction below its bound holds.
+        if (std::abs(rubbing[f][k]) < (1. - 1e-6) * most)
+          deepest = std::max(deepest, std::abs(slide));
       }
   }
   for (unsigned int b = 0; b < way.size(); ++b)
@@ -147,7 +169,7 @@ void RayStep::measure()
     scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
                       1e-8 * state.bodies[b].law->wave_modulus() * h});
   }
-  residual = worst / scale;
+  residual = std::max(worst, wrong_friction) / scale;
 }
 
 bool RayStep::converged() const
@@ -228,7 +250,7 @@ std::string RayStep::iterate()
       {
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
         // In the first iteration walls have moved and bodies have not.
-        system.condense(frames, force,
+        system.condense(frames, force, rubbing,
                         candidates_within * h + (outcome.newton_iterations == 0 ? way_of_walls() : 0.));
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
@@ -262,7 +284,7 @@ std::string RayStep::iterate()
   for (const Eigen::VectorXd &d : direction)
     largest = std::max(largest, d.lpNorm<Eigen::Infinity>());
   double share = std::min(1., longest_way * h / largest);
-  const RayForces before = force;
+  const RayForces before = force, rubbed = rubbing;
   const Vectors from = way;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
@@ -273,7 +295,10 @@ std::string RayStep::iterate()
       way[b] = from[b] + share * direction[b];
     for (unsigned int f = 0; f < force.size(); ++f)
       for (unsigned int k = 0; k < force[f].size(); ++k)
+      {
         force[f][k] = before[f][k] + share * (system.found[f][k] - before[f][k]);
+        rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
+      }
     if (evaluate(way))
       break;
   }
@@ -294,8 +319,12 @@ std::string RayStep::find()
     {
       frames.emplace_back(frame, scene);
       force.emplace_back();
+      rubbing.emplace_back();
       for (const auto &ray : frame.rays)
+      {
         force.back().push_back(ray.force);
+        rubbing.back().push_back(ray.friction);
+      }
     }
   }
   path = h; // 0 is for rays that have never been met
@@ -324,7 +353,7 @@ void RayStep::accept(State &state_to_change)
 {
   ContactMemory<2> memory;
   memory.step = plan.dt;
-  std::vector<ContactRow<2>> rows = rows_of_frames(frames, force, memory);
+  std::vector<ContactRow<2>> rows = rows_of_frames(frames, force, rubbing, memory);
   work.contact.held = false; // dents are those of the frames
   work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
   Vectors rate(way.size());
@@ -348,7 +377,7 @@ void RayStep::accept(State &state_to_change)
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;
   kept.clear();
   for (unsigned int f = 0; f < frames.size(); ++f)
-    kept.push_back(frames[f].after(force[f]));
+    kept.push_back(frames[f].after(force[f], rubbing[f]));
   accept_step(problem, state_to_change, work, found);
 }
 } // namespace

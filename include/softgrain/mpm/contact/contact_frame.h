@@ -8,6 +8,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cstdint>
 #include <tuple>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct ContactFrame
 {
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
+  std::uint64_t id = 0;        ///< its own, as long as it lasts
   unsigned int body = none;    ///< feels +force along the direction
   unsigned int partner = none; ///< another body; none: the wall
   unsigned int wall = none;
@@ -43,6 +45,7 @@ struct ContactFrame
   {
     std::array<int, dim - 1> index;         ///< on the lattice
     double force = 0;                       ///< multiplier of its gap [N/m^(dim-2)], not negative
+    double friction = 0;                    ///< on the body, across the ray [N/m^(dim-2)]
     std::array<SurfacePlace<dim>, 2> place; ///< where it meets the partner and the body
   };
   std::vector<RayPlace> rays; ///< in ascending order of their indices

@@ -13,13 +13,16 @@ namespace softgrain::mpm
 /**
  * @brief Rays that carry force as contact rows, for all that reads forces of contacts.
  *
- * The force of a row is what its ray does to the body, its share in the mean motion counted in: the partner
- * feels the opposite.
+ * The force of a row is what its ray does to the body, its share in the mean motion and friction counted in:
+ * the partner feels the opposite.
  * @param force  of the rays [N/m]
+ * @param rubbing friction of the rays [N/m]
  * @param memory takes their impulses over its step
  */
-std::vector<ContactRow<2>>
-rows_of_frames(const std::vector<FrameState> &frames, const RayForces &force, ContactMemory<2> &memory);
+std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
+                                          const RayForces &force,
+                                          const RayForces &rubbing,
+                                          ContactMemory<2> &memory);
 } // namespace softgrain::mpm
 
 #endif

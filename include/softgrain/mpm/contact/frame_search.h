@@ -8,6 +8,7 @@
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/ray.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <vector>
 
@@ -22,6 +23,7 @@ struct FrameScene
   double cell_size;          ///< [m]
   SubgridCompliance subgrid; ///< what the grid misses of dents
   double reach;              ///< gap up to which places are looked at [m]
+  const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
 };
 
 /// The ray of a frame at @p offset [m] from its origin.

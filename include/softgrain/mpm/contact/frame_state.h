@@ -21,6 +21,11 @@ namespace softgrain::mpm
  * by c, the mean of the displacements over the step of the places that lay under its rays at the start; a
  * wall is no partner in that mean. The force tau that this takes makes the forces on both sides equal and
  * opposite: tau = -sum_k P_k dg_k/dc.
+ *
+ * Friction holds together the two places of the material that lay under a ray at the start of the step. Its
+ * slide is what they have moved past each other since then, along the unit vector e at right angles to what
+ * the ray's force does: linear in the unknowns, without a second derivative, and nothing need be remembered
+ * from step to step but the force.
  */
 class FrameState
 {
@@ -41,15 +46,15 @@ public:
   double total_force() const { return sum_of_forces; }
 
   /// Meets the surfaces. Rays without force that cannot have come within @p within since they were last met
-  /// are not looked at: no place has moved by more than @p path in all since the first call. @param
-  /// displacement of all bodies since the grid was laid [m]
-  /// @param increment  part of it that belongs to this step [m]
-  /// @param wall_way of the wall along its normal over the step [m]
+  /// are not looked at: no place has moved by more than @p path in all since the first call.
+  /// @param displacement of all bodies since the grid was laid [m]
+  /// @param increment  part of it that belongs to this step, none in the first call [m]
+  /// @param wall_way of the wall over the step [m]
   /// @return false when a ray that carries force is not met
   bool evaluate(const FrameScene &scene,
                 const std::vector<Eigen::VectorXd> &displacement,
                 const std::vector<Eigen::VectorXd> &increment,
-                double wall_way,
+                const Vector &wall_way,
                 const std::vector<double> &force,
                 double path,
                 double within);
@@ -62,7 +67,20 @@ public:
     double gap = 0;       ///< [m]
     double path = 0;      ///< when it was last looked at
     double by_motion = 0; ///< dg/dc
+
+    // Of friction; e is 0 where there is none.
+    std::array<SurfacePlace<2>, 2> start;  ///< places under the ray at the start of the step
+    std::array<PlaceFunctions<2>, 2> hold; ///< of the field there
+    Vector e;                              ///< unit
+    double bound = 0;                      ///< largest friction over force
+    double slide = 0;                      ///< [m]
   };
+
+  /// Whether a ray rubs: a pair with friction, met at the start of the step.
+  bool rubs(const unsigned int k) const { return rays[k].bound > 0.; }
+  double friction_coefficient() const { return friction; }
+  /// Slide that softness lets a force on a ray have that differs from the one at the start of the step [m].
+  double free_slide(const unsigned int k) const { return rays[k].slide - softness * frame.rays[k].friction; }
 
   unsigned int n_rays() const { return rays.size(); }
   const RayHere &ray(const unsigned int k) const { return rays[k]; }
@@ -72,14 +90,49 @@ public:
   /// c [m].
   double motion() const { return moved; }
 
-  /// Adds dg_k/du of a side to @p nodal, @p factor times.
-  void
-  add_gradient(unsigned int k, unsigned int side, double factor, Eigen::Ref<Eigen::VectorXd> nodal) const;
-  /// Adds dc/du of a side.
-  void add_mean(unsigned int side, double factor, Eigen::Ref<Eigen::VectorXd> nodal) const;
-  /// Adds sum_k P_k d^2 g_k/du dc of a side. @param force of all rays [N/m]
-  void
-  add_mixed(unsigned int side, const std::vector<double> &force, Eigen::Ref<Eigen::VectorXd> nodal) const;
+  /// Calls add(node, vector) for dg_k/du of a side, @p factor times.
+  template <class F>
+  void for_gradient(const unsigned int k, const unsigned int side, const double factor, const F &add) const
+  {
+    const RaySide<2> &here = rays[k].side[side];
+    const Vector along = sign(side) * factor * here.normal;
+    for (unsigned int i = 0; i < here.function.node.size(); ++i)
+      add(here.function.node[i], here.function.value[i] * along);
+  }
+  /// The same for the derivative of a slide.
+  template <class F>
+  void for_slide(const unsigned int k, const unsigned int side, const double factor, const F &add) const
+  {
+    const Vector along = sign(side) * factor * rays[k].e;
+    const PlaceFunctions<2> &hold = rays[k].hold[side];
+    for (unsigned int i = 0; i < hold.node.size(); ++i)
+      add(hold.node[i], hold.value[i] * along);
+  }
+  /// The same for dc/du.
+  template <class F>
+  void for_mean(const unsigned int side, const double factor, const F &add) const
+  {
+    for (const auto &[i, weight] : mean[side])
+      add(i, factor * weight * frame.across[0]);
+  }
+  /// The same for sum_k P_k d^2 g_k/du dc. @param force of all rays [N/m]
+  template <class F>
+  void for_mixed(const unsigned int side, const std::vector<double> &force, const F &add) const
+  {
+    for (unsigned int k = 0; k < rays.size(); ++k)
+    {
+      if (force[k] == 0. || !rays[k].met)
+        continue;
+      const RaySide<2> &here = rays[k].side[side];
+      // A ray that moves by c meets a body that has moved by -c.
+      const Vector bend = here.sliding_twice * frame.across[0];
+      const double along = here.way[0] * frame.across[0];
+      for (unsigned int i = 0; i < here.function.node.size(); ++i)
+        add(here.function.node[i], -sign(side) * force[k] *
+                                       (here.function.value[i] * bend +
+                                        (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
+    }
+  }
   /// sum_k P_k d^2 g_k/dc^2 [N/m^2].
   double twice_by_motion(const std::vector<double> &force) const;
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
@@ -97,8 +150,8 @@ public:
     rays[k].side[side].second_derivative(add);
   }
 
-  /// The frame as the step leaves it: it has ridden along, and its rays carry @p force.
-  ContactFrame<2> after(const std::vector<double> &force) const;
+  /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
+  ContactFrame<2> after(const std::vector<double> &force, const std::vector<double> &rubbing) const;
 
 private:
   /// Of the mean motion, that a side has.
@@ -109,6 +162,12 @@ private:
     return frame.partner == none ? 1. : 0.5;
   }
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
+  bool meet_ray(const FrameScene &scene,
+                const std::vector<Eigen::VectorXd> &displacement,
+                double wall_height,
+                const Ray<2> &ray,
+                unsigned int k);
+  void begin_to_rub(unsigned int k);
 
   ContactFrame<2> frame;
   std::vector<RayHere> rays;
@@ -116,7 +175,7 @@ private:
   double moved = 0;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;
-  double softness = 0;
+  double softness = 0, friction = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
 };
 } // namespace softgrain::mpm

@@ -30,6 +30,11 @@ using RayForces = std::vector<std::vector<double>>;
  *
  * with q = sum_k P_k d²g_k/dc²: symmetric, and sparse since frames meet only in bodies. Rays that pull are
  * taken out and rays that would overlap are taken in until none is left.
+ *
+ * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The friction
+ * of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and the matrix is not
+ * symmetric any more. It is solved by GMRES, with the symmetric part of closed rays and of those that stick as
+ * preconditioner: it differs from that by the rank of what slips.
  */
 class FrameSystem
 {
@@ -41,10 +46,16 @@ public:
               double scale);
 
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
-  void condense(const std::vector<FrameState> &frames, const RayForces &force, double within);
+  /// @param force   of the rays [N/m]
+  /// @param rubbing friction of the rays [N/m]
+  void condense(const std::vector<FrameState> &frames,
+                const RayForces &force,
+                const RayForces &rubbing,
+                double within);
 
   /// Solves for forces. @param way_without of every body, y above [m]
-  /// @return whether no ray pulls or overlaps
+  /// @return whether no ray pulls or overlaps, none that sticks exceeds its friction, and all that slip rub
+  /// against their slide
   bool
   solve(const std::vector<Eigen::VectorXd> &way_without, double cell_size, unsigned int negative_of_bodies);
 
@@ -59,6 +70,7 @@ public:
   Eigen::VectorXd force_on(unsigned int b) const;
 
   RayForces found;         ///< P of the last solve [N/m]
+  RayForces found_rubbing; ///< friction of the last solve [N/m]
   unsigned int passes = 0; ///< of the active set, so far
 
 private:
@@ -67,16 +79,42 @@ private:
     enum Kind
     {
       ray,
+      slide,
       motion,
       tangential
     };
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
     Kind kind;
     unsigned int frame, ray_number; ///< the latter of a ray
+    unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
+    double bound = 0;               ///< largest friction over force
   };
+  void add_columns(const std::vector<FrameState> &frames,
+                   const RayForces &force,
+                   const RayForces &rubbing,
+                   unsigned int f,
+                   double within);
+  /// Fills column @p i of those of a body.
+  void gather(const FrameState &frame,
+              const Column &column,
+              unsigned int b,
+              const std::vector<double> &force,
+              unsigned int i,
+              LinearSolver::Rows &rows) const;
   /// What z holds for the columns of a body.
   Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
   bool solve_active(const Eigen::VectorXd &right);
+  /// N z - right, for all columns.
+  Eigen::VectorXd beyond(const Eigen::VectorXd &right) const;
+  bool change_sides(const Eigen::VectorXd &here, double cell_size, bool all);
+  /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction.
+  int slips(const unsigned int i) const
+  {
+    return columns[i].kind == Column::slide ? slipping[columns[i].frame][columns[i].ray_number] : 0;
+  }
+  /// Whether a column is an unknown of its own.
+  bool counts(const unsigned int i) const { return active[i] && slips(i) == 0; }
 
   const BodyShare &share;
   const std::vector<Body<2>> &bodies;
@@ -91,8 +129,9 @@ private:
   std::vector<LinearSolver::Rows> V;
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::Triplet<double>> own; ///< Q
-  Eigen::VectorXd gap;
-  std::vector<char> active;
+  std::vector<double> gap;
+  std::vector<char> active;                       ///< a slide where its ray is
+  std::vector<std::vector<signed char>> slipping; ///< of all rays: sign of the friction, or 0
   Eigen::VectorXd z;
   unsigned int n_frames = 0, negative = 0;
 };
