@@ -12,7 +12,7 @@ namespace softgrain::mpm
 namespace
 {
 constexpr unsigned int most_passes = 40;
-constexpr unsigned int most_in_saddle = 5; ///< passes in which a set may belong to no minimum
+constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
 constexpr unsigned int one_by_one = 15;    ///< passes after which only the worst ray changes sides
 
 using Matrix = Eigen::SparseMatrix<double>;
