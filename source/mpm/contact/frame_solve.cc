@@ -6,14 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace softgrain::mpm
 {
 namespace
 {
 constexpr unsigned int most_passes = 40;
+/// After sets have repeated only rays change sides that are wrong by that share of the worst.
+constexpr double share_of_worst = 0.5;
+constexpr double farthest = 5.; ///< gap or slide of a step that may be [cells]
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
-constexpr unsigned int one_by_one = 15;    ///< passes after which only the worst ray changes sides
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
@@ -67,7 +70,7 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
         for (unsigned int i = j; i < of_body[b].size(); ++i)
           if (const int row = number[of_body[b][i]]; row >= 0)
             entries.emplace_back(std::max(row, number[here]), std::min(row, number[here]), W[b](i, j));
-      if (active[here] && slips(here) != 0)
+      if (active[here] && slips(here) != 0 && !by_threshold)
         for (unsigned int i = 0; i < of_body[b].size(); ++i)
           if (const int row = number[of_body[b][i]]; row >= 0)
             by_slip.emplace_back(row, number[columns[here].mate],
@@ -79,10 +82,16 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   if (factor.info() != Eigen::Success)
     return false;
   negative = (factor.vectorD().array() < 0.).count();
+  z.setZero();
+  if (by_threshold)
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (active[i] && slips(i) != 0)
+        z[i] = slips(i) * columns[i].threshold;
+  const Eigen::VectorXd known = by_threshold ? Eigen::VectorXd(-beyond(right)) : right;
   Eigen::VectorXd b(n), x;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
-      b[number[i]] = right[i];
+      b[number[i]] = known[i];
   if (by_slip.empty())
   {
     x = factor.solve(b);
@@ -105,11 +114,10 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   }
   if (!x.allFinite())
     return false;
-  z.setZero();
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       z[i] = x[number[i]];
-  for (unsigned int i = 0; i < columns.size(); ++i)
+  for (unsigned int i = 0; i < columns.size() && !by_threshold; ++i)
     if (active[i] && slips(i) != 0)
       z[i] = slips(i) * columns[i].bound * z[columns[i].mate];
   return true;
@@ -134,55 +142,67 @@ Eigen::VectorXd FrameSystem::beyond(const Eigen::VectorXd &right) const
   return here;
 }
 
-bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_size, const bool all)
+bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_size, const double share)
 {
   const double largest = z.size() > 0 ? z.cwiseAbs().maxCoeff() : 0.;
-  int worst = -1;
-  double most = 0.;
-  bool settled = true;
-  // Rays that are where they must not be, and by how much.
-  const auto change = [&](const unsigned int i, const double amount, const auto &to_other_side)
-  {
-    settled = false;
-    if (all)
-      to_other_side();
-    else if (amount > most)
-    {
-      most = amount;
-      worst = i;
-    }
-  };
-  const auto flip = [&](const unsigned int i)
-  {
-    signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
-    if (columns[i].kind == Column::slide)
-      slip = slip != 0 ? 0 : z[i] > 0. ? 1 : -1;
-    else
-    {
-      active[i] = !active[i];
-      if (columns[i].mate != Column::none)
-        active[columns[i].mate] = active[i];
-    }
-  };
+  wrong.setZero(columns.size()); // by how much a ray is where it must not be, as a force
   for (unsigned int i = 0; i < columns.size(); ++i)
   {
+    const bool sticks = slips(i) == 0;
+    const double as_force = here[i] * columns[i].stiffness;
+    double amount = 0., allowed = 1e-10 * cell_size * columns[i].stiffness;
     if (columns[i].kind == Column::ray)
-    {
-      const double wrong = active[i] ? -z[i] / largest : -here[i] / cell_size;
-      if (wrong > (active[i] ? 1e-12 : 1e-10))
-        change(i, wrong, [&]() { flip(i); });
-    }
+      amount = active[i] ? -z[i] : -as_force;
     else if (columns[i].kind == Column::slide && active[i])
-    {
-      const double wrong = slips(i) == 0
-                               ? (std::abs(z[i]) - columns[i].bound * std::max(0., z[columns[i].mate])) / largest
-                               : slips(i) * here[i] / cell_size;
-      if (wrong > 1e-10)
-        change(i, wrong, [&]() { flip(i); });
-    }
+      amount = sticks ? std::abs(z[i]) - most_friction(i) : slips(i) * as_force;
+    if (active[i] && sticks)
+      allowed = 1e-10 * largest;
+    if (amount > allowed)
+      wrong[i] = amount;
   }
-  if (worst >= 0)
-    flip(worst);
+  const double worst = wrong.size() > 0 ? wrong.maxCoeff() : 0.;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (wrong[i] > 0. && wrong[i] >= share * worst)
+    {
+      signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
+      if (columns[i].kind == Column::slide)
+        slip = slip != 0 ? 0 : z[i] > 0. ? 1 : -1;
+      else
+      {
+        active[i] = !active[i];
+        if (columns[i].mate != Column::none)
+          active[columns[i].mate] = active[i];
+      }
+    }
+  return worst == 0.;
+}
+
+std::vector<signed char> FrameSystem::sides() const
+{
+  std::vector<signed char> result(columns.size());
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    result[i] = active[i] ? 2 + slips(i) : 0;
+  return result;
+}
+
+bool FrameSystem::settle(const Eigen::VectorXd &right,
+                         const double cell_size,
+                         const unsigned int negative_of_bodies)
+{
+  bool settled = false, repeats = false;
+  std::set<std::vector<signed char>> seen{sides()};
+  for (unsigned int pass = 0; pass < most_passes && !settled; ++pass)
+  {
+    ++passes;
+    if (!solve_active(right) || (pass >= most_in_saddle && wrong_inertia(negative_of_bodies) != 0))
+      return false;
+    const Eigen::VectorXd here = beyond(right);
+    // Nothing holds the bodies: no set is right where they go so far.
+    if (pass >= most_in_saddle && here.size() > 0 && here.cwiseAbs().maxCoeff() > farthest * cell_size)
+      return false;
+    settled = change_sides(here, cell_size, repeats ? share_of_worst : 0.);
+    repeats = repeats || !seen.insert(sides()).second;
+  }
   return settled;
 }
 
@@ -198,13 +218,13 @@ bool FrameSystem::solve(const std::vector<Eigen::VectorXd> &way_without,
       for (unsigned int i = 0; i < of_body[b].size(); ++i)
         right[of_body[b][i]] -= moved[i];
     }
-  bool settled = false;
-  for (unsigned int pass = 0; pass < most_passes && !settled; ++pass)
+  by_threshold = false;
+  bool settled = settle(right, cell_size, negative_of_bodies);
+  if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)
   {
-    ++passes;
-    if (!solve_active(right) || (pass >= most_in_saddle && wrong_inertia(negative_of_bodies) != 0))
-      return false;
-    settled = change_sides(beyond(right), cell_size, pass < one_by_one);
+    // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets settle.
+    by_threshold = true;
+    settled = settle(right, cell_size, negative_of_bodies);
   }
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray)

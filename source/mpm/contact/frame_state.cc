@@ -8,16 +8,16 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double softness_of_rays = 1e-5; ///< times the softer Young's modulus
+constexpr double softness_of_rays = 1e-3; ///< times the softer Young's modulus
 } // namespace
 
 FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     : frame(layout), rays(layout.rays.size()), subgrid(scene.subgrid)
 {
-  double soft = scene.bodies[frame.body].law->young_modulus();
+  young = scene.bodies[frame.body].law->young_modulus();
   if (frame.partner != none)
-    soft = std::min(soft, scene.bodies[frame.partner].law->young_modulus());
-  softness = softness_of_rays / soft;
+    young = std::min(young, scene.bodies[frame.partner].law->young_modulus());
+  softness = softness_of_rays / young;
   if (subgrid.on)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);

@@ -79,7 +79,7 @@ void FrameSystem::add_columns(const std::vector<FrameState> &frames,
     found[f][k] = found_rubbing[f][k] = 0.;
     if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
       continue;
-    columns.push_back({Column::ray, f, k});
+    columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
     active.push_back(force[f][k] > 0. || frame.free_gap(k) < 0.);
     gap.push_back(frame.free_gap(k) - frame.dent_slope() * frame.total_force());
   }
@@ -91,7 +91,8 @@ void FrameSystem::add_columns(const std::vector<FrameState> &frames,
     if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
     {
       columns[i].mate = columns.size();
-      columns.push_back({Column::slide, f, k, i, frame.ray(k).bound});
+      columns.push_back({Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound, frame.ray(k).bound * force[f][k]});
+      any_slides = true;
       active.push_back(active[i]);
       gap.push_back(frame.free_slide(k));
     }
@@ -171,6 +172,7 @@ void FrameSystem::condense(const std::vector<FrameState> &frames,
   found_rubbing = rubbing;
   slipping.resize(frames.size());
   n_frames = 0;
+  any_slides = false;
   for (unsigned int f = 0; f < frames.size(); ++f)
     add_columns(frames, force, rubbing, f, within);
   z.setZero(gap.size());

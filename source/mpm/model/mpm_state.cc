@@ -96,6 +96,8 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     resistance.insert(resistance.end(), force.begin_raw(), force.end_raw());
   if (!resistance.empty())
     out.write("mpm/resistance", resistance);
+  if (!state.held_back.empty())
+    out.write("mpm/held_back", state.held_back);
 
   save_points(out, of_all);
   for (const Body<2> &body : state.bodies)
@@ -148,6 +150,9 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
         {impulses[components * k], components > 1 ? impulses[components * k + 1] : 0.}};
 
   state.adhesion.load(in, "mpm/contact/adhesion");
+  state.held_back.clear();
+  if (in.contains("mpm/held_back"))
+    state.held_back = in.read_doubles("mpm/held_back", state.bodies.size());
   state.resistance.clear();
   if (in.contains("mpm/resistance"))
   {

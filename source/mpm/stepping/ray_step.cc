@@ -367,11 +367,13 @@ void RayStep::accept(State &state_to_change)
                   std::vector<double>(way.size(), 0.),
                   0.,
                   {}};
+  state_to_change.held_back.resize(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     rate[b] = way[b] / plan.dt;
     found.regularisation_work += equations.regularisation_work(b);
     found.resistance.push_back(equations.resistance(b));
+    state_to_change.held_back[b] = equations.held_back(b);
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;

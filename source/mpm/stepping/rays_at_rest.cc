@@ -16,7 +16,7 @@ constexpr double rise = 10.;             ///< of it, after one that did not
 constexpr double most_resistance = 10.;  ///< beyond which bodies hardly move in a step
 constexpr double most_on_the_way = 1e-3; ///< likewise with walls on their way, which resistance hinders
 
-/// The largest force that resists the motion of a body over the mean force of a contact. Frames tell the
+/// The largest force that holds back a body over the mean force of a contact. Frames tell the
 /// forces: they are part of the state.
 double unbalanced(const Problem &problem, const State &state)
 {
@@ -32,7 +32,7 @@ double unbalanced(const Problem &problem, const State &state)
   }
   for (const Body<2> &body : state.bodies)
   {
-    worst = std::max(worst, state.resistance[body.index].norm());
+    worst = std::max(worst, state.held_back[body.index]);
     floor = std::max(floor, least_force * body.law->young_modulus() * problem.lattice->cell_size());
   }
   return worst / std::max(sum / std::max(n_pressed, 1u), floor);
@@ -56,7 +56,7 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
   const Settings &settings = problem.settings;
   StepOutcome sum;
   sum.accepted = true;
-  sum.unbalanced = state.resistance.empty() ? 0. : unbalanced(problem, state);
+  sum.unbalanced = state.held_back.empty() ? 0. : unbalanced(problem, state);
   double resistance = settings.regularisation;
   while (sum.unbalanced > settings.unbalanced_force)
   {

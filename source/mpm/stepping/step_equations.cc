@@ -303,6 +303,16 @@ dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
   return force;
 }
 
+double StepEquations::held_back(const unsigned int b) const
+{
+  const Body<2> &body = state.bodies[b];
+  const Eigen::VectorXd beyond = resisted_way(b);
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += shift[b] / (dt * dt) * body.mass[i] * beyond.segment<2>(2 * i).norm();
+  return sum;
+}
+
 Eigen::VectorXd StepEquations::resisted_way(const unsigned int b) const
 {
   return increment[b] - dt * free_way(b);

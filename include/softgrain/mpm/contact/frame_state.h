@@ -42,6 +42,8 @@ public:
   /// nowhere, but where there are more rays than the field of a body has shapes for them, it shares the force
   /// out.
   double ray_softness() const { return softness; }
+  /// Young's modulus of the softer one [N/m^2].
+  double stiffness() const { return young; }
   double dent_slope() const { return by_force; }
   double total_force() const { return sum_of_forces; }
 
@@ -175,7 +177,7 @@ private:
   double moved = 0;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;
-  double softness = 0, friction = 0;
+  double young = 0, softness = 0, friction = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
 };
 } // namespace softgrain::mpm

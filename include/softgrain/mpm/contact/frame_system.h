@@ -73,7 +73,7 @@ public:
   RayForces found_rubbing; ///< friction of the last solve [N/m]
   unsigned int passes = 0; ///< of the active set, so far
 
-private:
+public:
   struct Column
   {
     enum Kind
@@ -87,7 +87,9 @@ private:
     Kind kind;
     unsigned int frame, ray_number; ///< the latter of a ray
     unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
-    double bound = 0;               ///< largest friction over force
+    double stiffness = 0; ///< of a ray or a slide: what makes a gap a force [N/m^2]
+    double bound = 0;     ///< of a slide: largest friction over force
+    double threshold = 0; ///< the same times the force of the last iterate [N/m]
   };
   void add_columns(const std::vector<FrameState> &frames,
                    const RayForces &force,
@@ -107,7 +109,18 @@ private:
   bool solve_active(const Eigen::VectorXd &right);
   /// N z - right, for all columns.
   Eigen::VectorXd beyond(const Eigen::VectorXd &right) const;
-  bool change_sides(const Eigen::VectorXd &here, double cell_size, bool all);
+  bool settle(const Eigen::VectorXd &right, double cell_size, unsigned int negative_of_bodies);
+  /// That a ray bears which sticks.
+  double most_friction(const unsigned int i) const
+  {
+    return by_threshold ? columns[i].threshold : columns[i].bound * std::max(0., z[columns[i].mate]);
+  }
+  /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share of
+  /// the worst.
+  /// @return whether there were none
+  bool change_sides(const Eigen::VectorXd &here, double cell_size, double share);
+  /// On which side of their conditions all columns are.
+  std::vector<signed char> sides() const;
   /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction.
   int slips(const unsigned int i) const
   {
@@ -132,7 +145,9 @@ private:
   std::vector<double> gap;
   std::vector<char> active;                       ///< a slide where its ray is
   std::vector<std::vector<signed char>> slipping; ///< of all rays: sign of the friction, or 0
-  Eigen::VectorXd z;
+  Eigen::VectorXd z, wrong;
+  bool any_slides = false;
+  bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
   unsigned int n_frames = 0, negative = 0;
 };
 } // namespace softgrain::mpm

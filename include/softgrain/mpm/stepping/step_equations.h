@@ -88,6 +88,8 @@ public:
   double regularisation_work(unsigned int b) const;
   /// Of `quasi_static`: what resists the motion of such a body at the end of the step [N/m].
   dealii::Tensor<1, 2> resistance(unsigned int b) const;
+  /// As State::held_back.
+  double held_back(unsigned int b) const;
   /// What a direction promises, of all bodies.
   struct Slope
   {
