@@ -7,6 +7,7 @@
 #include <softgrain/mpm/contact/frame_system.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -363,7 +364,9 @@ void RayStep::accept(State &state_to_change)
                   equations.internal,
                   equations.increment,
                   rate,
-                  equations.external,
+                  plan.held ? equations.external
+                            : external_forces(state.bodies, work.share, problem.scene.gravity,
+                                              state.time + 0.5 * plan.dt), // for their work
                   std::vector<double>(way.size(), 0.),
                   0.,
                   {}};

@@ -28,10 +28,12 @@ StepEquations::StepEquations(const Problem &problem,
                                problem.scene.gravity,
                                // Loads at the middle of the step: second order, and the same work whatever
                                // theta is. newmark takes those at the end, (3.21), and has those at the start
-                               // in the acceleration.
-                               state.time + (plan.held                                     ? 0.
-                                             : problem.settings.scheme.stored_acceleration ? 1.
-                                                                                           : 0.5) *
+                               // in the acceleration. So do steps with rays, which end in balance.
+                               state.time + (plan.held ? 0.
+                                             : problem.settings.scheme.stored_acceleration ||
+                                                     problem.settings.meets_by_rays()
+                                                 ? 1.
+                                                 : 0.5) *
                                                 plan.dt))
     , problem(problem)
     , state(state)
