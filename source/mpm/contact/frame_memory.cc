@@ -12,7 +12,7 @@ namespace
 using Frame = ContactFrame<2>;
 
 constexpr unsigned int numbers_of_frame = 7, numbers_of_ray = 5; ///< that are not whole
-constexpr unsigned int counts_of_frame = 6, counts_of_ray = 2;
+constexpr unsigned int counts_of_frame = 10, counts_of_ray = 2;
 
 OutlineSurface outline_of(const Body<2> &body)
 {
@@ -32,6 +32,8 @@ void save_frames(StateWriter &out, const std::string &name, const std::vector<Fr
   for (const Frame &frame : frames)
   {
     who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.corner, frame.id});
+    for (const auto &image : {frame.image, frame.home})
+      who.insert(who.end(), {static_cast<std::uint64_t>(image[0]), static_cast<std::uint64_t>(image[1])});
     for (unsigned int d = 0; d < 2; ++d)
       where.push_back(frame.origin[d]);
     for (unsigned int d = 0; d < 2; ++d)
@@ -40,9 +42,8 @@ void save_frames(StateWriter &out, const std::string &name, const std::vector<Fr
     for (const Frame::RayPlace &ray : frame.rays)
     {
       pieces.insert(pieces.end(), {ray.place[0].piece, ray.place[1].piece});
-      rays.insert(rays.end(),
-                  {static_cast<double>(ray.index[0]), ray.force, ray.friction, ray.place[0].along,
-                   ray.place[1].along});
+      rays.insert(rays.end(), {static_cast<double>(ray.index[0]), ray.force, ray.friction, ray.place[0].along,
+                               ray.place[1].along});
     }
   }
   out.write(name + "/who", who);
@@ -84,6 +85,11 @@ void load_frames(const StateReader &in,
     frame.partner = names[1];
     frame.corner = names[4];
     frame.id = names[5];
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      frame.image[d] = static_cast<int>(names[6 + d]);
+      frame.home[d] = static_cast<int>(names[8 + d]);
+    }
     frame.wall = at_wall ? names[2] : Frame::none;
     const double *numbers = &where[numbers_of_frame * f];
     frame.origin = dealii::Point<2>(numbers[0], numbers[1]);

@@ -15,9 +15,24 @@ NodeWeights weights_of(const PlaceFunctions<2> &function)
   weights.weight.assign(function.value.begin(), function.value.end());
   return weights;
 }
+/// Where a row is in the cell that repeats.
+void place_in_cell(const FrameScene &scene, const FrameState &frame, ContactRow<2> &row)
+{
+  const Body<2> &body = scene.bodies[row.body];
+  const dealii::Point<2> center = body.center();
+  row.branch = frame.body(0) == FrameState::none
+                   ? center - row.place
+                   : center - (scene.bodies[row.partner].center() + frame.image_shift());
+  row.image = frame.layout().image;
+  const PeriodicCell<2>::Image fold = scene.cell->cell.image_of(center);
+  row.place -= scene.cell->cell.shift(fold);
+  for (unsigned int d = 0; d < 2; ++d)
+    row.fold[d] = fold[d] + body.home[d];
+}
 } // namespace
 
-std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
+std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
+                                          const std::vector<FrameState> &frames,
                                           const RayForces &force,
                                           const RayForces &rubbing,
                                           ContactMemory<2> &memory)
@@ -36,6 +51,8 @@ std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
       row.body = layout.body;
       row.partner = layout.partner;
       row.wall = layout.wall;
+      if (layout.partner != FrameState::none && scene.bodies[layout.partner].driven)
+        row.wall = scene.bodies[layout.partner].wall;
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
       row.normal = given / given.norm();
       if (frame.rubs(k))
@@ -46,15 +63,18 @@ std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
         given += rubbing[f][k] * ray.e;
       }
       row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function).shared();
-      if (layout.partner != FrameState::none)
+      if (frame.unknown(0) != FrameState::none)
         row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function).shared();
       const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion();
       row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
       row.length = layout.spacing;
+      if (scene.cell != nullptr)
+        place_in_cell(scene, frame, row);
       row.log_full_width = layout.log_full_width;
       // Rows of a frame have all but their place in common, see pair_of().
       row.key = (layout.id << 40) + (static_cast<std::uint64_t>(layout.rays[k].index[0] & 0xffff) << 24);
-      memory.impulses[row.key] = {{given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
+      memory.impulses[row.key] = {
+          {given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
       rows.push_back(std::move(row));
     }
   }

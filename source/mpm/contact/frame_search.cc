@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
+#include <softgrain/mpm/contact/image_pairs.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
@@ -10,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
+#include <utility>
 
 namespace softgrain::mpm
 {
@@ -29,8 +33,12 @@ constexpr double steepest = 2.;             ///< slope of a surface over the lat
 class Layout
 {
 public:
-  Layout(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
-      : scene(scene), samples(samples)
+  /// @param partner samples of the image that the body meets; null: a wall
+  Layout(const FrameScene &scene,
+         const Vector &apart,
+         const SampledSurface<2> *partner,
+         const SampledSurface<2> &body)
+      : scene(scene), apart(apart), partner(partner), body(body)
   {
   }
 
@@ -44,7 +52,7 @@ public:
       for (unsigned int side = 0; side < 2; ++side)
         if (pair[side] != Frame::none)
         {
-          const auto &sample = samples[side == 0 ? frame.partner : frame.body].samples[pair[side]];
+          const auto &sample = surface(side).samples[pair[side]];
           const double y = (sample.position - frame.origin) * t;
           lower = std::min(lower, y);
           upper = std::max(upper, y);
@@ -74,9 +82,9 @@ public:
         }
         if (side == stretch.corner)
         {
-          place.place[side] = samples[b].samples[stretch.facing.front()[side]].place;
-          height[side] =
-              (samples[b].samples[stretch.facing.front()[side]].position - frame.origin) * frame.direction;
+          const auto &corner = surface(side).samples[stretch.facing.front()[side]];
+          place.place[side] = corner.place;
+          height[side] = (corner.position - frame.origin) * frame.direction;
           continue;
         }
         const SurfacePlace<2> *guess = nullptr;
@@ -97,7 +105,7 @@ public:
           met = false;
           break;
         }
-        const RaySide<2> found = meet(ray_of(frame, k * frame.spacing), scene.outlines[b],
+        const RaySide<2> found = meet(ray_of(frame, k * frame.spacing, away(side)), scene.outlines[b],
                                       scene.bodies[b].field, scene.bodies[b].displacement, *guess);
         met = found.met && std::abs(found.normal * t) < steepest;
         place.place[side] = found.place;
@@ -126,16 +134,16 @@ public:
     double nearest = std::numeric_limits<double>::max();
     for (const auto &pair : stretch.facing)
     {
-      const auto &of_body = samples[frame.body].samples[pair[1]];
+      const auto &of_body = body.samples[pair[1]];
       const double gap = wall ? (of_body.position - scene.walls[frame.wall].point) * frame.direction
-                              : of_body.position.distance(samples[frame.partner].samples[pair[0]].position);
+                              : of_body.position.distance(partner->samples[pair[0]].position);
       if (gap >= nearest)
         continue;
       nearest = gap;
-      guess = {{wall ? nullptr : &samples[frame.partner].samples[pair[0]].place, &of_body.place}};
+      guess = {{wall ? nullptr : &partner->samples[pair[0]].place, &of_body.place}};
       frame.origin = of_body.position;
       if (!wall)
-        frame.origin += 0.5 * (samples[frame.partner].samples[pair[0]].position - of_body.position);
+        frame.origin += 0.5 * (partner->samples[pair[0]].position - of_body.position);
     }
     const Point first = frame.origin;
     std::array<SurfacePlace<2>, 2> place;
@@ -154,7 +162,7 @@ public:
       for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
       {
         const unsigned int b = side == 0 ? frame.partner : frame.body;
-        const RaySide<2> found = meet(ray_of(frame, 0.), scene.outlines[b], scene.bodies[b].field,
+        const RaySide<2> found = meet(ray_of(frame, 0., away(side)), scene.outlines[b], scene.bodies[b].field,
                                       scene.bodies[b].displacement, place[side]);
         if (!found.met)
           return;
@@ -183,6 +191,9 @@ public:
   }
 
 private:
+  const SampledSurface<2> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }
+  Vector away(const unsigned int side) const { return side == 0 ? apart : Vector(); }
+
   /// Where on the grids of both the frame begins.
   void note_dent(const std::array<SurfacePlace<2>, 2> &place, Frame &frame) const
   {
@@ -196,8 +207,146 @@ private:
   }
 
   const FrameScene &scene;
-  const std::vector<SampledSurface<2>> &samples;
+  const Vector &apart;
+  const SampledSurface<2> *partner;
+  const SampledSurface<2> &body;
 };
+
+/// A pair to be looked at, and what is found there.
+struct Task
+{
+  Frame named;
+  Vector apart;
+  std::unique_ptr<SampledSurface<2>> image; ///< of the partner, where that is none of the body itself
+  const SampledSurface<2> *partner = nullptr;
+  std::vector<Frame> found;
+  std::vector<FrameStretch> stretches;
+};
+
+/// Boxes around the outlines as they stand in the cell, grown by half the reach, and the copies in which the
+/// bodies are.
+struct Boxes
+{
+  std::vector<dealii::BoundingBox<2>> box;
+  std::vector<PeriodicCell<2>::Image> fold;
+};
+
+Boxes boxes_of(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
+{
+  Boxes boxes;
+  for (unsigned int b = 0; b < samples.size(); ++b)
+  {
+    boxes.fold.emplace_back();
+    Vector back;
+    if (scene.cell != nullptr)
+    {
+      boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
+      back = scene.cell->cell.shift(boxes.fold.back());
+    }
+    Point lower = samples[b].samples.front().position, upper = lower;
+    for (const auto &s : samples[b].samples)
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        lower[d] = std::min(lower[d], s.position[d] - 0.5 * scene.reach);
+        upper[d] = std::max(upper[d], s.position[d] + 0.5 * scene.reach);
+      }
+    boxes.box.push_back(dealii::BoundingBox<2>({lower - back, upper - back}));
+  }
+  return boxes;
+}
+
+/// All that may touch, in an order that depends on nothing but the bodies.
+std::vector<Task> find_tasks(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
+{
+  const Boxes boxes = boxes_of(scene, samples);
+  std::vector<Task> tasks;
+  const auto add = [&](unsigned int body, unsigned int partner, PeriodicCell<2>::Image image)
+  {
+    const std::vector<Body<2>> &bodies = scene.bodies;
+    if (bodies[body].driven && bodies[partner].driven)
+      return;
+    // A body that is driven is always the partner.
+    if (bodies[body].driven || (!bodies[partner].driven && partner > body))
+    {
+      std::swap(body, partner);
+      image = {{-image[0], -image[1]}};
+    }
+    Task task;
+    task.named.body = body;
+    task.named.partner = partner;
+    for (unsigned int d = 0; d < 2; ++d)
+      task.named.image[d] = image[d] + boxes.fold[body][d] - boxes.fold[partner][d] + bodies[body].home[d] -
+                            bodies[partner].home[d];
+    task.apart = scene.apart(task.named);
+    tasks.push_back(std::move(task));
+  };
+  const auto tree = dealii::pack_rtree_of_indices(boxes.box);
+  for (unsigned int b = 0; b < samples.size(); ++b)
+  {
+    for (unsigned int w = 0; w < scene.walls.size() && !scene.bodies[b].driven; ++w)
+      if (scene.walls[w].plane)
+      {
+        Task task;
+        task.named.body = b;
+        task.named.wall = w;
+        tasks.push_back(std::move(task));
+      }
+    std::vector<unsigned int> near;
+    tree.query(boost::geometry::index::intersects(boxes.box[b]), std::back_inserter(near));
+    std::sort(near.begin(), near.end());
+    for (const unsigned int a : near)
+      if (a < b)
+        add(b, a, {});
+  }
+  if (scene.cell != nullptr)
+    for (const ImagePair &pair : pairs_across(boxes.box, scene.cell->cell))
+    {
+      if (pair.a == pair.b)
+        throw ComputationError("the cell that repeats has become too small: body '" +
+                               scene.bodies[pair.a].name + "' meets itself");
+      add(pair.a, pair.b, pair.image);
+    }
+  return tasks;
+}
+
+/// Finds the stretches of a pair.
+void look(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples, Task &task)
+{
+  const SampledSurface<2> &body = samples[task.named.body];
+  if (task.named.partner == Frame::none)
+    task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], scene.reach);
+  else
+  {
+    task.partner = &samples[task.named.partner];
+    if (task.apart.norm_square() > 0.)
+    {
+      task.image = std::make_unique<SampledSurface<2>>(*task.partner);
+      for (auto &sample : task.image->samples)
+        sample.position += task.apart;
+      task.partner = task.image.get();
+    }
+    task.stretches = stretches_between(*task.partner, body, scene.reach);
+  }
+  add_corners(task.partner, body, task.stretches);
+}
+
+/// Frames of the step before, by what they have in common with their successors: moved with bodies that have
+/// been brought into the cell since then.
+std::multimap<Frame::Key, Frame> by_key(const FrameScene &scene, std::vector<Frame> frames)
+{
+  std::multimap<Frame::Key, Frame> result;
+  for (Frame &frame : frames)
+  {
+    const Body<2> &body = scene.bodies[frame.body];
+    if (scene.cell != nullptr && frame.home != body.home)
+    {
+      frame.origin -= scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
+      frame.home = body.home;
+    }
+    result.emplace(frame.key(), std::move(frame));
+  }
+  return result;
+}
 
 /// A frame for a stretch, or the one of those before that covers it.
 Frame start_frame(const FrameScene &scene,
@@ -229,6 +378,7 @@ Frame start_frame(const FrameScene &scene,
   }
   Frame frame = named;
   frame.rays.clear();
+  frame.home = scene.bodies[frame.body].home;
   frame.direction = stretch.direction;
   frame.across[0] = Vector({stretch.direction[1], -stretch.direction[0]});
   frame.origin = stretch.middle;
@@ -237,10 +387,20 @@ Frame start_frame(const FrameScene &scene,
 }
 } // namespace
 
-Ray<2> ray_of(const ContactFrame<2> &frame, const double offset)
+dealii::Tensor<1, 2> FrameScene::apart(const ContactFrame<2> &frame) const
+{
+  if (cell == nullptr || frame.partner == Frame::none)
+    return dealii::Tensor<1, 2>();
+  PeriodicCell<2>::Image here = frame.image;
+  for (unsigned int d = 0; d < 2; ++d)
+    here[d] += bodies[frame.partner].home[d] - bodies[frame.body].home[d];
+  return cell->cell.shift(here);
+}
+
+Ray<2> ray_of(const ContactFrame<2> &frame, const double offset, const dealii::Tensor<1, 2> &away)
 {
   Ray<2> ray;
-  ray.origin = frame.origin;
+  ray.origin = frame.origin - away;
   ray.direction = frame.direction;
   ray.across = frame.across;
   ray.offset[0] = offset;
@@ -249,13 +409,10 @@ Ray<2> ray_of(const ContactFrame<2> &frame, const double offset)
 
 std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> frames)
 {
-  std::multimap<Frame::Key, Frame> before;
   std::uint64_t next_id = 1;
-  for (Frame &frame : frames)
-  {
+  for (const Frame &frame : frames)
     next_id = std::max(next_id, frame.id + 1);
-    before.emplace(frame.key(), std::move(frame));
-  }
+  std::multimap<Frame::Key, Frame> before = by_key(scene, std::move(frames));
   std::vector<SampledSurface<2>> samples(scene.bodies.size());
   parallel_for(samples.size(), 1,
                [&](const std::size_t begin, const std::size_t end)
@@ -263,63 +420,13 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
                  for (std::size_t b = begin; b < end; ++b)
                    samples[b] = sample_outline(scene.bodies[b], scene.outlines[b]);
                });
-  std::vector<dealii::BoundingBox<2>> boxes;
-  for (const SampledSurface<2> &surface : samples)
-  {
-    Point lower = surface.samples.front().position, upper = lower;
-    for (const auto &s : surface.samples)
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        lower[d] = std::min(lower[d], s.position[d] - 0.5 * scene.reach);
-        upper[d] = std::max(upper[d], s.position[d] + 0.5 * scene.reach);
-      }
-    boxes.push_back(dealii::BoundingBox<2>({lower, upper}));
-  }
-  const auto tree = dealii::pack_rtree_of_indices(boxes);
-  struct Task
-  {
-    Frame named;
-    std::vector<Frame> found;
-    std::vector<FrameStretch> stretches;
-  };
-  std::vector<Task> tasks;
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-  {
-    for (unsigned int w = 0; w < scene.walls.size(); ++w)
-      if (scene.walls[w].plane)
-      {
-        Task task;
-        task.named.body = b;
-        task.named.wall = w;
-        tasks.push_back(task);
-      }
-    std::vector<unsigned int> near;
-    tree.query(boost::geometry::index::intersects(boxes[b]), std::back_inserter(near));
-    std::sort(near.begin(), near.end());
-    for (const unsigned int a : near)
-      if (a < b)
-      {
-        Task task;
-        task.named.body = b;
-        task.named.partner = a;
-        tasks.push_back(task);
-      }
-  }
-  parallel_for(
-      tasks.size(), 4,
-      [&](const std::size_t begin, const std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          Task &task = tasks[i];
-          task.stretches =
-              task.named.partner == Frame::none
-                  ? stretches_at_plane(samples[task.named.body], scene.walls[task.named.wall], scene.reach)
-                  : stretches_between(samples[task.named.partner], samples[task.named.body], scene.reach);
-          add_corners(task.named.partner == Frame::none ? nullptr : &samples[task.named.partner],
-                      samples[task.named.body], task.stretches);
-        }
-      });
+  std::vector<Task> tasks = find_tasks(scene, samples);
+  parallel_for(tasks.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   look(scene, samples, tasks[i]);
+               });
   for (Task &task : tasks)
     for (const FrameStretch &stretch : task.stretches)
     {
@@ -327,24 +434,26 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
       named.corner = stretch.corner;
       if (stretch.corner != Frame::none)
       {
-        const unsigned int b = stretch.corner == 0 ? named.partner : named.body;
         named.rays.resize(1);
-        named.rays[0].place[stretch.corner] =
-            samples[b].samples[stretch.facing.front()[stretch.corner]].place;
+        named.rays[0].place[stretch.corner] = (stretch.corner == 0 ? *task.partner : samples[named.body])
+                                                  .samples[stretch.facing.front()[stretch.corner]]
+                                                  .place;
       }
       task.found.push_back(start_frame(scene, stretch, named, before));
     }
-  const Layout layout(scene, samples);
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t i = begin; i < end; ++i)
+                 {
+                   const Layout layout(scene, tasks[i].apart, tasks[i].partner, samples[tasks[i].named.body]);
                    for (unsigned int s = 0; s < tasks[i].found.size(); ++s)
                    {
                      if (tasks[i].found[s].rays.empty() && tasks[i].found[s].corner == Frame::none)
                        layout.center(tasks[i].stretches[s], tasks[i].found[s]);
                      layout.lay(tasks[i].stretches[s], tasks[i].found[s]);
                    }
+                 }
                });
   std::vector<Frame> result;
   for (Task &task : tasks)

@@ -15,7 +15,7 @@ namespace
 constexpr unsigned int most_passes = 40;
 /// After sets have repeated only rays change sides that are wrong by that share of the worst.
 constexpr double share_of_worst = 0.5;
-constexpr double farthest = 5.; ///< gap or slide of a step that may be [cells]
+constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -222,7 +222,8 @@ bool FrameSystem::solve(const std::vector<Eigen::VectorXd> &way_without,
   bool settled = settle(right, cell_size, negative_of_bodies);
   if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)
   {
-    // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets settle.
+    // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets
+    // settle.
     by_threshold = true;
     settled = settle(right, cell_size, negative_of_bodies);
   }

@@ -21,6 +21,13 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
   if (subgrid.on)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
+  apart = scene.apart(frame);
+  partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
+  for (unsigned int side = 0; side < 2 && !scene.carried.empty(); ++side)
+    if (body(side) != none)
+      carried[side] = scene.carried[body(side)];
+  if (scene.cell != nullptr)
+    carried[0] += scene.dt * (scene.cell->gradient * apart);
   if (scene.pairs != nullptr)
     friction = frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
                                      : scene.pairs->friction(frame.body, frame.partner);
@@ -44,8 +51,8 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
         {
           const SurfacePlace<2> &place = frame.rays[k].place[side];
           const Body<2> &b = scene.bodies[body(side)];
-          const Vector x =
-              place.position + b.field.functions_at(place.position).at(b.displacement) - frame.origin;
+          const Vector x = place.position + b.field.functions_at(place.position).at(b.displacement) +
+                           away(side) - frame.origin;
           height += sign(side) * (x * frame.direction);
         }
       if (height < least)
@@ -57,7 +64,7 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     weight[nearest] = 1.;
   }
   for (unsigned int side = 0; side < 2; ++side)
-    if (body(side) != none && share(side) > 0.)
+    if (unknown(side) != none && share(side) > 0.)
       for (unsigned int k = 0; k < rays.size(); ++k)
         if (weight[k] > 0.)
         {
@@ -71,9 +78,9 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
 bool FrameState::meet_ray(const FrameScene &scene,
                           const std::vector<Eigen::VectorXd> &displacement,
                           const double wall_height,
-                          const Ray<2> &ray,
                           const unsigned int k)
 {
+  const double offset = frame.rays[k].index[0] * frame.spacing + moved;
   RayHere &here = rays[k];
   here.gap = here.by_motion = 0.;
   for (unsigned int side = 0; side < 2; ++side)
@@ -95,12 +102,14 @@ bool FrameState::meet_ray(const FrameScene &scene,
         corner.normal = frame.direction;
       }
       corner.height =
-          (corner.place.position + corner.function.at(displacement[b]) - frame.origin) * frame.direction;
+          (corner.place.position + corner.function.at(displacement[b]) + away(side) - frame.origin) *
+          frame.direction;
       here.gap += sign(side) * corner.height;
       continue;
     }
-    const RaySide<2> found = meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b],
-                                  here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
+    const RaySide<2> found =
+        meet(ray_of(frame, offset, away(side)), scene.outlines[b], scene.bodies[b].field, displacement[b],
+             here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
     if (!found.met)
       return false;
     here.side[side] = found;
@@ -137,14 +146,15 @@ bool FrameState::evaluate(const FrameScene &scene,
   const Vector &t = frame.across[0];
   moved = 0.;
   for (unsigned int side = 0; side < 2; ++side)
-    if (body(side) != none)
+  {
+    if (unknown(side) != none)
       for (const auto &[i, weight] : mean[side])
         moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
+    moved += share(side) * (carried[side] * t);
+  }
   const double wall_height =
-      frame.partner != none
-          ? 0.
-          : (scene.walls[frame.wall].point + wall_way - frame.origin) * frame.direction;
-  Ray<2> ray = ray_of(frame, 0.);
+      frame.partner != none ? 0.
+                            : (scene.walls[frame.wall].point + wall_way - frame.origin) * frame.direction;
   bool all_met = true;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
@@ -155,8 +165,7 @@ bool FrameState::evaluate(const FrameScene &scene,
     if (!here.near)
       continue;
     here.path = path;
-    ray.offset[0] = frame.rays[k].index[0] * frame.spacing + moved;
-    here.met = meet_ray(scene, displacement, wall_height, ray, k);
+    here.met = meet_ray(scene, displacement, wall_height, k);
     all_met = all_met && (here.met || force[k] == 0.);
     if (here.met && first && friction > 0.)
       begin_to_rub(k);
@@ -173,7 +182,7 @@ bool FrameState::evaluate(const FrameScene &scene,
       {
         if (here.hold[side].node.empty())
           here.hold[side] = scene.bodies[b].field.functions_at(here.start[side].position);
-        here.slide += sign(side) * (here.hold[side].at(increment[b]) * here.e);
+        here.slide += sign(side) * ((here.hold[side].at(increment[b]) + carried[side]) * here.e);
       }
   }
   return all_met;
@@ -202,6 +211,7 @@ ContactFrame<2> FrameState::after(const std::vector<double> &force, const std::v
 {
   ContactFrame<2> result = frame;
   result.origin += moved * frame.across[0];
+  result.origin += (carried[1] * frame.direction) * frame.direction;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     result.rays[k].force = force[k];

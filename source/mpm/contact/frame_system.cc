@@ -91,7 +91,8 @@ void FrameSystem::add_columns(const std::vector<FrameState> &frames,
     if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
     {
       columns[i].mate = columns.size();
-      columns.push_back({Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound, frame.ray(k).bound * force[f][k]});
+      columns.push_back(
+          {Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound, frame.ray(k).bound * force[f][k]});
       any_slides = true;
       active.push_back(active[i]);
       gap.push_back(frame.free_slide(k));
@@ -114,9 +115,9 @@ void FrameSystem::add_columns(const std::vector<FrameState> &frames,
   own.emplace_back(motion, motion, frame.twice_by_motion(force[f]));
   own.emplace_back(tangential, motion, 1.);
   for (unsigned int side = 0; side < 2; ++side)
-    if (frame.body(side) != FrameState::none)
+    if (frame.unknown(side) != FrameState::none)
       for (unsigned int i = first; i <= tangential; ++i)
-        of_body[frame.body(side)].push_back(i);
+        of_body[frame.unknown(side)].push_back(i);
 }
 
 void FrameSystem::gather(const FrameState &frame,
@@ -132,20 +133,21 @@ void FrameSystem::gather(const FrameState &frame,
   const unsigned int side = frame.body(1) == b ? 1 : 0;
   switch (column.kind)
   {
-    case Column::ray:
-      frame.for_gradient(column.ray_number, side, 1., add);
-      break;
-    case Column::slide:
-      frame.for_slide(column.ray_number, side, 1., add);
-      break;
-    case Column::motion:
-      frame.for_mixed(side, force, add);
-      break;
-    case Column::tangential:
-      frame.for_mean(side, -1., add);
-      break;
+  case Column::ray:
+    frame.for_gradient(column.ray_number, side, 1., add);
+    break;
+  case Column::slide:
+    frame.for_slide(column.ray_number, side, 1., add);
+    break;
+  case Column::motion:
+    frame.for_mixed(side, force, add);
+    break;
+  case Column::tangential:
+    frame.for_mean(side, -1., add);
+    break;
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const auto &x, const auto &y) { return x.first < y.first; });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const auto &x, const auto &y) { return x.first < y.first; });
   for (unsigned int e = 0; e < entries.size();)
   {
     const unsigned int node = entries[e].first;
@@ -187,8 +189,8 @@ void FrameSystem::condense(const std::vector<FrameState> &frames,
                    for (unsigned int i = 0; i < list.size(); ++i)
                    {
                      V[b].startVec(i);
-                     gather(frames[columns[list[i]].frame], columns[list[i]], b, force[columns[list[i]].frame], i,
-                            V[b]);
+                     gather(frames[columns[list[i]].frame], columns[list[i]], b,
+                            force[columns[list[i]].frame], i, V[b]);
                    }
                    V[b].finalize();
                    if (!list.empty())

@@ -33,15 +33,8 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
     refuse("with adhesion");
   if (!scene.obstacles.empty())
     refuse("where the scene has 'Obstacles/" + scene.obstacles.front().name + "'");
-  for (const BodyDescription<2> &body : scene.bodies)
-    if (body.driven)
-      refuse("where 'Bodies/" + body.name + "' is driven");
   for (const WallDescription<2> &wall : scene.walls)
-  {
-    if (wall.type != WallDescription<2>::Type::plane)
-      refuse("where 'Walls/" + wall.name + "' is no plane");
     if (!wall.drive->prescribed())
       refuse("where 'Walls/" + wall.name + "' bears a load");
-  }
 }
 } // namespace softgrain::mpm

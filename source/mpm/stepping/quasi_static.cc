@@ -285,6 +285,7 @@ quasi_static_step(const Problem &problem, State &state, Workspace &work, const d
 StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   const double before = not_booked(state, work.share);
+  const DrivesAtRest rest(work);
   const StepOutcome outcome = problem.settings.meets_by_rays() ? settle_rays(problem, state, work, dt)
                                                                : make_held_steps(problem, state, work, dt);
   if (outcome.held_steps > 0)

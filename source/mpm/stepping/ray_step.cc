@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace softgrain::mpm
 {
@@ -43,8 +44,18 @@ public:
       , plan(plan)
       , motion(motion)
       , h(problem.lattice->cell_size())
+      , cell(state.cell_motion(motion))
       , equations(problem, state, work, plan)
-      , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h + 2. * way_of_walls(), &problem.pairs}
+      , scene{state.bodies,
+              work.outlines,
+              motion,
+              h,
+              problem.subgrid(),
+              0.5 * h + 2. * largest_way(),
+              &problem.pairs,
+              cell ? &*cell : nullptr,
+              plan.dt,
+              ways_of_bodies()}
       , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
   {
   }
@@ -59,14 +70,8 @@ private:
   {
     return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
   }
-  /// The largest of any wall over the step [m].
-  double way_of_walls() const
-  {
-    double way = 0.;
-    for (const WallMotion<2> &wall : motion)
-      way = std::max(way, way_of(wall).norm());
-    return way;
-  }
+  std::vector<FrameState::Vector> ways_of_bodies() const;
+  double largest_way() const;
   bool evaluate(const Vectors &way);
   void measure();
   bool converged() const;
@@ -80,17 +85,42 @@ private:
   const StepPlan &plan;
   std::vector<WallMotion<2>> &motion;
   const double h;
+  const std::optional<CellMotion> cell;
   StepEquations equations;
   FrameScene scene;
   std::vector<FrameState> frames;
   RayForces force, rubbing; ///< normal forces and friction of rays [N/m]
   FrameSystem system;
-  Vectors way, trial, displacement;
+  Vectors zero, way, trial, displacement;
   double residual = 0.; ///< largest unbalanced force of a body over the largest force on one
   double deepest = 0.;  ///< largest gap of a pressed ray, or overlap of another one [m]
   bool right_inertia = false;
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
 };
+
+/// By which bodies move beside what their nodes do, see FrameScene::carried.
+std::vector<FrameState::Vector> RayStep::ways_of_bodies() const
+{
+  std::vector<FrameState::Vector> ways(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      ways[body.index] = plan.dt * work.drive[body.index];
+    else if (cell)
+      ways[body.index] = plan.dt * cell->velocity(body.center());
+  return ways;
+}
+
+/// The largest by which something that is no unknown brings two places nearer [m].
+double RayStep::largest_way() const
+{
+  double way = 0.;
+  for (const WallMotion<2> &wall : motion)
+    way = std::max(way, way_of(wall).norm());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      way = std::max(way, plan.dt * work.drive[body.index].norm());
+  return way;
+}
 
 bool RayStep::evaluate(const Vectors &to)
 {
@@ -111,9 +141,10 @@ bool RayStep::evaluate(const Vectors &to)
                  for (std::size_t f = begin; f < end; ++f)
                  {
                    const unsigned int w = frames[f].layout().wall;
-                   met[f] = frames[f].evaluate(scene, displacement, to,
-                                               w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
-                                               force[f], path, candidates_within * h + way_of_walls());
+                   met[f] =
+                       frames[f].evaluate(scene, displacement, to,
+                                          w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
+                                          force[f], path, candidates_within * h + largest_way());
                  }
                });
   return std::find(met.begin(), met.end(), 0) == met.end();
@@ -132,7 +163,7 @@ void RayStep::measure()
     const double tau = frame.tangential(force[f]);
     for (unsigned int side = 0; side < 2; ++side)
     {
-      const unsigned int b = frame.body(side);
+      const unsigned int b = frame.unknown(side);
       if (b == FrameState::none)
         continue;
       const auto add = [&](const unsigned int node, const FrameState::Vector &value)
@@ -166,6 +197,8 @@ void RayStep::measure()
   }
   for (unsigned int b = 0; b < way.size(); ++b)
   {
+    if (state.bodies[b].driven)
+      continue;
     worst = std::max(worst, (equations.missing(b) / plan.dt + contact[b]).norm());
     scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
                       1e-8 * state.bodies[b].law->wave_modulus() * h});
@@ -184,8 +217,8 @@ void RayStep::assemble()
   std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_body(way.size());
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int side = 0; side < 2; ++side)
-      if (frames[f].body(side) != FrameState::none)
-        of_body[frames[f].body(side)].emplace_back(f, side);
+      if (frames[f].unknown(side) != FrameState::none)
+        of_body[frames[f].unknown(side)].emplace_back(f, side);
   work.share.for_mine(state.bodies,
                       [&](const Body<2> &body)
                       {
@@ -230,7 +263,7 @@ unsigned int RayStep::factorise()
 
 std::string RayStep::iterate()
 {
-  Vectors direction(way.size()), y(way.size());
+  Vectors direction = zero, y(way.size());
   for (unsigned int attempt = 0;; ++attempt)
   {
     assemble();
@@ -252,7 +285,7 @@ std::string RayStep::iterate()
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
         // In the first iteration walls have moved and bodies have not.
         system.condense(frames, force, rubbing,
-                        candidates_within * h + (outcome.newton_iterations == 0 ? way_of_walls() : 0.));
+                        candidates_within * h + (outcome.newton_iterations == 0 ? largest_way() : 0.));
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
       solved = system.solve(y, h, negative);
@@ -310,9 +343,9 @@ std::string RayStep::iterate()
 std::string RayStep::find()
 {
   outcome.unsolved = true;
-  way.resize(state.bodies.size());
-  for (unsigned int b = 0; b < way.size(); ++b)
-    way[b].setZero(state.bodies[b].field.n_dofs());
+  for (const Body<2> &body : state.bodies)
+    zero.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));
+  way = zero;
   {
     dealii::TimerOutput::Scope section(*work.timer, "contact search");
     const std::vector<ContactFrame<2>> laid = find_frames(scene, state.frames);
@@ -354,7 +387,7 @@ void RayStep::accept(State &state_to_change)
 {
   ContactMemory<2> memory;
   memory.step = plan.dt;
-  std::vector<ContactRow<2>> rows = rows_of_frames(frames, force, rubbing, memory);
+  std::vector<ContactRow<2>> rows = rows_of_frames(scene, frames, force, rubbing, memory);
   work.contact.held = false; // dents are those of the frames
   work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
   Vectors rate(way.size());
@@ -374,9 +407,10 @@ void RayStep::accept(State &state_to_change)
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     rate[b] = way[b] / plan.dt;
-    found.regularisation_work += equations.regularisation_work(b);
-    found.resistance.push_back(equations.resistance(b));
-    state_to_change.held_back[b] = equations.held_back(b);
+    const bool driven = state.bodies[b].driven;
+    found.regularisation_work += driven ? 0. : equations.regularisation_work(b);
+    found.resistance.push_back(driven ? FrameState::Vector() : equations.resistance(b));
+    state_to_change.held_back[b] = driven ? 0. : equations.held_back(b);
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;

@@ -23,18 +23,18 @@ StepEquations::StepEquations(const Problem &problem,
                              const StepPlan &plan)
     : increment(state.bodies.size())
     , internal(state.bodies.size())
-    , external(external_forces(state.bodies,
-                               work.share,
-                               problem.scene.gravity,
-                               // Loads at the middle of the step: second order, and the same work whatever
-                               // theta is. newmark takes those at the end, (3.21), and has those at the start
-                               // in the acceleration. So do steps with rays, which end in balance.
-                               state.time + (plan.held ? 0.
-                                             : problem.settings.scheme.stored_acceleration ||
-                                                     problem.settings.meets_by_rays()
-                                                 ? 1.
-                                                 : 0.5) *
-                                                plan.dt))
+    , external(external_forces(
+          state.bodies,
+          work.share,
+          problem.scene.gravity,
+          // Loads at the middle of the step: second order, and the same work whatever
+          // theta is. newmark takes those at the end, (3.21), and has those at the start
+          // in the acceleration. So do steps with rays, which end in balance.
+          state.time + (plan.held ? 0.
+                        : problem.settings.scheme.stored_acceleration || problem.settings.meets_by_rays()
+                            ? 1.
+                            : 0.5) *
+                           plan.dt))
     , problem(problem)
     , state(state)
     , work(work)

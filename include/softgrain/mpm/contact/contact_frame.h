@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_contact_frame_h
 #define softgrain_mpm_contact_contact_frame_h
 
+#include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/geometry/rest_surface.h>
 
 #include <deal.II/base/point.h>
@@ -31,6 +32,11 @@ struct ContactFrame
   unsigned int body = none;    ///< feels +force along the direction
   unsigned int partner = none; ///< another body; none: the wall
   unsigned int wall = none;
+  /// In a cell that repeats: of the partner, that the body meets, as if no body had been brought into the
+  /// cell.
+  typename PeriodicCell<dim>::Image image{};
+  /// Copy of the cell in which the body would be, when the frame was laid.
+  typename PeriodicCell<dim>::Image home{};
   /// The side, 0 the partner and 1 the body, through whose corner its only ray goes; none: all surfaces are
   /// smooth where its rays meet them. A corner is a place of the material, on which the ray rides.
   unsigned int corner = none;
@@ -51,10 +57,16 @@ struct ContactFrame
   std::vector<RayPlace> rays; ///< in ascending order of their indices
 
   /// What a frame and its successor have in common.
-  using Key = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, unsigned int>;
+  using Key = std::tuple<unsigned int,
+                         unsigned int,
+                         unsigned int,
+                         typename PeriodicCell<dim>::Image,
+                         unsigned int,
+                         unsigned int>;
   Key key() const
   {
-    return {body, partner, wall, corner, corner == none || rays.empty() ? none : rays[0].place[corner].piece};
+    return {body,  partner, wall,
+            image, corner,  corner == none || rays.empty() ? none : rays[0].place[corner].piece};
   }
 };
 } // namespace softgrain::mpm

@@ -15,11 +15,13 @@ namespace softgrain::mpm
  *
  * The force of a row is what its ray does to the body, its share in the mean motion and friction counted in:
  * the partner feels the opposite.
+ * @param scene  with its cell, if it has one
  * @param force  of the rays [N/m]
  * @param rubbing friction of the rays [N/m]
  * @param memory takes their impulses over its step
  */
-std::vector<ContactRow<2>> rows_of_frames(const std::vector<FrameState> &frames,
+std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
+                                          const std::vector<FrameState> &frames,
                                           const RayForces &force,
                                           const RayForces &rubbing,
                                           ContactMemory<2> &memory);

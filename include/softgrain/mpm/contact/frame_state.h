@@ -88,6 +88,13 @@ public:
   const RayHere &ray(const unsigned int k) const { return rays[k]; }
   /// The body of a side, 0 the partner and 1 the body; none for a wall.
   unsigned int body(const unsigned int side) const { return side == 0 ? frame.partner : frame.body; }
+  /// The same if its nodes are unknown; none for a body that is driven.
+  unsigned int unknown(const unsigned int side) const
+  {
+    return side == 0 && partner_is_driven ? none : body(side);
+  }
+  /// From the partner to the image of it that the body meets, at the start of the step [m].
+  const Vector &image_shift() const { return apart; }
   const ContactFrame<2> &layout() const { return frame; }
   /// c [m].
   double motion() const { return moved; }
@@ -130,9 +137,10 @@ public:
       const Vector bend = here.sliding_twice * frame.across[0];
       const double along = here.way[0] * frame.across[0];
       for (unsigned int i = 0; i < here.function.node.size(); ++i)
-        add(here.function.node[i], -sign(side) * force[k] *
-                                       (here.function.value[i] * bend +
-                                        (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
+        add(here.function.node[i],
+            -sign(side) * force[k] *
+                (here.function.value[i] * bend +
+                 (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
     }
   }
   /// sum_k P_k d^2 g_k/dc^2 [N/m^2].
@@ -161,13 +169,14 @@ private:
   {
     if (frame.corner != none)
       return side == frame.corner ? 1. : 0.;
-    return frame.partner == none ? 1. : 0.5;
+    return unknown(0) == none ? side : 0.5;
   }
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
+  /// By which a side stands away from where its nodes say.
+  Vector away(const unsigned int side) const { return carried[side] + (side == 0 ? apart : Vector()); }
   bool meet_ray(const FrameScene &scene,
                 const std::vector<Eigen::VectorXd> &displacement,
                 double wall_height,
-                const Ray<2> &ray,
                 unsigned int k);
   void begin_to_rub(unsigned int k);
 
@@ -175,6 +184,9 @@ private:
   std::vector<RayHere> rays;
   std::array<std::vector<std::pair<unsigned int, double>>, 2> mean; ///< of the places: node, weight
   double moved = 0;
+  Vector apart;
+  std::array<Vector, 2> carried;
+  bool partner_is_driven = false;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;
   double young = 0, softness = 0, friction = 0;

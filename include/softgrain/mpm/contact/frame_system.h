@@ -31,10 +31,10 @@ using RayForces = std::vector<std::vector<double>>;
  * with q = sum_k P_k d²g_k/dc²: symmetric, and sparse since frames meet only in bodies. Rays that pull are
  * taken out and rays that would overlap are taken in until none is left.
  *
- * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The friction
- * of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and the matrix is not
- * symmetric any more. It is solved by GMRES, with the symmetric part of closed rays and of those that stick as
- * preconditioner: it differs from that by the rank of what slips.
+ * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The
+ * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
+ * the matrix is not symmetric any more. It is solved by GMRES, with the symmetric part of closed rays and of
+ * those that stick as preconditioner: it differs from that by the rank of what slips.
  */
 class FrameSystem
 {
@@ -87,9 +87,9 @@ public:
     Kind kind;
     unsigned int frame, ray_number; ///< the latter of a ray
     unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
-    double stiffness = 0; ///< of a ray or a slide: what makes a gap a force [N/m^2]
-    double bound = 0;     ///< of a slide: largest friction over force
-    double threshold = 0; ///< the same times the force of the last iterate [N/m]
+    double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
+    double bound = 0;               ///< of a slide: largest friction over force
+    double threshold = 0;           ///< the same times the force of the last iterate [N/m]
   };
   void add_columns(const std::vector<FrameState> &frames,
                    const RayForces &force,
@@ -115,8 +115,8 @@ public:
   {
     return by_threshold ? columns[i].threshold : columns[i].bound * std::max(0., z[columns[i].mate]);
   }
-  /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share of
-  /// the worst.
+  /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share
+  /// of the worst.
   /// @return whether there were none
   bool change_sides(const Eigen::VectorXd &here, double cell_size, double share);
   /// On which side of their conditions all columns are.
