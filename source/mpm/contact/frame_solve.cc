@@ -57,11 +57,14 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
       number[i] = n++;
   std::vector<Eigen::Triplet<double>> entries, by_slip;
   for (const auto &entry : own)
-    if (number[entry.row()] >= 0 && number[entry.col()] >= 0)
-    {
-      const int row = number[entry.row()], column = number[entry.col()];
+  {
+    const int row = number[entry.row()], column = number[entry.col()];
+    if (row >= 0 && column >= 0)
       entries.emplace_back(std::max(row, column), std::min(row, column), entry.value());
-    }
+    // What slips gives to walls under loads.
+    if (const unsigned int i = entry.row(); column >= 0 && active[i] && slips(i) != 0 && !by_threshold)
+      by_slip.emplace_back(column, number[columns[i].mate], slips(i) * columns[i].bound * entry.value());
+  }
   for (unsigned int b = 0; b < of_body.size(); ++b)
     for (unsigned int j = 0; j < of_body[b].size(); ++j)
     {
@@ -81,13 +84,11 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   Factor factor(N);
   if (factor.info() != Eigen::Success)
     return false;
+  n_free = 0;
+  for (const FreeWay &way : ways)
+    n_free += way.stopped == 0;
   negative = (factor.vectorD().array() < 0.).count();
-  z.setZero();
-  if (by_threshold)
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      if (active[i] && slips(i) != 0)
-        z[i] = slips(i) * columns[i].threshold;
-  const Eigen::VectorXd known = by_threshold ? Eigen::VectorXd(-beyond(right)) : right;
+  const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond(right)) : right;
   Eigen::VectorXd b(n), x;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
@@ -123,6 +124,23 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   return true;
 }
 
+bool FrameSystem::set_known()
+{
+  z.setZero();
+  bool any = false;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+  {
+    const bool bounded = by_threshold && active[i] && slips(i) != 0,
+               stopped = columns[i].kind == Column::wall && ways[i].stopped != 0;
+    if (bounded)
+      z[i] = slips(i) * columns[i].threshold;
+    if (stopped)
+      z[i] = ways[i].stopped * ways[i].limit - ways[i].at;
+    any = any || bounded || stopped;
+  }
+  return any;
+}
+
 Eigen::VectorXd FrameSystem::beyond(const Eigen::VectorXd &right) const
 {
   Eigen::VectorXd here = -right;
@@ -144,7 +162,10 @@ Eigen::VectorXd FrameSystem::beyond(const Eigen::VectorXd &right) const
 
 bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_size, const double share)
 {
-  const double largest = z.size() > 0 ? z.cwiseAbs().maxCoeff() : 0.;
+  double largest = 0.;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (columns[i].kind == Column::ray || columns[i].kind == Column::slide)
+      largest = std::max(largest, std::abs(z[i]));
   wrong.setZero(columns.size()); // by how much a ray is where it must not be, as a force
   for (unsigned int i = 0; i < columns.size(); ++i)
   {
@@ -174,15 +195,42 @@ bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_si
           active[columns[i].mate] = active[i];
       }
     }
-  return worst == 0.;
+  return worst == 0. && walls_stay(here);
+}
+
+bool FrameSystem::walls_stay(const Eigen::VectorXd &here)
+{
+  bool all_stay = true;
+  for (unsigned int w = 0; w < ways.size(); ++w)
+  {
+    // One at its stop goes back where what it meets bears more than its load.
+    int &stopped = ways[w].stopped;
+    const int before = stopped;
+    const double way = ways[w].at + z[w];
+    if (before == 0 && std::abs(way) > ways[w].limit)
+      stopped = way > 0. ? 1 : -1;
+    else if (before * here[w] < 0.)
+      stopped = 0;
+    all_stay = all_stay && stopped == before;
+  }
+  return all_stay;
 }
 
 std::vector<signed char> FrameSystem::sides() const
 {
   std::vector<signed char> result(columns.size());
   for (unsigned int i = 0; i < columns.size(); ++i)
-    result[i] = active[i] ? 2 + slips(i) : 0;
+    result[i] = columns[i].kind == Column::wall ? 2 + ways[i].stopped : active[i] ? 2 + slips(i) : 0;
   return result;
+}
+
+double FrameSystem::farthest_way(const Eigen::VectorXd &here) const
+{
+  double way = 0.;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (columns[i].kind == Column::ray || columns[i].kind == Column::slide)
+      way = std::max(way, std::abs(here[i]));
+  return way;
 }
 
 bool FrameSystem::settle(const Eigen::VectorXd &right,
@@ -198,7 +246,7 @@ bool FrameSystem::settle(const Eigen::VectorXd &right,
       return false;
     const Eigen::VectorXd here = beyond(right);
     // Nothing holds the bodies: no set is right where they go so far.
-    if (pass >= most_in_saddle && here.size() > 0 && here.cwiseAbs().maxCoeff() > farthest * cell_size)
+    if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
       return false;
     settled = change_sides(here, cell_size, repeats ? share_of_worst : 0.);
     repeats = repeats || !seen.insert(sides()).second;
@@ -227,6 +275,9 @@ bool FrameSystem::solve(const std::vector<Eigen::VectorXd> &way_without,
     by_threshold = true;
     settled = settle(right, cell_size, negative_of_bodies);
   }
+  found_ways.resize(ways.size());
+  for (unsigned int w = 0; w < ways.size(); ++w)
+    found_ways[w] = ways[w].at + z[w];
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray)
       found[columns[i].frame][columns[i].ray_number] = std::max(0., z[i]);

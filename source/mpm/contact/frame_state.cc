@@ -23,11 +23,7 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = scene.apart(frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
-  for (unsigned int side = 0; side < 2 && !scene.carried.empty(); ++side)
-    if (body(side) != none)
-      carried[side] = scene.carried[body(side)];
-  if (scene.cell != nullptr)
-    carried[0] += scene.dt * (scene.cell->gradient * apart);
+  carry(scene);
   if (scene.pairs != nullptr)
     friction = frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
                                      : scene.pairs->friction(frame.body, frame.partner);
@@ -73,6 +69,15 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
           for (unsigned int i = 0; i < function.node.size(); ++i)
             mean[side].emplace_back(function.node[i], share(side) * weight[k] * function.value[i]);
         }
+}
+
+void FrameState::carry(const FrameScene &scene)
+{
+  for (unsigned int side = 0; side < 2 && !scene.carried.empty(); ++side)
+    if (body(side) != none)
+      carried[side] = scene.carried[body(side)];
+  if (scene.cell != nullptr)
+    carried[0] += scene.dt * (scene.cell->gradient * apart);
 }
 
 bool FrameState::meet_ray(const FrameScene &scene,
@@ -138,6 +143,7 @@ bool FrameState::evaluate(const FrameScene &scene,
                           const double path,
                           const double within)
 {
+  carry(scene);
   sum_of_forces = 0.;
   for (const double of_ray : force)
     sum_of_forces += of_ray;
@@ -188,14 +194,15 @@ bool FrameState::evaluate(const FrameScene &scene,
   return all_met;
 }
 
-double FrameState::twice_by_motion(const std::vector<double> &force) const
+double FrameState::twice_by(const std::vector<double> &force,
+                            const std::array<Vector, 2> &v,
+                            const std::array<Vector, 2> &w) const
 {
-  const Vector &t = frame.across[0];
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
     for (unsigned int side = 0; side < 2; ++side)
       if (force[k] > 0. && rays[k].met && body(side) != none)
-        sum += sign(side) * force[k] * (t * (rays[k].side[side].sliding_twice * t));
+        sum += sign(side) * force[k] * (v[side] * (rays[k].side[side].sliding_twice * w[side]));
   return sum;
 }
 

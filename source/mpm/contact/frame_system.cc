@@ -31,7 +31,7 @@ void FrameSystem::find_order()
   std::vector<unsigned int> first;
   for (unsigned int i = 0; i < columns.size(); ++i)
   {
-    if (i == 0 || columns[i].frame != columns[i - 1].frame)
+    if (columns[i].kind != Column::wall && (first.empty() || columns[i].frame != columns[i - 1].frame))
       first.push_back(i);
     frame_of.push_back(first.size() - 1);
   }
@@ -39,11 +39,15 @@ void FrameSystem::find_order()
   const int n = first.size() - 1;
   std::vector<Eigen::Triplet<double>> neighbours;
   for (const auto &list : of_body)
-    for (unsigned int i = 0; i < list.size(); ++i)
-      if (i == 0 || frame_of[list[i]] != frame_of[list[i - 1]])
-        for (unsigned int j = 0; j < list.size(); ++j)
-          if (j == 0 || frame_of[list[j]] != frame_of[list[j - 1]])
-            neighbours.emplace_back(frame_of[list[i]], frame_of[list[j]], 1.);
+  {
+    std::vector<int> of_this; // frames
+    for (const unsigned int i : list)
+      if (columns[i].kind == Column::tangential)
+        of_this.push_back(frame_of[i]);
+    for (const int one : of_this)
+      for (const int other : of_this)
+        neighbours.emplace_back(one, other, 1.);
+  }
   Eigen::SparseMatrix<double> graph(n, n);
   graph.setFromTriplets(neighbours.begin(), neighbours.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
@@ -57,9 +61,13 @@ void FrameSystem::find_order()
     order.push_back(end - 1);
     order.push_back(end - 2);
   }
+  // Walls meet many.
+  for (unsigned int w = 0; w < ways.size(); ++w)
+    order.push_back(w);
 }
 
-void FrameSystem::add_columns(const std::vector<FrameState> &frames,
+void FrameSystem::add_columns(const FrameScene &scene,
+                              const std::vector<FrameState> &frames,
                               const RayForces &force,
                               const RayForces &rubbing,
                               const unsigned int f,
@@ -112,39 +120,68 @@ void FrameSystem::add_columns(const std::vector<FrameState> &frames,
     for (unsigned int i = first; i < motion_of_rays; ++i)
       for (unsigned int j = first; j <= i; ++j)
         own.emplace_back(i, j, frame.dent_slope());
+  for (unsigned int w = 0; w < ways.size(); ++w)
+  {
+    const std::array<FrameState::Vector, 2> moves = ways[w].moves(scene, frame);
+    if (moves[0].norm_square() + moves[1].norm_square() == 0.)
+      continue;
+    for (unsigned int i = first; i <= tangential; ++i)
+      if (columns[i].kind != Column::motion)
+        own.emplace_back(i, w,
+                         columns[i].kind == Column::ray     ? frame.gap_by(columns[i].ray_number, moves)
+                         : columns[i].kind == Column::slide ? frame.slide_by(columns[i].ray_number, moves)
+                                                            : -frame.motion_by(moves));
+    const std::array<FrameState::Vector, 2> as_motion{{frame.as_motion(), frame.as_motion()}};
+    own.emplace_back(motion, w, frame.twice_by(force[f], as_motion, moves));
+    for (unsigned int v = 0; v <= w; ++v)
+      own.emplace_back(w, v, frame.twice_by(force[f], ways[v].moves(scene, frame), moves));
+  }
   own.emplace_back(motion, motion, frame.twice_by_motion(force[f]));
   own.emplace_back(tangential, motion, 1.);
   for (unsigned int side = 0; side < 2; ++side)
     if (frame.unknown(side) != FrameState::none)
+    {
+      const unsigned int b = frame.unknown(side);
+      frames_of[b].emplace_back(f, side);
       for (unsigned int i = first; i <= tangential; ++i)
-        of_body[frame.unknown(side)].push_back(i);
+        of_body[b].push_back(i);
+    }
 }
 
-void FrameSystem::gather(const FrameState &frame,
+void FrameSystem::gather(const FrameScene &scene,
+                         const std::vector<FrameState> &frames,
                          const Column &column,
                          const unsigned int b,
-                         const std::vector<double> &force,
+                         const RayForces &force,
                          const unsigned int i,
                          LinearSolver::Rows &rows) const
 {
   using Vector = FrameState::Vector;
   std::vector<std::pair<unsigned int, Vector>> entries;
   const auto add = [&](const unsigned int node, const Vector &value) { entries.emplace_back(node, value); };
-  const unsigned int side = frame.body(1) == b ? 1 : 0;
-  switch (column.kind)
+  if (column.kind == Column::wall)
   {
-  case Column::ray:
-    frame.for_gradient(column.ray_number, side, 1., add);
-    break;
-  case Column::slide:
-    frame.for_slide(column.ray_number, side, 1., add);
-    break;
-  case Column::motion:
-    frame.for_mixed(side, force, add);
-    break;
-  case Column::tangential:
-    frame.for_mean(side, -1., add);
-    break;
+    for (const auto &[f, side] : frames_of[b])
+      frames[f].for_mixed(side, force[f], ways[column.ray_number].moves(scene, frames[f])[side], add);
+  }
+  else
+  {
+    const FrameState &frame = frames[column.frame];
+    const unsigned int side = frame.body(1) == b ? 1 : 0;
+    switch (column.kind)
+    {
+    case Column::ray:
+      frame.for_gradient(column.ray_number, side, 1., add);
+      break;
+    case Column::slide:
+      frame.for_slide(column.ray_number, side, 1., add);
+      break;
+    case Column::motion:
+      frame.for_mixed(side, force[column.frame], frame.as_motion(), add);
+      break;
+    default:
+      frame.for_mean(side, -1., add);
+    }
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const auto &x, const auto &y) { return x.first < y.first; });
@@ -159,7 +196,8 @@ void FrameSystem::gather(const FrameState &frame,
   }
 }
 
-void FrameSystem::condense(const std::vector<FrameState> &frames,
+void FrameSystem::condense(const FrameScene &scene,
+                           const std::vector<FrameState> &frames,
                            const RayForces &force,
                            const RayForces &rubbing,
                            const double within)
@@ -168,6 +206,7 @@ void FrameSystem::condense(const std::vector<FrameState> &frames,
   own.clear();
   for (auto &list : of_body)
     list.clear();
+  frames_of.assign(of_body.size(), {});
   active.clear();
   gap.clear();
   found = force;
@@ -175,8 +214,20 @@ void FrameSystem::condense(const std::vector<FrameState> &frames,
   slipping.resize(frames.size());
   n_frames = 0;
   any_slides = false;
+  for (unsigned int w = 0; w < ways.size(); ++w)
+  {
+    columns.push_back({Column::wall, FrameState::none, w});
+    active.push_back(1);
+    gap.push_back(ways[w].load - ways[w].stiffness * ways[w].at);
+    own.emplace_back(w, w, -ways[w].stiffness);
+  }
   for (unsigned int f = 0; f < frames.size(); ++f)
-    add_columns(frames, force, rubbing, f, within);
+    add_columns(scene, frames, force, rubbing, f, within);
+  for (unsigned int w = 0; w < ways.size(); ++w)
+    if (ways[w].carries())
+      for (auto &list : of_body)
+        if (!list.empty())
+          list.push_back(w);
   z.setZero(gap.size());
   find_order();
   share.for_mine(bodies,
@@ -189,8 +240,7 @@ void FrameSystem::condense(const std::vector<FrameState> &frames,
                    for (unsigned int i = 0; i < list.size(); ++i)
                    {
                      V[b].startVec(i);
-                     gather(frames[columns[list[i]].frame], columns[list[i]], b,
-                            force[columns[list[i]].frame], i, V[b]);
+                     gather(scene, frames, columns[list[i]], b, force, i, V[b]);
                    }
                    V[b].finalize();
                    if (!list.empty())

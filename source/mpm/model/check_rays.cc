@@ -3,7 +3,6 @@
 #include <softgrain/base/ranks.h>
 #include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/scene/contact_pairs.h>
-#include <softgrain/scene/wall_drive.h>
 
 #include <string>
 
@@ -33,8 +32,5 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
     refuse("with adhesion");
   if (!scene.obstacles.empty())
     refuse("where the scene has 'Obstacles/" + scene.obstacles.front().name + "'");
-  for (const WallDescription<2> &wall : scene.walls)
-    if (!wall.drive->prescribed())
-      refuse("where 'Walls/" + wall.name + "' bears a load");
 }
 } // namespace softgrain::mpm

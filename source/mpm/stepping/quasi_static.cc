@@ -259,17 +259,18 @@ double unbalanced_force(const Problem &problem,
 StepOutcome
 quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
-  if (problem.settings.meets_by_rays())
-    return rays_step(problem, state, work, dt);
   StepOutcome sum;
   // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
   // bodies resist more; held steps take that off.
-  for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
-  {
-    sum = implicit_step(problem, state, work, {dt, false, resistance});
-    if (!(sum.gives_energy || sum.unsolved) || resistance > 10.)
-      break;
-  }
+  if (problem.settings.meets_by_rays())
+    sum = rays_step(problem, state, work, dt);
+  else
+    for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
+    {
+      sum = implicit_step(problem, state, work, {dt, false, resistance});
+      if (!(sum.gives_energy || sum.unsolved) || resistance > 10.)
+        break;
+    }
   // Walls under pressure go as far as balance lets them.
   if (!sum.accepted || work.contact.free_walls.list.empty())
     return sum;

@@ -9,6 +9,7 @@
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step_equations.h>
@@ -72,6 +73,9 @@ private:
   }
   std::vector<FrameState::Vector> ways_of_bodies() const;
   double largest_way() const;
+  void move_free_walls();
+  void find_free_walls();
+  double unbalanced_free_walls() const;
   bool evaluate(const Vectors &way);
   void measure();
   bool converged() const;
@@ -85,7 +89,7 @@ private:
   const StepPlan &plan;
   std::vector<WallMotion<2>> &motion;
   const double h;
-  const std::optional<CellMotion> cell;
+  std::optional<CellMotion> cell;
   StepEquations equations;
   FrameScene scene;
   std::vector<FrameState> frames;
@@ -122,8 +126,22 @@ double RayStep::largest_way() const
   return way;
 }
 
+/// Puts walls under loads where they have come to.
+void RayStep::move_free_walls()
+{
+  std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
+  for (unsigned int w = 0; w < list.size(); ++w)
+    list[w].speed = system.ways[w].at / plan.dt;
+  if (list.empty())
+    return;
+  settle_free_walls(problem, state, work, motion);
+  cell = state.cell_motion(motion);
+  scene.carried = ways_of_bodies();
+}
+
 bool RayStep::evaluate(const Vectors &to)
 {
+  move_free_walls();
   trial.resize(to.size());
   displacement.resize(to.size());
   for (unsigned int b = 0; b < to.size(); ++b)
@@ -203,7 +221,9 @@ void RayStep::measure()
     scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
                       1e-8 * state.bodies[b].law->wave_modulus() * h});
   }
-  residual = std::max(worst, wrong_friction) / scale;
+  for (const FreeWay &free : system.ways)
+    scale = std::max(scale, std::abs(free.load));
+  residual = std::max({worst, wrong_friction, unbalanced_free_walls()}) / scale;
 }
 
 bool RayStep::converged() const
@@ -284,7 +304,7 @@ std::string RayStep::iterate()
       {
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
         // In the first iteration walls have moved and bodies have not.
-        system.condense(frames, force, rubbing,
+        system.condense(scene, frames, force, rubbing,
                         candidates_within * h + (outcome.newton_iterations == 0 ? largest_way() : 0.));
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
@@ -317,6 +337,12 @@ std::string RayStep::iterate()
   double largest = 0.;
   for (const Eigen::VectorXd &d : direction)
     largest = std::max(largest, d.lpNorm<Eigen::Infinity>());
+  std::vector<double> gone;
+  for (unsigned int w = 0; w < system.ways.size(); ++w)
+  {
+    gone.push_back(system.ways[w].at);
+    largest = std::max(largest, std::abs(system.found_ways[w] - gone[w]));
+  }
   double share = std::min(1., longest_way * h / largest);
   const RayForces before = force, rubbed = rubbing;
   const Vectors from = way;
@@ -333,6 +359,8 @@ std::string RayStep::iterate()
         force[f][k] = before[f][k] + share * (system.found[f][k] - before[f][k]);
         rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
       }
+    for (unsigned int w = 0; w < gone.size(); ++w)
+      system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
     if (evaluate(way))
       break;
   }
@@ -340,8 +368,47 @@ std::string RayStep::iterate()
   return "";
 }
 
+/// Walls under loads become unknowns.
+void RayStep::find_free_walls()
+{
+  const PeriodicCell<2> *repeats = cell ? &cell->cell : nullptr;
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+  {
+    const Wall &wall = state.walls[free.wall];
+    const double load = free.slides() ? wall.slide_load : wall.load, net = load + wall.force * free.way;
+    // The spring is that of bodies that resist no more than they must.
+    system.ways.emplace_back(
+        free, wall.body == Wall::no_body ? FrameState::none : wall.body, wall.repeats() ? repeats : nullptr,
+        std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load, problem.settings.wall_motion * h,
+        free.mass / (plan.dt * plan.dt) * problem.settings.regularisation / plan.regularisation);
+  }
+}
+
+/// The largest force that a wall under a load lacks, those at their stops apart [N/m].
+double RayStep::unbalanced_free_walls() const
+{
+  double worst = 0.;
+  for (const FreeWay &way : system.ways)
+  {
+    if (way.stopped != 0)
+      continue;
+    double sum = way.load - way.stiffness * way.at;
+    for (unsigned int f = 0; f < frames.size(); ++f)
+    {
+      const auto moves = way.moves(scene, frames[f]);
+      for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+        if (force[f][k] > 0.)
+          sum += force[f][k] * frames[f].gap_by(k, moves) + rubbing[f][k] * frames[f].slide_by(k, moves);
+      sum -= frames[f].tangential(force[f]) * frames[f].motion_by(moves);
+    }
+    worst = std::max(worst, std::abs(sum));
+  }
+  return worst;
+}
+
 std::string RayStep::find()
 {
+  find_free_walls();
   outcome.unsolved = true;
   for (const Body<2> &body : state.bodies)
     zero.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -35,7 +36,7 @@ double unbalanced(const Problem &problem, const State &state)
     worst = std::max(worst, state.held_back[body.index]);
     floor = std::max(floor, least_force * body.law->young_modulus() * problem.lattice->cell_size());
   }
-  return worst / std::max(sum / std::max(n_pressed, 1u), floor);
+  return std::max(worst / std::max(sum / std::max(n_pressed, 1u), floor), unbalanced_walls(problem, state));
 }
 } // namespace
 
@@ -57,7 +58,7 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
   StepOutcome sum;
   sum.accepted = true;
   sum.unbalanced = state.held_back.empty() ? 0. : unbalanced(problem, state);
-  double resistance = settings.regularisation;
+  double resistance = settings.regularisation, slid = 0.;
   while (sum.unbalanced > settings.unbalanced_force)
   {
     if (sum.held_steps >= settings.max_held_steps)
@@ -83,6 +84,8 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
       continue;
     }
     ++sum.held_steps;
+    slid += slid_on_their_way(work, dt);
+    check_room_of_walls(problem, state, slid);
     sum.largest_move = std::max(sum.largest_move, held.largest_move);
     sum.unbalanced = unbalanced(problem, state);
     resistance = std::max(settings.regularisation, ease * resistance * held.raised);

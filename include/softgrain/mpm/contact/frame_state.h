@@ -124,27 +124,37 @@ public:
     for (const auto &[i, weight] : mean[side])
       add(i, factor * weight * frame.across[0]);
   }
-  /// The same for sum_k P_k d^2 g_k/du dc. @param force of all rays [N/m]
+  /// The same for sum_k P_k d^2 g_k/du dv, where a side moves by @p v. @param force of all rays [N/m]
   template <class F>
-  void for_mixed(const unsigned int side, const std::vector<double> &force, const F &add) const
+  void
+  for_mixed(const unsigned int side, const std::vector<double> &force, const Vector &v, const F &add) const
   {
     for (unsigned int k = 0; k < rays.size(); ++k)
     {
       if (force[k] == 0. || !rays[k].met)
         continue;
       const RaySide<2> &here = rays[k].side[side];
-      // A ray that moves by c meets a body that has moved by -c.
-      const Vector bend = here.sliding_twice * frame.across[0];
-      const double along = here.way[0] * frame.across[0];
+      const Vector bend = here.sliding_twice * v;
+      const double along = here.way[0] * v;
       for (unsigned int i = 0; i < here.function.node.size(); ++i)
         add(here.function.node[i],
-            -sign(side) * force[k] *
+            sign(side) * force[k] *
                 (here.function.value[i] * bend +
                  (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
     }
   }
+  /// The motion of a side that does what the frame's own does: a ray that moves by c meets a body that has
+  /// moved by -c.
+  Vector as_motion() const { return -frame.across[0]; }
+  /// sum_k P_k d^2 g_k/dv dw, where the sides move by @p v and by @p w [N/m^2].
+  double twice_by(const std::vector<double> &force,
+                  const std::array<Vector, 2> &v,
+                  const std::array<Vector, 2> &w) const;
   /// sum_k P_k d^2 g_k/dc^2 [N/m^2].
-  double twice_by_motion(const std::vector<double> &force) const;
+  double twice_by_motion(const std::vector<double> &force) const
+  {
+    return twice_by(force, {{as_motion(), as_motion()}}, {{as_motion(), as_motion()}});
+  }
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
   Vector resultant(unsigned int k) const
   {
@@ -152,6 +162,23 @@ public:
   }
   /// tau [N/m].
   double tangential(const std::vector<double> &force) const;
+
+  /// What it does to the gap of a ray, at a place of the frame that stays, that its sides move, and to its
+  /// slide.
+  double gap_by(const unsigned int k, const std::array<Vector, 2> &moves) const
+  {
+    const Vector partner = frame.partner == none ? frame.direction : rays[k].side[0].normal;
+    return rays[k].side[1].normal * moves[1] - partner * moves[0];
+  }
+  double slide_by(const unsigned int k, const std::array<Vector, 2> &moves) const
+  {
+    return rays[k].e * (moves[1] - moves[0]);
+  }
+  /// What it does to the mean motion across the rays.
+  double motion_by(const std::array<Vector, 2> &moves) const
+  {
+    return (share(0) * moves[0] + share(1) * moves[1]) * frame.across[0];
+  }
 
   /// Calls add(i, j, block) for sum of factor d^2 g_k/du^2 of a side.
   template <class F>
@@ -186,6 +213,7 @@ private:
   double moved = 0;
   Vector apart;
   std::array<Vector, 2> carried;
+  void carry(const FrameScene &scene);
   bool partner_is_driven = false;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;

@@ -5,6 +5,7 @@
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/free_way.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -35,6 +36,9 @@ using RayForces = std::vector<std::vector<double>>;
  * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
  * the matrix is not symmetric any more. It is solved by GMRES, with the symmetric part of closed rays and of
  * those that stick as preconditioner: it differs from that by the rank of what slips.
+ *
+ * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
+ * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
  */
 class FrameSystem
 {
@@ -48,7 +52,8 @@ public:
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
   /// @param force   of the rays [N/m]
   /// @param rubbing friction of the rays [N/m]
-  void condense(const std::vector<FrameState> &frames,
+  void condense(const FrameScene &scene,
+                const std::vector<FrameState> &frames,
                 const RayForces &force,
                 const RayForces &rubbing,
                 double within);
@@ -63,11 +68,15 @@ public:
   /// in a minimum.
   int wrong_inertia(unsigned int negative_of_bodies) const
   {
-    return static_cast<int>(negative) - static_cast<int>(n_frames) - static_cast<int>(negative_of_bodies);
+    return static_cast<int>(negative) - static_cast<int>(n_frames) - static_cast<int>(negative_of_bodies) -
+           static_cast<int>(n_free);
   }
 
   /// V z of a body: force on its nodes [N/m].
   Eigen::VectorXd force_on(unsigned int b) const;
+
+  std::vector<FreeWay> ways;      ///< of walls under loads; the one who steps keeps how far they have gone
+  std::vector<double> found_ways; ///< of the last solve [m]
 
   RayForces found;         ///< P of the last solve [N/m]
   RayForces found_rubbing; ///< friction of the last solve [N/m]
@@ -80,35 +89,43 @@ public:
     {
       ray,
       slide,
+      wall,
       motion,
       tangential
     };
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
     Kind kind;
-    unsigned int frame, ray_number; ///< the latter of a ray
+    unsigned int frame, ray_number; ///< the latter of a ray; of a wall its own
     unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
     double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
     double bound = 0;               ///< of a slide: largest friction over force
     double threshold = 0;           ///< the same times the force of the last iterate [N/m]
   };
-  void add_columns(const std::vector<FrameState> &frames,
+  void add_columns(const FrameScene &scene,
+                   const std::vector<FrameState> &frames,
                    const RayForces &force,
                    const RayForces &rubbing,
                    unsigned int f,
                    double within);
   /// Fills column @p i of those of a body.
-  void gather(const FrameState &frame,
+  void gather(const FrameScene &scene,
+              const std::vector<FrameState> &frames,
               const Column &column,
               unsigned int b,
-              const std::vector<double> &force,
+              const RayForces &force,
               unsigned int i,
               LinearSolver::Rows &rows) const;
   /// What z holds for the columns of a body.
   Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
   bool solve_active(const Eigen::VectorXd &right);
+  /// The largest gap or slide of @p here.
+  double farthest_way(const Eigen::VectorXd &here) const;
   /// N z - right, for all columns.
   Eigen::VectorXd beyond(const Eigen::VectorXd &right) const;
+  /// Stops and frees walls under loads, once the rays are where they must be. @return whether none has
+  /// changed
+  bool walls_stay(const Eigen::VectorXd &here);
   bool settle(const Eigen::VectorXd &right, double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
@@ -127,7 +144,12 @@ public:
     return columns[i].kind == Column::slide ? slipping[columns[i].frame][columns[i].ray_number] : 0;
   }
   /// Whether a column is an unknown of its own.
-  bool counts(const unsigned int i) const { return active[i] && slips(i) == 0; }
+  bool counts(const unsigned int i) const
+  {
+    return active[i] && slips(i) == 0 && (columns[i].kind != Column::wall || ways[i].stopped == 0);
+  }
+  /// What is known of z before the solve.
+  bool set_known();
 
   const BodyShare &share;
   const std::vector<Body<2>> &bodies;
@@ -139,6 +161,7 @@ public:
   std::vector<unsigned int> order;
   std::vector<Column> columns;                    ///< rays that are candidates, and two more per frame
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
+  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of; ///< of a body, with its side
   std::vector<LinearSolver::Rows> V;
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::Triplet<double>> own; ///< Q
@@ -148,7 +171,7 @@ public:
   Eigen::VectorXd z, wrong;
   bool any_slides = false;
   bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
-  unsigned int n_frames = 0, negative = 0;
+  unsigned int n_frames = 0, n_free = 0, negative = 0;
 };
 } // namespace softgrain::mpm
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_free_way_h
+#define softgrain_mpm_contact_free_way_h
+
+#include <softgrain/driving/cell_motion.h>
+#include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/free_walls.h>
+
+#include <array>
+#include <optional>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief How far a wall under a load goes in a step without inertia: one unknown of Newton's equations.
+ *
+ * The load bears what the rays give, and a weak spring that resists the way. A wall goes no further than its
+ * stop.
+ */
+struct FreeWay
+{
+  using Vector = dealii::Tensor<1, 2>;
+
+  /// @param free of the step
+  /// @param slab body that the wall is made of; none: it is a plane, or a side of a cell
+  /// @param cell as it is at the start of the step, of a wall that is a side of it
+  /// @param net    force with which it begins: it sets out for its stop on that side; 0: it is free [N/m]
+  /// @param load   along its way [N/m]
+  /// @param limit of its way [m]
+  /// @param stiffness of the spring [N/m^2]
+  FreeWay(const FreeWall<2> &free,
+          unsigned int slab,
+          const PeriodicCell<2> *cell,
+          double net,
+          double load,
+          double limit,
+          double stiffness);
+
+  /// By which the partner, or the wall, and the body of a frame move per unit of the way.
+  std::array<Vector, 2> moves(const FrameScene &scene, const FrameState &frame) const;
+
+  /// Whether it moves bodies, or what they have outlines with, and not a plane alone.
+  bool carries() const { return cell.has_value() || slab != FrameState::none; }
+
+  /// Whether it stands at its stop, and on which side.
+  int stopped = 0;
+  double at = 0;        ///< how far it has gone [m]
+  double load = 0;      ///< along its way [N/m]
+  double stiffness = 0; ///< of the spring [N/m^2]
+  double limit = 0;     ///< of the way [m]
+
+private:
+  unsigned int wall, slab;
+  Vector way;
+  std::optional<CellMotion> cell; ///< motion of the cell per unit of the way
+};
+} // namespace softgrain::mpm
+
+#endif
