@@ -129,7 +129,7 @@ public:
     for (unsigned int side = 0; side < 2; ++side)
       if (const unsigned int b = frame.body(side); b != FrameState::none)
       {
-        frame.for_mixed(side, forces, Into{mixed[b]});
+        frame.for_mixed(side, forces, frame.as_motion(), Into{mixed[b]});
         frame.for_mean(side, 1., Into{mean[b]});
         for (unsigned int k = 0; k < forces.size(); ++k)
           frame.ray(k).side[side].second_derivative(
@@ -156,6 +156,44 @@ public:
   std::vector<double> forces;
   FrameState frame;
 };
+
+/// Both bodies of a frame are carried along: what that does to gaps and slides, and to the force on the
+/// nodes, as far as the frame stays, against differences.
+void carry(const std::string &name,
+           FrameScene scene,
+           const Vectors &start,
+           const ContactFrame<2> &frame,
+           const Vectors &here)
+{
+  using Vector = dealii::Tensor<1, 2>;
+  constexpr double little = 1e-5;
+  const Vector ways[] = {Vector({0.7, -0.4}), Vector({-0.2, 0.9}), Vector({0.5, 0.6})}; // of the bodies
+  std::array<Vector, 2> moves;
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = side == 0 ? frame.partner : frame.body; b != ContactFrame<2>::none)
+      moves[side] = ways[b];
+  scene.carried.assign(start.size(), Vector());
+  Contact contact(scene, start, frame);
+  contact.go(here);
+  const FrameState at = contact.frame;
+  double gap = 0., difference = 0., slide = 0., slid = 0.;
+  for (unsigned int k = 0; k < contact.forces.size(); ++k)
+  {
+    gap += contact.forces[k] * (at.gap_by(k, moves) + at.ray(k).by_motion * at.motion_by(moves));
+    slide += at.slide_by(k, moves);
+  }
+  for (const double sign : {1., -1.})
+  {
+    for (unsigned int b = 0; b < start.size(); ++b)
+      scene.carried[b] = sign * little * ways[b];
+    contact.go(here);
+    difference += sign / (2. * little) * contact.gaps();
+    for (unsigned int k = 0; k < contact.forces.size(); ++k)
+      slid += sign / (2. * little) * contact.frame.ray(k).slide;
+  }
+  std::cout << name << ": carried, gaps off by " << below(1e-7, std::abs(gap / difference - 1.))
+            << ", slides by " << below(1e-7, std::abs(slide - slid)) << '\n';
+}
 
 double dot(const Vectors &a, const Vectors &b)
 {
@@ -235,15 +273,24 @@ int main()
   renew_outlines(bodies, outlines, none);
   const std::vector<WallMotion<2>> walls{
       {dealii::Point<2>(0, 1.55), dealii::Tensor<1, 2>({0., 1.}), 0., true}};
-  const FrameScene scene{bodies, outlines, walls, 1., {}, 0.5};
+  Scene<2> rough; // bodies and walls rub
+  rough.bodies.resize(bodies.size());
+  rough.walls.resize(1);
+  rough.materials.resize(1);
+  rough.friction = rough.walls[0].friction = 0.5;
+  const ContactPairs pairs(rough);
+  const FrameScene scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
   Vectors start;
   for (const Body<2> &body : bodies)
     start.push_back(body.displacement);
   for (const ContactFrame<2> &frame : find_frames(scene, {}))
   {
     const std::string partner = frame.partner == ContactFrame<2>::none ? "wall" : bodies[frame.partner].name;
+    const std::string pair = bodies[frame.body].name + " at " + partner +
+                             (frame.corner == ContactFrame<2>::none ? "" : ", corner");
     look(bodies[frame.body].name + " at " + partner +
              (frame.corner == ContactFrame<2>::none ? "" : ", corner"),
          Contact(scene, start, frame), bodies);
+    carry(pair, scene, start, frame, changes(bodies, 5, 0.02));
   }
 }

@@ -69,7 +69,8 @@ class Starter:
             raise Wrong(f"there is no scene {path}")
         self.number += 1
         folder = self.work / f"{self.number:02d}"
-        command = [self.program, "run", path, "--threads", "1", "--output", folder, *words]
+        threads = () if "--threads" in words else ("--threads", "1")
+        command = [self.program, "run", path, "--output", folder, *threads, *words]
         for setting in settings:
             command += ["--set", setting]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)

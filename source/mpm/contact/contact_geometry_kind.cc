@@ -39,7 +39,7 @@ public:
     Registry<ContactGeometryKind>::instance().add(
         "rays",
         "rays that stand in space during a step meet the surfaces, and Newton's method knows how (only at "
-        "rest, between planes, without friction and adhesion)",
+        "rest, without adhesion and obstacles)",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "nodes",

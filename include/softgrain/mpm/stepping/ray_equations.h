@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_ray_equations_h
+#define softgrain_mpm_stepping_ray_equations_h
+
+#include <softgrain/driving/cell_motion.h>
+#include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/frame_system.h>
+#include <softgrain/mpm/stepping/step_equations.h>
+
+#include <optional>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief What is unknown in a step without inertia whose contacts are met by rays, and how far it is from
+ * balance.
+ *
+ * Unknown are the ways of the nodes, the forces and the friction of all rays, and how far walls under loads
+ * go.
+ */
+class RayEquations
+{
+public:
+  using Vectors = StepEquations::Vectors;
+
+  RayEquations(const Problem &problem,
+               const State &state,
+               Workspace &work,
+               const StepPlan &plan,
+               std::vector<WallMotion<2>> &motion);
+
+protected:
+  static constexpr double candidates_within = 0.15; ///< gap of rays that may become pressed [cells]
+
+  /// Finds the frames of the step, with the forces that their rays had.
+  void lay();
+  /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
+  /// such a state
+  bool evaluate(const Vectors &way);
+  /// Finds residual and deepest for what was last evaluated.
+  void measure();
+  /// Newton's matrix of every body.
+  void assemble();
+  /// @return negative pivots of all bodies, if all could be factorised
+  std::optional<unsigned int> factorise();
+  /// The largest by which something that is no unknown brings two places nearer [m].
+  double largest_way() const;
+
+  const Problem &problem;
+  const State &state;
+  Workspace &work;
+  const StepPlan &plan;
+  std::vector<WallMotion<2>> &motion;
+  const double h;
+  std::optional<CellMotion> cell;
+  StepEquations equations;
+  FrameScene scene;
+  std::vector<FrameState> frames;
+  RayForces force, rubbing; ///< normal forces and friction of rays [N/m]
+  FrameSystem system;
+  Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
+  double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one
+  double deepest =
+      0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
+  double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
+
+private:
+  FrameState::Vector way_of(const WallMotion<2> &wall) const
+  {
+    return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
+  }
+  std::vector<FrameState::Vector> ways_of_bodies() const;
+  void move_free_walls();
+  void find_free_walls();
+  double unbalanced_free_walls() const;
+  void add_contact_forces(Vectors &contact) const;
+  void measure_frame(unsigned int f, double &wrong_friction);
+
+  Vectors displacement;
+};
+} // namespace softgrain::mpm
+
+#endif

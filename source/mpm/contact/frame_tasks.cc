@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/contact/frame_tasks.h>
+#include <softgrain/mpm/contact/image_pairs.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Vector = dealii::Tensor<1, 2>;
+using Point = dealii::Point<2>;
+
+/// Boxes around the outlines as they stand in the cell, grown by half the reach, and the copies in which the
+/// bodies are.
+struct Boxes
+{
+  std::vector<dealii::BoundingBox<2>> box;
+  std::vector<PeriodicCell<2>::Image> fold;
+};
+
+Boxes boxes_of(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
+{
+  Boxes boxes;
+  for (unsigned int b = 0; b < samples.size(); ++b)
+  {
+    boxes.fold.emplace_back();
+    Vector back;
+    if (scene.cell != nullptr)
+    {
+      boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
+      back = scene.cell->cell.shift(boxes.fold.back());
+    }
+    Point lower = samples[b].samples.front().position, upper = lower;
+    for (const auto &s : samples[b].samples)
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        lower[d] = std::min(lower[d], s.position[d] - 0.5 * scene.reach);
+        upper[d] = std::max(upper[d], s.position[d] + 0.5 * scene.reach);
+      }
+    boxes.box.push_back(dealii::BoundingBox<2>({lower - back, upper - back}));
+  }
+  return boxes;
+}
+
+} // namespace
+
+std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
+                                        const std::vector<SampledSurface<2>> &samples)
+{
+  const Boxes boxes = boxes_of(scene, samples);
+  std::vector<FrameTask> tasks;
+  const auto add = [&](unsigned int body, unsigned int partner, PeriodicCell<2>::Image image)
+  {
+    const std::vector<Body<2>> &bodies = scene.bodies;
+    if (bodies[body].driven && bodies[partner].driven)
+      return;
+    // A body that is driven is always the partner.
+    if (bodies[body].driven || (!bodies[partner].driven && partner > body))
+    {
+      std::swap(body, partner);
+      image = {{-image[0], -image[1]}};
+    }
+    FrameTask task;
+    task.named.body = body;
+    task.named.partner = partner;
+    for (unsigned int d = 0; d < 2; ++d)
+      task.named.image[d] = image[d] + boxes.fold[body][d] - boxes.fold[partner][d] + bodies[body].home[d] -
+                            bodies[partner].home[d];
+    task.apart = scene.apart(task.named);
+    tasks.push_back(std::move(task));
+  };
+  const auto tree = dealii::pack_rtree_of_indices(boxes.box);
+  for (unsigned int b = 0; b < samples.size(); ++b)
+  {
+    for (unsigned int w = 0; w < scene.walls.size() && !scene.bodies[b].driven; ++w)
+      if (scene.walls[w].plane)
+      {
+        FrameTask task;
+        task.named.body = b;
+        task.named.wall = w;
+        tasks.push_back(std::move(task));
+      }
+    std::vector<unsigned int> near;
+    tree.query(boost::geometry::index::intersects(boxes.box[b]), std::back_inserter(near));
+    std::sort(near.begin(), near.end());
+    for (const unsigned int a : near)
+      if (a < b)
+        add(b, a, {});
+  }
+  if (scene.cell != nullptr)
+    for (const ImagePair &pair : pairs_across(boxes.box, scene.cell->cell))
+    {
+      if (pair.a == pair.b)
+        throw ComputationError("the cell that repeats has become too small: body '" +
+                               scene.bodies[pair.a].name + "' meets itself");
+      add(pair.a, pair.b, pair.image);
+    }
+  return tasks;
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
+#include <softgrain/mpm/stepping/ray_equations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace softgrain::mpm
+{
+RayEquations::RayEquations(const Problem &problem,
+                           const State &state,
+                           Workspace &work,
+                           const StepPlan &plan,
+                           std::vector<WallMotion<2>> &motion)
+    : problem(problem)
+    , state(state)
+    , work(work)
+    , plan(plan)
+    , motion(motion)
+    , h(problem.lattice->cell_size())
+    , cell(state.cell_motion(motion))
+    , equations(problem, state, work, plan)
+    , scene{state.bodies,
+            work.outlines,
+            motion,
+            h,
+            problem.subgrid(),
+            0.5 * h + 2. * largest_way(),
+            &problem.pairs,
+            cell ? &*cell : nullptr,
+            plan.dt,
+            ways_of_bodies()}
+    , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
+{
+}
+
+void RayEquations::lay()
+{
+  find_free_walls();
+  for (const Body<2> &body : state.bodies)
+    at_rest.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));
+  way = at_rest;
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
+  {
+    frames.emplace_back(frame, scene);
+    force.emplace_back();
+    rubbing.emplace_back();
+    for (const auto &ray : frame.rays)
+    {
+      force.back().push_back(ray.force);
+      rubbing.back().push_back(ray.friction);
+    }
+  }
+  path = h; // 0 is for rays that have never been met
+}
+
+/// By which bodies move beside what their nodes do, see FrameScene::carried.
+std::vector<FrameState::Vector> RayEquations::ways_of_bodies() const
+{
+  std::vector<FrameState::Vector> ways(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      ways[body.index] = plan.dt * work.drive[body.index];
+    else if (cell)
+      ways[body.index] = plan.dt * cell->velocity(body.center());
+  return ways;
+}
+
+/// The largest by which something that is no unknown brings two places nearer [m].
+double RayEquations::largest_way() const
+{
+  double way = 0.;
+  for (const WallMotion<2> &wall : motion)
+    way = std::max(way, way_of(wall).norm());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      way = std::max(way, plan.dt * work.drive[body.index].norm());
+  return way;
+}
+
+/// Puts walls under loads where they have come to.
+void RayEquations::move_free_walls()
+{
+  std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
+  for (unsigned int w = 0; w < list.size(); ++w)
+    list[w].speed = system.ways[w].at / plan.dt;
+  if (list.empty())
+    return;
+  settle_free_walls(problem, state, work, motion);
+  cell = state.cell_motion(motion);
+  scene.carried = ways_of_bodies();
+}
+
+bool RayEquations::evaluate(const Vectors &to)
+{
+  move_free_walls();
+  trial.resize(to.size());
+  displacement.resize(to.size());
+  for (unsigned int b = 0; b < to.size(); ++b)
+  {
+    trial[b] = to[b] / plan.dt;
+    displacement[b] = state.bodies[b].displacement + to[b];
+  }
+  if (!equations.evaluate(trial))
+    return false;
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  std::vector<char> met(frames.size(), 1);
+  parallel_for(frames.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t f = begin; f < end; ++f)
+                 {
+                   const unsigned int w = frames[f].layout().wall;
+                   met[f] =
+                       frames[f].evaluate(scene, displacement, to,
+                                          w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
+                                          force[f], path, candidates_within * h + largest_way());
+                 }
+               });
+  return std::find(met.begin(), met.end(), 0) == met.end();
+}
+
+/// Adds what rays do to the nodes of all bodies.
+void RayEquations::add_contact_forces(Vectors &contact) const
+{
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      const FrameState &frame = frames[f];
+      const unsigned int b = frame.unknown(side);
+      if (b == FrameState::none)
+        continue;
+      const auto add = [&](const unsigned int node, const FrameState::Vector &value)
+      {
+        for (unsigned int d = 0; d < 2; ++d)
+          contact[b][2 * node + d] += value[d];
+      };
+      for (unsigned int k = 0; k < frame.n_rays(); ++k)
+      {
+        if (force[f][k] > 0.)
+          frame.for_gradient(k, side, force[f][k], add);
+        if (rubbing[f][k] != 0.)
+          frame.for_slide(k, side, rubbing[f][k], add);
+      }
+      frame.for_mean(side, -frame.tangential(force[f]), add);
+    }
+}
+
+/// How far the rays of a frame are from their conditions.
+void RayEquations::measure_frame(const unsigned int f, double &wrong_friction)
+{
+  const FrameState &frame = frames[f];
+  for (unsigned int k = 0; k < frame.n_rays(); ++k)
+  {
+    if (!frame.ray(k).met)
+      continue;
+    const double gap = frame.free_gap(k) + frame.ray_softness() * force[f][k];
+    deepest = std::max(deepest, force[f][k] > 0. ? std::abs(gap) : -gap);
+    if (!frame.rubs(k) || !(force[f][k] > 0.))
+      continue;
+    const double most = frame.ray(k).bound * force[f][k],
+                 slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
+    wrong_friction = std::max(wrong_friction, std::abs(rubbing[f][k]) - most);
+    // Friction below its bound holds.
+    if (std::abs(rubbing[f][k]) < (1. - 1e-6) * most)
+      deepest = std::max(deepest, std::abs(slide));
+  }
+}
+
+void RayEquations::measure()
+{
+  double worst = 0., scale = 0., wrong_friction = 0.;
+  deepest = 0.;
+  Vectors contact = at_rest;
+  add_contact_forces(contact);
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    measure_frame(f, wrong_friction);
+  for (unsigned int b = 0; b < way.size(); ++b)
+  {
+    if (state.bodies[b].driven)
+      continue;
+    worst = std::max(worst, (equations.missing(b) / plan.dt + contact[b]).norm());
+    scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
+                      1e-8 * state.bodies[b].law->wave_modulus() * h});
+  }
+  for (const FreeWay &free : system.ways)
+    scale = std::max(scale, std::abs(free.load));
+  residual = std::max({worst, wrong_friction, unbalanced_free_walls()}) / scale;
+}
+
+void RayEquations::assemble()
+{
+  dealii::TimerOutput::Scope section(*work.timer, "assembly");
+  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_body(way.size());
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (frames[f].unknown(side) != FrameState::none)
+        of_body[frames[f].unknown(side)].emplace_back(f, side);
+  work.share.for_mine(state.bodies,
+                      [&](const Body<2> &body)
+                      {
+                        const unsigned int b = body.index;
+                        equations.assemble_static(body);
+                        Eigen::MatrixXd block;
+                        for (const auto &[f, side] : of_body[b])
+                          for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+                            if (force[f][k] > 0.)
+                            {
+                              const RaySide<2> &ray = frames[f].ray(k).side[side];
+                              const double factor = (side == 0 ? 1. : -1.) * force[f][k] * plan.dt * plan.dt;
+                              ray.second_derivative(block);
+                              work.matrices[b].add_cell<2>(
+                                  ray.function.cell,
+                                  [&](const unsigned int i, const unsigned int d, const unsigned int j,
+                                      const unsigned int e) { return block(2 * i + d, 2 * j + e); },
+                                  factor);
+                            }
+                      });
+}
+
+std::optional<unsigned int> RayEquations::factorise()
+{
+  dealii::TimerOutput::Scope section(*work.timer, "factorisation");
+  std::vector<unsigned int> negative(way.size(), 0);
+  std::vector<char> good(way.size(), 1);
+  work.share.for_mine(state.bodies,
+                      [&](const Body<2> &body)
+                      {
+                        RankOneSolver &solver = *work.solvers[body.index];
+                        solver.takes_indefinite = true;
+                        good[body.index] = solver.factorize(work.matrices[body.index]);
+                        if (good[body.index])
+                          negative[body.index] = solver.n_negative().value_or(0);
+                      });
+  if (std::find(good.begin(), good.end(), 0) != good.end())
+    return std::nullopt;
+  return std::accumulate(negative.begin(), negative.end(), 0u);
+}
+
+/// Walls under loads become unknowns.
+void RayEquations::find_free_walls()
+{
+  const PeriodicCell<2> *repeats = cell ? &cell->cell : nullptr;
+  for (const FreeWall<2> &free : work.contact.free_walls.list)
+  {
+    const Wall &wall = state.walls[free.wall];
+    const double load = free.slides() ? wall.slide_load : wall.load, net = load + wall.force * free.way;
+    // The spring is that of bodies that resist no more than they must.
+    system.ways.emplace_back(
+        free, wall.body == Wall::no_body ? FrameState::none : wall.body, wall.repeats() ? repeats : nullptr,
+        std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load, problem.settings.wall_motion * h,
+        free.mass / (plan.dt * plan.dt) * problem.settings.regularisation / plan.regularisation);
+  }
+}
+
+/// The largest force that a wall under a load lacks, those at their stops apart [N/m].
+double RayEquations::unbalanced_free_walls() const
+{
+  double worst = 0.;
+  for (const FreeWay &way : system.ways)
+  {
+    if (way.stopped != 0)
+      continue;
+    double sum = way.load - way.stiffness * way.at;
+    for (unsigned int f = 0; f < frames.size(); ++f)
+    {
+      const auto moves = way.moves(scene, frames[f]);
+      for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+        if (force[f][k] > 0.)
+          sum += force[f][k] * frames[f].gap_by(k, moves) + rubbing[f][k] * frames[f].slide_by(k, moves);
+      sum -= frames[f].tangential(force[f]) * frames[f].motion_by(moves);
+    }
+    worst = std::max(worst, std::abs(sum));
+  }
+  return worst;
+}
+} // namespace softgrain::mpm
