@@ -82,7 +82,7 @@ public:
   RayForces found_rubbing; ///< friction of the last solve [N/m]
   unsigned int passes = 0; ///< of the active set, so far
 
-public:
+private:
   struct Column
   {
     enum Kind
@@ -126,6 +126,7 @@ public:
   /// Stops and frees walls under loads, once the rays are where they must be. @return whether none has
   /// changed
   bool walls_stay(const Eigen::VectorXd &here);
+  /// Solves and changes sides until none is wrong. @return whether that came to an end
   bool settle(const Eigen::VectorXd &right, double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
@@ -148,7 +149,7 @@ public:
   {
     return active[i] && slips(i) == 0 && (columns[i].kind != Column::wall || ways[i].stopped == 0);
   }
-  /// What is known of z before the solve.
+  /// Puts into z what is known before the solve. @return whether anything is
   bool set_known();
 
   const BodyShare &share;
@@ -156,10 +157,10 @@ public:
   std::vector<std::unique_ptr<RankOneSolver>> &solvers;
   const double scale;
 
-  /// Order of the columns in the factors: frame by frame, rays first, then the force and last the motion of
-  /// the frame, whose own entry may be 0.
+  /// Order of the columns in the factors: frame by frame, rays and slides first, then the force and last the
+  /// motion of the frame, whose own entry may be 0; walls at the end.
   std::vector<unsigned int> order;
-  std::vector<Column> columns;                    ///< rays that are candidates, and two more per frame
+  std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
   std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of; ///< of a body, with its side
   std::vector<LinearSolver::Rows> V;
