@@ -12,12 +12,37 @@ constexpr unsigned int none = static_cast<unsigned int>(-1);
 } // namespace
 
 template <int dim>
+std::optional<typename BodyField<dim>::Index> BodyField<dim>::cell_near(const dealii::Point<dim> &x) const
+{
+  const double little = 0.01 * lattice->cell_size();
+  // Straight beside it first, then across corners.
+  for (unsigned int most = 0; most <= dim; ++most)
+    for (unsigned int code = 0; code < (dim == 2 ? 9u : 27u); ++code)
+    {
+      dealii::Point<dim> y = x;
+      unsigned int n_moved = 0;
+      for (unsigned int d = 0, rest = code; d < dim; ++d, rest /= 3)
+      {
+        y[d] += (rest % 3 == 1 ? -1. : rest % 3 == 2 ? 1. : 0.) * little;
+        n_moved += rest % 3 != 0;
+      }
+      if (n_moved != most)
+        continue;
+      const Index c = home(lattice->cell_of(y));
+      if (cell_box.contains(c) && cell_box(c) != none)
+        return c;
+    }
+  return std::nullopt;
+}
+
+template <int dim>
 PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) const
 {
   PlaceFunctions<dim> result;
-  const Index c = home(lattice->cell_of(x));
-  if (!cell_box.contains(c) || cell_box(c) == none)
+  const std::optional<Index> near = cell_near(x);
+  if (!near)
     return result;
+  const Index &c = *near;
   const unsigned int cell = cell_box(c);
   const double edge_length = edge(c) * lattice->cell_size();
   const auto factors = functions->factors(unit_position(x, c));
@@ -57,9 +82,10 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
 template <int dim>
 bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
 {
-  const auto c = field.home(field.lattice->cell_of(x));
-  if (!field.cell_box.contains(c) || field.cell_box(c) == none)
+  const auto found = field.cell_near(x);
+  if (!found)
     return false;
+  const auto &c = *found;
   const auto &functions = *field.functions;
   if (const unsigned int there = field.cell_box(c); there != cell)
   {

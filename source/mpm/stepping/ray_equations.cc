@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -105,6 +106,7 @@ bool RayEquations::evaluate(const Vectors &to)
     trial[b] = to[b] / plan.dt;
     displacement[b] = state.bodies[b].displacement + to[b];
   }
+  not_met = none;
   if (!equations.evaluate(trial))
     return false;
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
@@ -118,10 +120,26 @@ bool RayEquations::evaluate(const Vectors &to)
                    met[f] =
                        frames[f].evaluate(scene, displacement, to,
                                           w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
-                                          force[f], path, candidates_within * h + largest_way());
+                                          force[f], path, 2. * candidates_within * h + largest_way());
                  }
                });
-  return std::find(met.begin(), met.end(), 0) == met.end();
+  const auto missed = std::find(met.begin(), met.end(), 0);
+  if (missed != met.end())
+    not_met = missed - met.begin();
+  return not_met == none;
+}
+
+std::string RayEquations::why_not() const
+{
+  if (not_met == none)
+    return equations.why_not();
+  const ContactFrame<2> &frame = frames[not_met].layout();
+  std::ostringstream text;
+  text << "body '" << state.bodies[frame.body].name << "' and "
+       << (frame.partner == none ? "wall '" + state.walls[frame.wall].description.name
+                                 : "body '" + state.bodies[frame.partner].name)
+       << "' turn away from where they press each other, near (" << frame.origin << ") m";
+  return text.str();
 }
 
 /// Adds what rays do to the nodes of all bodies.

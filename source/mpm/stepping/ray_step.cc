@@ -81,7 +81,7 @@ std::string RayStep::find_forces()
     outcome.raised *= rise;
     equations.resist_more(rise);
     if (!evaluate(way))
-      return equations.why_not();
+      return why_not();
   }
 }
 
@@ -120,7 +120,7 @@ std::string RayStep::iterate()
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
     if (halving == most_halvings)
-      return "no way along Newton's direction: " + equations.why_not();
+      return "no way along Newton's direction: " + why_not();
     path += share * largest;
     for (unsigned int b = 0; b < way.size(); ++b)
       way[b] = from[b] + share * direction[b];
@@ -144,7 +144,7 @@ std::string RayStep::find()
   outcome.unsolved = true;
   lay();
   if (!evaluate(way))
-    return equations.why_not();
+    return why_not();
   measure();
   for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
   {

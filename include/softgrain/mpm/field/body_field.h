@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace softgrain::mpm
@@ -164,6 +165,10 @@ private:
   /// First lattice cell of the cell of this body that holds lattice cell @p c, and cells along its edge.
   Index home(const Index &c) const { return levels ? levels->first(c) : c; }
   int edge(const Index &c) const { return levels ? levels->edge(c) : 1; }
+  /// The cell of this body whose polynomial is the field at @p x: the one that holds it, or one that is
+  /// within a hundredth of a cell: an outline may run along the side of a cell, and bulge beyond what its
+  /// markers reach.
+  std::optional<Index> cell_near(const dealii::Point<dim> &x) const;
   dealii::Point<dim> unit_position(const dealii::Point<dim> &x, const Index &c) const
   {
     return dealii::Point<dim>(lattice->unit_position(x, c) / edge(c));

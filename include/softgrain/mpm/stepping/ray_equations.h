@@ -8,6 +8,7 @@
 #include <softgrain/mpm/stepping/step_equations.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace softgrain::mpm
@@ -38,6 +39,8 @@ protected:
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
   /// such a state
   bool evaluate(const Vectors &way);
+  /// Why there is none, after evaluate() has returned false.
+  std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
   void measure();
   /// Newton's matrix of every body.
@@ -78,6 +81,8 @@ private:
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
+  static constexpr unsigned int none = FrameState::none;
+  unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 };
 } // namespace softgrain::mpm
 
