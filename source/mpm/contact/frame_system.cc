@@ -25,6 +25,15 @@ FrameSystem::FrameSystem(const BodyShare &share,
 {
 }
 
+void FrameSystem::take(const std::vector<FrameState> &frames)
+{
+  frames_of.assign(bodies.size(), {});
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (const unsigned int b = frames[f].unknown(side); b != FrameState::none)
+        frames_of[b].emplace_back(f, side);
+}
+
 void FrameSystem::find_order()
 {
   std::vector<int> frame_of; // numbers of frames with columns, by column
@@ -142,7 +151,6 @@ void FrameSystem::add_columns(const FrameScene &scene,
     if (frame.unknown(side) != FrameState::none)
     {
       const unsigned int b = frame.unknown(side);
-      frames_of[b].emplace_back(f, side);
       for (unsigned int i = first; i <= tangential; ++i)
         of_body[b].push_back(i);
     }
@@ -206,7 +214,6 @@ void FrameSystem::condense(const FrameScene &scene,
   own.clear();
   for (auto &list : of_body)
     list.clear();
-  frames_of.assign(of_body.size(), {});
   active.clear();
   gap.clear();
   found = force;

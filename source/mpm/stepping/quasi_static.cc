@@ -31,7 +31,7 @@ void add(const StepOutcome &step, StepOutcome &sum)
   sum.max_penetration = step.max_penetration;
 }
 
-/// In a held step what is driven stands still, too; it goes on afterwards, however the step ends.
+/// In held steps what is driven stands still, too; it goes on afterwards, however they end.
 class DrivesAtRest
 {
 public:
@@ -46,12 +46,6 @@ private:
   Workspace &work;
   const std::vector<Vector> drives;
 };
-
-StepOutcome held_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
-{
-  const DrivesAtRest rest(work);
-  return implicit_step(problem, state, work, plan);
-}
 
 /// Energy that no column of the balance explains [J/m].
 double not_booked(const State &state, const BodyShare &share)
@@ -171,7 +165,7 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
   for (sum.held_steps = 0; near_balance < settings.max_held_steps; ++sum.held_steps, ++near_balance)
   {
-    step = held_step(problem, state, work, relaxation.plan());
+    step = implicit_step(problem, state, work, relaxation.plan());
     add(step, sum);
     if (!step.accepted)
     {
@@ -260,11 +254,11 @@ StepOutcome
 quasi_static_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
   StepOutcome sum;
-  // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
-  // bodies resist more; held steps take that off.
   if (problem.settings.meets_by_rays())
     sum = rays_step(problem, state, work, dt);
   else
+    // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
+    // bodies resist more; held steps take that off.
     for (double resistance = problem.settings.regularisation * wanted / dt;; resistance *= 10.)
     {
       sum = implicit_step(problem, state, work, {dt, false, resistance});

@@ -56,6 +56,7 @@ void RayEquations::lay()
       rubbing.back().push_back(ray.friction);
     }
   }
+  system.take(frames);
   path = h; // 0 is for rays that have never been met
 }
 
@@ -213,18 +214,13 @@ void RayEquations::measure()
 void RayEquations::assemble()
 {
   dealii::TimerOutput::Scope section(*work.timer, "assembly");
-  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_body(way.size());
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (frames[f].unknown(side) != FrameState::none)
-        of_body[frames[f].unknown(side)].emplace_back(f, side);
   work.share.for_mine(state.bodies,
                       [&](const Body<2> &body)
                       {
                         const unsigned int b = body.index;
                         equations.assemble_static(body);
                         Eigen::MatrixXd block;
-                        for (const auto &[f, side] : of_body[b])
+                        for (const auto &[f, side] : system.frames_of[b])
                           for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
                             if (force[f][k] > 0.)
                             {

@@ -80,7 +80,8 @@ std::string RayStep::find_forces()
       return "no forces of contacts are found";
     outcome.raised *= rise;
     equations.resist_more(rise);
-    if (!evaluate(way))
+    // Nothing has moved: rays stand as they are.
+    if (!equations.evaluate(trial))
       return why_not();
   }
 }

@@ -28,14 +28,14 @@ struct ContactFrame
 {
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-  std::uint64_t id = 0;        ///< its own, as long as it lasts
+  std::uint64_t id = 0;        ///< no other frame has it; it stays as long as the frame lasts
   unsigned int body = none;    ///< feels +force along the direction
   unsigned int partner = none; ///< another body; none: the wall
   unsigned int wall = none;
-  /// In a cell that repeats: of the partner, that the body meets, as if no body had been brought into the
+  /// Image of the partner that the body meets, counted as if no body had ever been brought back into the
   /// cell.
   typename PeriodicCell<dim>::Image image{};
-  /// Copy of the cell in which the body would be, when the frame was laid.
+  /// Body::home of the body when the frame was laid.
   typename PeriodicCell<dim>::Image home{};
   /// The side, 0 the partner and 1 the body, through whose corner its only ray goes; none: all surfaces are
   /// smooth where its rays meet them. A corner is a place of the material, on which the ray rides.

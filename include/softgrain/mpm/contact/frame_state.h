@@ -180,13 +180,6 @@ public:
     return (share(0) * moves[0] + share(1) * moves[1]) * frame.across[0];
   }
 
-  /// Calls add(i, j, block) for sum of factor d^2 g_k/du^2 of a side.
-  template <class F>
-  void add_second(const unsigned int k, const unsigned int side, const F &add) const
-  {
-    rays[k].side[side].second_derivative(add);
-  }
-
   /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
   ContactFrame<2> after(const std::vector<double> &force, const std::vector<double> &rubbing) const;
 

@@ -49,6 +49,9 @@ public:
               std::vector<std::unique_ptr<RankOneSolver>> &solvers,
               double scale);
 
+  /// Learns which bodies the frames of a step have to do with, once.
+  void take(const std::vector<FrameState> &frames);
+
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
   /// @param force   of the rays [N/m]
   /// @param rubbing friction of the rays [N/m]
@@ -75,7 +78,10 @@ public:
   /// V z of a body: force on its nodes [N/m].
   Eigen::VectorXd force_on(unsigned int b) const;
 
-  std::vector<FreeWay> ways;      ///< of walls under loads; the one who steps keeps how far they have gone
+  /// Of every body, with the side of the frame that it is.
+  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of;
+
+  std::vector<FreeWay> ways;      ///< of walls under loads; RayStep sets FreeWay::at
   std::vector<double> found_ways; ///< of the last solve [m]
 
   RayForces found;         ///< P of the last solve [N/m]
@@ -162,7 +168,6 @@ private:
   std::vector<unsigned int> order;
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
-  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of; ///< of a body, with its side
   std::vector<LinearSolver::Rows> V;
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::Triplet<double>> own; ///< Q

@@ -42,8 +42,7 @@ struct FreeWay
   /// Whether it moves bodies, or what they have outlines with, and not a plane alone.
   bool carries() const { return cell.has_value() || slab != FrameState::none; }
 
-  /// Whether it stands at its stop, and on which side.
-  int stopped = 0;
+  int stopped = 0;      ///< 0: it is free; 1 or -1: it stands at its stop on that side
   double at = 0;        ///< how far it has gone [m]
   double load = 0;      ///< along its way [N/m]
   double stiffness = 0; ///< of the spring [N/m^2]
