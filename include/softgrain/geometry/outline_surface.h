@@ -34,6 +34,9 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
+  /// The vertex at which piece @p piece begins, as the end of the piece before it: beyond a corner.
+  Place end_before(const unsigned int piece) const { return at(previous[piece], chord[previous[piece]]); }
+
   /// Of the chord from vertex @p piece to the next [m].
   double length(const unsigned int piece) const { return chord[piece]; }
 

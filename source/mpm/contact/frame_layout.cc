@@ -13,12 +13,46 @@ using Frame = ContactFrame<2>;
 using Vector = dealii::Tensor<1, 2>;
 using Point = dealii::Point<2>;
 
-/// Of straight sides, which have no more shapes than there are cells along them.
-constexpr double spacing_at_straight_sides = 0.85;
-constexpr double straight = 1e-3; ///< curvature at rest, per cell
-///< cosine of 11 degrees
-constexpr double steepest = 2.; ///< slope of a surface over the lattice
+constexpr double steepest = 2.;         ///< slope of a surface over the lattice
+constexpr double beside_corners = 0.05; ///< no new ray meets a side nearer to a corner [cells]
+constexpr unsigned int tries = 4;       ///< places from which a ray looks for a surface
 } // namespace
+
+/// From a corner there is no way to the side beyond it, so it is a guess on both.
+FrameLayout::Guesses
+FrameLayout::guesses_of(const FrameStretch &stretch, const Frame &frame, const unsigned int side) const
+{
+  Guesses guesses;
+  for (const auto &pair : stretch.facing)
+    if (pair[side] != Frame::none)
+    {
+      const auto &sample = surface(side).samples[pair[side]];
+      const double y = (sample.position - frame.origin) * frame.across[0];
+      guesses.emplace_back(y, sample.place);
+      if (sample.place.at_edge)
+        guesses.emplace_back(
+            y, scene.outlines[side == 0 ? frame.partner : frame.body].end_before(sample.place.piece));
+    }
+  return guesses;
+}
+
+/// Whether the ray meets the outside of the surface near a guess.
+bool FrameLayout::meet_from(const SurfacePlace<2> &guess,
+                            const Frame &frame,
+                            const unsigned int side,
+                            Frame::RayPlace &ray,
+                            double &height) const
+{
+  const unsigned int b = side == 0 ? frame.partner : frame.body;
+  const RaySide<2> found = meet(ray_of(frame, ray.index[0] * frame.spacing, away(side)), scene.outlines[b],
+                                scene.bodies[b].field, scene.bodies[b].displacement, guess);
+  if (!found.met)
+    return false;
+  ray.place[side] = found.place;
+  height = found.height;
+  const double outwards = (side == 0 ? 1. : -1.) * (found.way[0] * frame.across[0]);
+  return outwards > 0. && std::abs(found.normal * frame.across[0]) < steepest;
+}
 
 /// Where a ray meets a side. @param old the same ray before, if there was one
 bool FrameLayout::meet_side(const FrameStretch &stretch,
@@ -42,25 +76,25 @@ bool FrameLayout::meet_side(const FrameStretch &stretch,
     height = (corner.position - frame.origin) * frame.direction;
     return true;
   }
+  if (old != nullptr && meet_from(old->place[side], frame, side, ray, height))
+    return true;
   const double offset = ray.index[0] * frame.spacing;
-  const SurfacePlace<2> *guess = old == nullptr ? nullptr : &old->place[side];
-  if (guess == nullptr)
-  {
-    double best = std::numeric_limits<double>::max();
-    for (const auto &[y, at] : guesses)
-      if (std::abs(y - offset) < best)
-      {
-        best = std::abs(y - offset);
-        guess = at;
-      }
-  }
-  if (guess == nullptr)
-    return false;
-  const RaySide<2> found = meet(ray_of(frame, offset, away(side)), scene.outlines[b], scene.bodies[b].field,
-                                scene.bodies[b].displacement, *guess);
-  ray.place[side] = found.place;
-  height = found.height;
-  return found.met && std::abs(found.normal * frame.across[0]) < steepest;
+  Guesses by_distance = guesses;
+  std::stable_sort(by_distance.begin(), by_distance.end(),
+                   [&](const auto &x, const auto &y)
+                   { return std::abs(x.first - offset) < std::abs(y.first - offset); });
+  for (unsigned int i = 0; i < std::min<std::size_t>(tries, by_distance.size()); ++i)
+    if (meet_from(by_distance[i].second, frame, side, ray, height) && !near_corner(b, ray.place[side]))
+      return true;
+  return false;
+}
+
+/// Corners have rays of their own.
+bool FrameLayout::near_corner(const unsigned int b, const SurfacePlace<2> &place) const
+{
+  dealii::Tensor<1, 1> way;
+  way[0] = beside_corners * scene.cell_size;
+  return scene.outlines[b].move(place, way).at_edge || scene.outlines[b].move(place, -way).at_edge;
 }
 
 void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
@@ -68,6 +102,8 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
   const Vector t = frame.across[0];
   double lower = std::numeric_limits<double>::max(), upper = -lower;
   std::array<Guesses, 2> guesses;
+  for (unsigned int side = 0; side < 2; ++side)
+    guesses[side] = guesses_of(stretch, frame, side);
   for (const auto &pair : stretch.facing)
     for (unsigned int side = 0; side < 2; ++side)
       if (pair[side] != Frame::none)
@@ -76,9 +112,6 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
         const double y = (sample.position - frame.origin) * t;
         lower = std::min(lower, y);
         upper = std::max(upper, y);
-        // From a corner there is no way to the other side of it.
-        if (sample.corner == 0.)
-          guesses[side].emplace_back(y, &sample.place);
       }
   std::vector<Frame::RayPlace> rays;
   const bool one = stretch.corner != Frame::none;
@@ -132,10 +165,6 @@ void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
   for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
     place[side] = *guess[side];
   note_dent(place, frame);
-  if (std::all_of(place.begin() + (wall ? 1 : 0), place.end(),
-                  [&](const SurfacePlace<2> &p)
-                  { return std::abs(p.bend[0][0]) * scene.cell_size < straight; }))
-    frame.spacing = spacing_at_straight_sides * scene.cell_size;
   for (unsigned int iteration = 0; iteration < 6; ++iteration)
   {
     const Vector &t = frame.across[0];

@@ -167,7 +167,7 @@ bool FrameState::evaluate(const FrameScene &scene,
     RayHere &here = rays[k];
     const bool first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
-    here.near = first || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within);
+    here.near = !here.left && (first || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within));
     if (!here.near)
       continue;
     here.path = path;
@@ -192,6 +192,18 @@ bool FrameState::evaluate(const FrameScene &scene,
       }
   }
   return all_met;
+}
+
+bool FrameState::leave_unmet(std::vector<double> &force, std::vector<double> &rubbing)
+{
+  bool any = false;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    if (force[k] > 0. && !rays[k].met)
+    {
+      any = rays[k].left = true;
+      force[k] = rubbing[k] = 0.;
+    }
+  return any;
 }
 
 double FrameState::twice_by(const std::vector<double> &force,

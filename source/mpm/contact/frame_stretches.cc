@@ -133,7 +133,9 @@ void add_corners(const SampledSurface<2> *partner,
         FrameStretch corner;
         corner.direction = stretch.direction;
         corner.middle = own.position;
-        corner.facing = {pair};
+        // The ray may meet what lies beside the sample that is nearest.
+        corner.facing = stretch.facing;
+        std::swap(corner.facing.front(), *std::find(corner.facing.begin(), corner.facing.end(), pair));
         corner.corner = side;
         double distance = 0.;
         if (partner != nullptr)

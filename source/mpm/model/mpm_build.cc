@@ -134,7 +134,7 @@ void MpmModel::prepare_solver(const Body<2> &body)
   const bool condensed = settings.coupling == ContactCoupling::condensed &&
                          state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
   SystemMatrix &matrix = work.matrices[body.index];
-  lay_out_stiffness(body.field, matrix);
+  lay_out_stiffness(body.field, matrix, settings.meets_by_rays());
   work.solvers[body.index] =
       std::make_unique<RankOneSolver>(create_linear_solver(settings.linear_solver, matrix, 2, condensed));
 }

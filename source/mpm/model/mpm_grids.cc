@@ -64,7 +64,7 @@ void MpmModel::renew_grids()
       continue;
     }
     if (problem.settings.scheme.implicit && work.share.mine(b))
-      lay_out_stiffness(body.field, work.matrices[b]);
+      lay_out_stiffness(body.field, work.matrices[b], problem.settings.meets_by_rays());
   }
   work.share.for_mine(
       state.bodies,

@@ -194,7 +194,7 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
       body.home = {{static_cast<int>(home[0]), static_cast<int>(home[1])}};
     }
     if (problem.settings.scheme.implicit && !body.driven && work.share.mine(body.index))
-      lay_out_stiffness(body.field, work.matrices[body.index]);
+      lay_out_stiffness(body.field, work.matrices[body.index], problem.settings.meets_by_rays());
   }
   work.outlines.clear();
   if (problem.settings.meets_by_rays())

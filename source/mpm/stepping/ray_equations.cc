@@ -130,6 +130,14 @@ bool RayEquations::evaluate(const Vectors &to)
   return not_met == none;
 }
 
+bool RayEquations::leave_unmet_rays()
+{
+  bool any = false;
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    any = frames[f].leave_unmet(force[f], rubbing[f]) || any;
+  return any;
+}
+
 std::string RayEquations::why_not() const
 {
   if (not_met == none)

@@ -20,7 +20,8 @@ namespace
 {
 constexpr double gap_tolerance = 1e-5;    ///< cells
 constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
-constexpr double rise = 10.;              ///< of what resists motion, where a step has no minimum
+constexpr unsigned int halvings_with_all_rays = 2;
+constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
 constexpr double longest_way = 0.3; ///< of a node in an iteration [cells]
 
@@ -135,6 +136,9 @@ std::string RayStep::iterate()
       system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
     if (evaluate(way))
       break;
+    // A side ends there: the way to its end would be halved again and again.
+    if (halving >= halvings_with_all_rays && leave_unmet_rays() && evaluate(way))
+      break;
   }
   measure();
   return "";
@@ -144,7 +148,7 @@ std::string RayStep::find()
 {
   outcome.unsolved = true;
   lay();
-  if (!evaluate(way))
+  if (!evaluate(way) && !(leave_unmet_rays() && evaluate(way)))
     return why_not();
   measure();
   for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)

@@ -348,12 +348,14 @@ void add_general_stiffness(const Body<dim> &body,
 } // namespace
 
 template <int dim>
-void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix)
+void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, const bool all_cells)
 {
   std::vector<std::vector<unsigned int>> nodes(field.n_cells());
   for (const auto &color : field.colors())
     for (const unsigned int cell : color)
       nodes[cell] = field.cell_independent(cell);
+  for (unsigned int cell = 0; all_cells && cell < nodes.size(); ++cell)
+    nodes[cell] = field.cell_independent(cell);
   matrix.reinit(dim, field.n_independent(), nodes);
   std::vector<double> places;
   places.reserve(field.n_dofs());
@@ -376,8 +378,8 @@ void add_stiffness(const Body<dim> &body,
   add_general_stiffness(body, s, factor, pressure_follows, matrix);
 }
 
-template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &);
-template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &);
+template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &, bool);
+template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &, bool);
 template void add_stiffness<2>(const Body<2> &, const StepState<2> &, double, SystemMatrix &, bool);
 template void add_stiffness<3>(const Body<3> &, const StepState<3> &, double, SystemMatrix &, bool);
 } // namespace softgrain::mpm

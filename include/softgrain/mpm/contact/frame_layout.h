@@ -31,8 +31,16 @@ public:
   void center(const FrameStretch &stretch, ContactFrame<2> &frame) const;
 
 private:
-  using Guesses = std::vector<std::pair<double, const SurfacePlace<2> *>>;
+  /// Places of the samples of a side, with where they lie across the rays [m].
+  using Guesses = std::vector<std::pair<double, SurfacePlace<2>>>;
 
+  Guesses guesses_of(const FrameStretch &stretch, const ContactFrame<2> &frame, unsigned int side) const;
+  bool meet_from(const SurfacePlace<2> &guess,
+                 const ContactFrame<2> &frame,
+                 unsigned int side,
+                 ContactFrame<2>::RayPlace &ray,
+                 double &height) const;
+  bool near_corner(unsigned int b, const SurfacePlace<2> &place) const;
   bool meet_side(const FrameStretch &stretch,
                  const ContactFrame<2> &frame,
                  unsigned int side,

@@ -61,11 +61,16 @@ public:
                 double path,
                 double within);
 
+  /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end
+  /// of a side: their forces become 0. @return whether there are any
+  bool leave_unmet(std::vector<double> &force, std::vector<double> &rubbing);
+
   struct RayHere
   {
     std::array<RaySide<2>, 2> side; ///< of the partner and the body
     bool met = false;
     bool near = true;     ///< looked at
+    bool left = false;    ///< has slid off one of its surfaces, so that it is no more looked at in this step
     double gap = 0;       ///< [m]
     double path = 0;      ///< when it was last looked at
     double by_motion = 0; ///< dg/dc

@@ -39,6 +39,9 @@ protected:
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
   /// such a state
   bool evaluate(const Vectors &way);
+  /// After evaluate() has returned false: leaves out pressed rays whose surfaces have slid away from under
+  /// them. @return whether there are any, so that there may be such a state now
+  bool leave_unmet_rays();
   /// Why there is none, after evaluate() has returned false.
   std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
