@@ -84,7 +84,8 @@ bool FrameLayout::meet_side(const FrameStretch &stretch,
                    [&](const auto &x, const auto &y)
                    { return std::abs(x.first - offset) < std::abs(y.first - offset); });
   for (unsigned int i = 0; i < std::min<std::size_t>(tries, by_distance.size()); ++i)
-    if (meet_from(by_distance[i].second, frame, side, ray, height) && !near_corner(b, ray.place[side]))
+    if (meet_from(by_distance[i].second, frame, side, ray, height) &&
+        (stretch.corner != Frame::none || !near_corner(b, ray.place[side])))
       return true;
   return false;
 }

@@ -18,7 +18,8 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
   if (frame.partner != none)
     young = std::min(young, scene.bodies[frame.partner].law->young_modulus());
   softness = softness_of_rays / young;
-  if (subgrid.on)
+  // The law of dents is one of smooth surfaces; at a corner it would let go where the force grows.
+  if (subgrid.on && frame.corner == none)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = scene.apart(frame);

@@ -11,6 +11,7 @@ namespace
 {
 /// Of Newton's method; it is quadratic from a place nearby.
 constexpr unsigned int max_iterations = 40;
+constexpr double half_piece = 0.1; ///< that is seen as one where a field has kinks [cells]
 constexpr double rounding = 1e-14; ///< of a place, over its distance from the origin
 
 /// The deformed surface at a place.
@@ -69,6 +70,32 @@ void derive(const Ray<dim> &ray,
       side.sliding_twice += (side.normal * second) * outer_product(side.way[i], side.way[j]);
     }
 }
+/// Where the field has kinks at the sides of cells, there is no direction in which a force at a kink acts,
+/// and Newton's method goes from one side to the other. So slope and bending of the surface are those of a
+/// short piece of it, between places @p rounded on both sides: both change without jumps while the place
+/// slides.
+void round_off(const Ray<2> &ray, const RestSurface<2> &surface, FieldNear<2> &near, RaySide<2> &side)
+{
+  const double rounded = half_piece * near.cell_size();
+  std::array<double, 2> y, height, slope;
+  for (const unsigned int end : {0, 1})
+  {
+    dealii::Tensor<1, 1> way;
+    way[0] = end == 0 ? -rounded : rounded;
+    const SurfacePlace<2> place = surface.move(side.place, way);
+    if (!near.look_at(place.position))
+      return;
+    const Deformed<2> here(place, near);
+    const double along = ray.across[0] * here.tangent[0];
+    if (!(std::abs(along) > 1e-3))
+      return;
+    y[end] = (here.position - ray.origin) * ray.across[0];
+    height[end] = (here.position - ray.origin) * ray.direction;
+    slope[end] = (ray.direction * here.tangent[0]) / along;
+  }
+  side.normal = ray.direction - (height[1] - height[0]) / (y[1] - y[0]) * ray.across[0];
+  side.sliding_twice = (slope[1] - slope[0]) / (y[1] - y[0]) * outer_product(ray.across[0], ray.across[0]);
+}
 } // namespace
 
 template <int dim>
@@ -103,6 +130,9 @@ RaySide<dim> meet(const Ray<dim> &ray,
     {
       side.met = true;
       derive(ray, here, inverse, near, side);
+      if constexpr (dim == 2)
+        if (!field.smooth())
+          round_off(ray, surface, near, side);
       return side;
     }
     before = error;

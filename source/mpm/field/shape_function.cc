@@ -91,6 +91,7 @@ public:
   int first_node() const override { return -1; }
   double node_shift() const override { return 0.5; }
   unsigned int degree() const override { return 2; }
+  bool smooth() const override { return true; }
   std::vector<Polynomial> polynomials() const override
   {
     return {Polynomial({0.5, -1., 0.5}), Polynomial({0.5, 1., -1.}), Polynomial({0., 0., 0.5})};

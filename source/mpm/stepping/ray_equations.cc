@@ -151,9 +151,10 @@ std::string RayEquations::why_not() const
   return text.str();
 }
 
-/// Adds what rays do to the nodes of all bodies.
-void RayEquations::add_contact_forces(Vectors &contact) const
+/// What rays do to the nodes of all bodies.
+RayEquations::Vectors RayEquations::contact_forces() const
 {
+  Vectors contact = at_rest;
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int side = 0; side < 2; ++side)
     {
@@ -175,6 +176,7 @@ void RayEquations::add_contact_forces(Vectors &contact) const
       }
       frame.for_mean(side, -frame.tangential(force[f]), add);
     }
+  return contact;
 }
 
 /// How far the rays of a frame are from their conditions.
@@ -202,8 +204,7 @@ void RayEquations::measure()
 {
   double worst = 0., scale = 0., wrong_friction = 0.;
   deepest = 0.;
-  Vectors contact = at_rest;
-  add_contact_forces(contact);
+  const Vectors contact = contact_forces();
   for (unsigned int f = 0; f < frames.size(); ++f)
     measure_frame(f, wrong_friction);
   for (unsigned int b = 0; b < way.size(); ++b)
@@ -217,6 +218,18 @@ void RayEquations::measure()
   for (const FreeWay &free : system.ways)
     scale = std::max(scale, std::abs(free.load));
   residual = std::max({worst, wrong_friction, unbalanced_free_walls()}) / scale;
+}
+
+bool RayEquations::at_rounding() const
+{
+  const Vectors contact = contact_forces();
+  return std::all_of(state.bodies.begin(), state.bodies.end(),
+                     [&](const Body<2> &body)
+                     {
+                       const unsigned int b = body.index;
+                       return body.driven || (equations.missing(b) + plan.dt * contact[b]).norm() <=
+                                                 equations.rounding(body, plan.dt * contact[b].norm());
+                     });
 }
 
 void RayEquations::assemble()

@@ -35,13 +35,17 @@ public:
   void accept(State &state_to_change);
 
   StepOutcome outcome;
+  bool careful = false; ///< bodies go no further than rays have looked
 
 private:
   bool converged() const
   {
-    return residual < problem.settings.residual_tolerance && deepest < gap_tolerance * h && right_inertia;
+    return (residual < problem.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h &&
+           right_inertia;
   }
   std::string find_forces();
+  bool resist_more();
+  bool goes_too_far(const Vectors &direction) const;
   void find_direction(Vectors &direction);
   std::string iterate();
 
@@ -79,12 +83,26 @@ std::string RayStep::find_forces()
     }
     if (attempt == most_rises)
       return "no forces of contacts are found";
-    outcome.raised *= rise;
-    equations.resist_more(rise);
-    // Nothing has moved: rays stand as they are.
-    if (!equations.evaluate(trial))
+    if (!resist_more())
       return why_not();
   }
+}
+
+bool RayStep::resist_more()
+{
+  outcome.raised *= rise;
+  equations.resist_more(rise);
+  // Nothing has moved: rays stand as they are.
+  return equations.evaluate(trial);
+}
+
+/// Whether a node would go further than rays have looked.
+bool RayStep::goes_too_far(const Vectors &direction) const
+{
+  double farthest = 0.;
+  for (unsigned int b = 0; b < way.size(); ++b)
+    farthest = std::max(farthest, (way[b] + direction[b]).lpNorm<Eigen::Infinity>());
+  return farthest > scene.reach;
 }
 
 void RayStep::find_direction(Vectors &direction)
@@ -102,11 +120,18 @@ void RayStep::find_direction(Vectors &direction)
 
 std::string RayStep::iterate()
 {
-  if (std::string trouble = find_forces(); !trouble.empty())
-    return trouble;
-  right_inertia = true;
   Vectors direction = at_rest;
-  find_direction(direction);
+  for (unsigned int attempt = 0;; ++attempt)
+  {
+    if (std::string trouble = find_forces(); !trouble.empty())
+      return trouble;
+    find_direction(direction);
+    if (!careful || attempt == most_rises || !goes_too_far(direction))
+      break;
+    if (!resist_more())
+      return why_not();
+  }
+  right_inertia = true;
   double largest = 0.;
   for (const Eigen::VectorXd &d : direction)
     largest = std::max(largest, d.lpNorm<Eigen::Infinity>());
@@ -207,11 +232,13 @@ void RayStep::accept(State &state_to_change)
 }
 } // namespace
 
-StepOutcome ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
+StepOutcome
+ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan, const bool careful)
 {
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   renew_outlines(state.bodies, work.outlines, state.frames);
   RayStep step(problem, state, work, plan, motion);
+  step.careful = careful;
   step.outcome.reason = step.find();
   step.outcome.accepted = step.outcome.reason.empty();
   if (step.outcome.accepted)

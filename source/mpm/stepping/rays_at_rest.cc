@@ -42,13 +42,16 @@ double unbalanced(const Problem &problem, const State &state)
 
 StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, const double dt)
 {
-  for (double resistance = problem.settings.regularisation;; resistance *= rise)
+  double resistance = problem.settings.regularisation;
+  for (bool careful = false;; careful = true)
   {
-    StepOutcome step = ray_step(problem, state, work, {dt, false, resistance});
+    StepOutcome step = ray_step(problem, state, work, {dt, false, resistance}, careful);
     if (step.accepted)
       step.unbalanced = unbalanced(problem, state);
     if (step.accepted || resistance > most_on_the_way)
       return step;
+    if (careful)
+      resistance *= rise;
   }
 }
 
@@ -59,6 +62,7 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
   sum.accepted = true;
   sum.unbalanced = state.held_back.empty() ? 0. : unbalanced(problem, state);
   double resistance = settings.regularisation, slid = 0.;
+  bool careful = false;
   while (sum.unbalanced > settings.unbalanced_force)
   {
     if (sum.held_steps >= settings.max_held_steps)
@@ -71,18 +75,21 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + ")");
     }
-    const StepOutcome held = ray_step(problem, state, work, {dt, true, resistance});
+    const StepOutcome held = ray_step(problem, state, work, {dt, true, resistance}, careful);
     sum.newton_iterations += held.newton_iterations;
     sum.contact_sweeps += held.contact_sweeps;
     sum.newton_residual = held.newton_residual;
     sum.max_penetration = held.max_penetration;
     if (!held.accepted)
     {
-      resistance *= rise;
+      if (careful)
+        resistance *= rise;
+      careful = true;
       if (resistance > most_resistance)
         throw ComputationError("no balance is found with the walls at rest: " + held.reason);
       continue;
     }
+    careful = false;
     ++sum.held_steps;
     slid += slid_on_their_way(work, dt);
     check_room_of_walls(problem, state, slid);

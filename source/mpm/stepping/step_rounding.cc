@@ -8,7 +8,7 @@
 
 namespace softgrain::mpm
 {
-double StepEquations::rounding(const Body<2> &body) const
+double StepEquations::rounding(const Body<2> &body, const double contact) const
 {
   const unsigned int b = body.index, n = body.field.nodes_per_cell();
   const StepState<2> &trial = work.trial[b];
@@ -25,10 +25,8 @@ double StepEquations::rounding(const Body<2> &body) const
   }
   body.field.restrict(all, own);
   const double moved = body.displacement.lpNorm<Eigen::Infinity>() / problem.settings.finest_cell();
-  Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
-  work.contact.add_impulses(b, contact);
   double summed =
-      dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact.norm() + dt * internal[b].norm();
+      dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal[b].norm();
   if (external[b].size() > 0)
     summed += dt * external[b].norm();
   if (scheme.inertia)
@@ -39,8 +37,14 @@ double StepEquations::rounding(const Body<2> &body) const
 
 bool StepEquations::at_rounding() const
 {
-  const auto of_bodies = work.share.numbers<1>(state.bodies, [&](const Body<2> &body)
-                                               { return std::array<double, 1>{rounding(body)}; });
+  const auto of_bodies = work.share.numbers<1>(state.bodies,
+                                               [&](const Body<2> &body)
+                                               {
+                                                 Eigen::VectorXd contact =
+                                                     Eigen::VectorXd::Zero(body.field.n_dofs());
+                                                 work.contact.add_impulses(body.index, contact);
+                                                 return std::array<double, 1>{rounding(body, contact.norm())};
+                                               });
   for (const Body<2> &body : state.bodies)
     // What is not a number is not rounding.
     if (!body.driven && !(measured[body.index][1] <= of_bodies[body.index][0]))

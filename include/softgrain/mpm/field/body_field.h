@@ -71,6 +71,9 @@ public:
    */
   void take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers);
 
+  /// Whether the field has slopes that do not jump.
+  bool smooth() const { return shape->smooth(); }
+  double cell_size() const { return lattice->cell_size(); }
   unsigned int n_nodes() const { return node_position.size(); }
   unsigned int n_independent() const { return independent_node.size(); }
   unsigned int n_dofs() const { return dim * n_independent(); }

@@ -29,6 +29,8 @@ public:
   /// Fills what follows for a place. @return whether a node of the body reaches it
   bool look_at(const dealii::Point<dim> &x);
 
+  double cell_size() const { return field.cell_size(); }
+
   Vector value;
   /// How the value changes along @p direction [per m].
   Vector along(const Vector &direction) const

@@ -50,6 +50,8 @@ public:
   /// Whether cells of different sizes may meet: on a face the functions of a cell are those of its nodes
   /// there.
   virtual bool may_hang() const { return false; }
+  /// Whether slopes are the same on both sides of a face between cells.
+  virtual bool smooth() const { return false; }
   /// Whether the values depend on the extent of the point (GIMP).
   virtual bool uses_extent() const { return false; }
 

@@ -46,6 +46,8 @@ protected:
   std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
   void measure();
+  /// Whether what is unbalanced is what forces round by: nothing smaller is found, whatever is asked for.
+  bool at_rounding() const;
   /// Newton's matrix of every body.
   void assemble();
   /// @return negative pivots of all bodies, if all could be factorised
@@ -80,7 +82,7 @@ private:
   void move_free_walls();
   void find_free_walls();
   double unbalanced_free_walls() const;
-  void add_contact_forces(Vectors &contact) const;
+  Vectors contact_forces() const;
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;

@@ -9,8 +9,11 @@ namespace softgrain::mpm
 /**
  * @brief One step of `quasi_static` with rays: a minimum of the energy of the bodies, and of what resists
  * their motion, in which no ray overlaps. See doc/results/contact-geometry.md.
+ * @param careful bodies resist so much that none goes further than rays have looked. That is for a step that
+ * has failed, as under a load that nothing bears yet: it would take bodies into others that no ray has seen.
  */
-StepOutcome ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan);
+StepOutcome
+ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan, bool careful = false);
 } // namespace softgrain::mpm
 
 #endif

@@ -58,6 +58,9 @@ public:
   /// Whether what is unbalanced of every body is no more than the rounding of what is summed for it: no
   /// search finds less. Costs a pass over the points. All ranks call it.
   bool at_rounding() const;
+  /// By what the unbalanced impulse of a body of this rank may be off by rounding, as last evaluated [N s/m].
+  /// @param contact norm of the impulses of contacts on its nodes
+  double rounding(const Body<2> &body, double contact) const;
   /// The body of which most is unbalanced, in words; for messages.
   std::string worst_body() const;
   /// Norm of the end velocities as last evaluated [m/s].
@@ -126,8 +129,6 @@ private:
   /// From the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
-  /// Of the unbalanced impulse of a body of this rank, as last evaluated [N s/m].
-  double rounding(const Body<2> &body) const;
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
