@@ -148,8 +148,11 @@ bool FrameState::evaluate(const FrameScene &scene,
   sum_of_forces = 0.;
   for (const double of_ray : force)
     sum_of_forces += of_ray;
-  dent_depth = subgrid(dent, sum_of_forces) * sum_of_forces;
-  by_force = subgrid.slope(dent, sum_of_forces);
+  if (!keeps_dent)
+  {
+    dent_depth = subgrid(dent, sum_of_forces) * sum_of_forces;
+    by_force = subgrid.slope(dent, sum_of_forces);
+  }
   const Vector &t = frame.across[0];
   moved = 0.;
   for (unsigned int side = 0; side < 2; ++side)
@@ -193,6 +196,16 @@ bool FrameState::evaluate(const FrameScene &scene,
       }
   }
   return all_met;
+}
+
+void FrameState::keep_dent()
+{
+  double sum = 0.;
+  for (const auto &ray : frame.rays)
+    sum += ray.force;
+  dent_depth = subgrid(dent, sum) * sum;
+  by_force = 0.;
+  keeps_dent = true;
 }
 
 bool FrameState::leave_unmet(std::vector<double> &force, std::vector<double> &rubbing)

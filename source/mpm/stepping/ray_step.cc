@@ -23,7 +23,8 @@ constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
 constexpr unsigned int halvings_with_all_rays = 2;
 constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
-constexpr double longest_way = 0.3; ///< of a node in an iteration [cells]
+constexpr double keeps_dents_from = 0.3; ///< resistance
+constexpr double longest_way = 0.3;      ///< of a node in an iteration [cells]
 
 /// A step that finds balance.
 class RayStep : private RayEquations
@@ -45,11 +46,13 @@ private:
   }
   std::string find_forces();
   bool resist_more();
+  bool keep_dents();
   bool goes_too_far(const Vectors &direction) const;
   void find_direction(Vectors &direction);
   std::string iterate();
 
   bool right_inertia = false;
+  bool dents_kept = false;
 };
 
 /// Forces of rays for Newton's equations; bodies resist more where these have no minimum.
@@ -92,8 +95,20 @@ bool RayStep::resist_more()
 {
   outcome.raised *= rise;
   equations.resist_more(rise);
+  if (keep_dents())
+    return evaluate(way);
   // Nothing has moved: rays stand as they are.
   return equations.evaluate(trial);
+}
+
+/// Where bodies resist much. @return whether any is now kept that was not before
+bool RayStep::keep_dents()
+{
+  if (dents_kept || plan.regularisation * outcome.raised < keeps_dents_from)
+    return false;
+  for (FrameState &frame : frames)
+    frame.keep_dent();
+  return dents_kept = true;
 }
 
 /// Whether a node would go further than rays have looked.
@@ -173,6 +188,7 @@ std::string RayStep::find()
 {
   outcome.unsolved = true;
   lay();
+  keep_dents();
   if (!evaluate(way) && !(leave_unmet_rays() && evaluate(way)))
     return why_not();
   measure();

@@ -185,7 +185,7 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
     if (scheme.inertia)
       P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
     else
-      P.segment<2>(2 * i) -= shift[b] * body.mass[i] * resisted.segment<2>(2 * i);
+      P.segment<2>(2 * i) -= shift[b] * std::abs(body.mass[i]) * resisted.segment<2>(2 * i);
   if (rotation_weight[b] > 0.)
   {
     Eigen::VectorXd &z = lever[b];
@@ -282,7 +282,7 @@ double StepEquations::regularisation_work(const unsigned int b) const
   dealii::Tensor<1, 2> way; // of the centre of mass
   for (unsigned int i = 0; i < body.mass.size(); ++i)
   {
-    work += 0.5 * shift[b] / (dt * dt) * body.mass[i] *
+    work += 0.5 * shift[b] / (dt * dt) * std::abs(body.mass[i]) *
             increment[b].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
     for (unsigned int d = 0; d < 2; ++d)
       way[d] += body.mass[i] / mass * increment[b][2 * i + d];
@@ -301,7 +301,7 @@ dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
   const Eigen::VectorXd beyond = resisted_way(b);
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
-      force[d] += shift[b] / (dt * dt) * body.mass[i] * beyond[2 * i + d];
+      force[d] += shift[b] / (dt * dt) * std::abs(body.mass[i]) * beyond[2 * i + d];
   return force;
 }
 
@@ -311,7 +311,7 @@ double StepEquations::held_back(const unsigned int b) const
   const Eigen::VectorXd beyond = resisted_way(b);
   double sum = 0.;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += shift[b] / (dt * dt) * body.mass[i] * beyond.segment<2>(2 * i).norm();
+    sum += shift[b] / (dt * dt) * std::abs(body.mass[i]) * beyond.segment<2>(2 * i).norm();
   return sum;
 }
 

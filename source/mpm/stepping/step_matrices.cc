@@ -27,7 +27,10 @@ void StepEquations::assemble(const Body<2> &body, const double shift_of_body, co
     turns_easily[body.index] =
         scheme.inertia && against_rotation > 0.1 * rotary_inertia(body, rotation[body.index]);
   add_stiffness(body, work.trial[body.index], factor, matrix, pressure_follows);
-  matrix.add_mass<2>(body.mass, (scheme.inertia ? 1. : 0.) + shift_of_body);
+  if (scheme.inertia)
+    matrix.add_mass<2>(body.mass, 1. + shift_of_body);
+  else
+    matrix.add_mass<2>(drag(body), shift_of_body);
   work.solvers[body.index]->set_update(
       lever[body.index].size() > 0 ? lever[body.index] : rotation[body.index],
       (pressure_follows ? 0.2 : 1.) * against_rotation + rotation_weight[body.index]);
@@ -44,7 +47,7 @@ void StepEquations::assemble_static(const Body<2> &body)
   SystemMatrix &matrix = work.matrices[body.index];
   matrix.set_zero();
   add_stiffness(body, work.trial[body.index], dt * dt, matrix);
-  matrix.add_mass<2>(body.mass, shift[body.index]);
+  matrix.add_mass<2>(drag(body), shift[body.index]);
   work.solvers[body.index]->set_update(rotation[body.index], rotation_weight[body.index]);
 }
 

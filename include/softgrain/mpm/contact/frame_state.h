@@ -61,6 +61,10 @@ public:
                 double path,
                 double within);
 
+  /// Dents stay what they are for the forces at the start of the step: where bodies resist so much that they
+  /// hardly give way, a dent that becomes smaller under a larger force would let a contact go.
+  void keep_dent();
+
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end
   /// of a side: their forces become 0. @return whether there are any
   bool leave_unmet(std::vector<double> &force, std::vector<double> &rubbing);
@@ -217,6 +221,7 @@ private:
   SubgridCompliance::Dent dent;
   double young = 0, softness = 0, friction = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
+  bool keeps_dent = false;
 };
 } // namespace softgrain::mpm
 

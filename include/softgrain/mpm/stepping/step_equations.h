@@ -129,6 +129,9 @@ private:
   /// From the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
+  /// By which nodes resist motion beside what inertia does: their masses, which functions and extensions that
+  /// are negative somewhere may make negative, taken as positive [kg/m].
+  static Eigen::VectorXd drag(const Body<2> &body) { return body.mass.cwiseAbs(); }
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
   /// By how much loads [N] change the angular velocity of a body over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
