@@ -93,6 +93,9 @@ std::string aggregate_key(const BodyDescription<2> &body,
   const PrimarySettings &p = settings.primaries;
   text << p.sizes.smallest << ';' << p.sizes.largest << ';' << static_cast<int>(p.sizes.form) << ';'
        << p.number;
+  // Those of older libraries had none of these.
+  if (p.sizes.form >= SizeDistribution::Form::power_law)
+    text << ';' << p.sizes.exponent << ';' << p.sizes.mean << ';' << p.sizes.deviation;
   // FNV-1a: short, and the same everywhere.
   std::uint64_t hash = 14695981039346656037ull;
   for (const char c : text.str())

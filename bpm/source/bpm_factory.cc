@@ -11,6 +11,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace softgrain::bpm
@@ -51,10 +53,44 @@ public:
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
 
-  std::vector<std::pair<std::string, std::string>> presets(const std::string &fidelity,
-                                                           const Crowd &) const override
+  ParameterValues presets(const std::string &fidelity, const Crowd &) const override
   {
     return {{"Time/Step fraction", fidelity == "draft" ? "0.2" : fidelity == "standard" ? "0.1" : "0.05"}};
+  }
+
+  ParameterValues
+  coarser(dealii::ParameterHandler &prm, const Crowd &crowd, const double factor) const override
+  {
+    Settings settings;
+    settings.parse_parameters(prm);
+    // With fewer primaries a body is no solid any more.
+    constexpr double fewest = 40.;
+    double smallest = settings.primaries.number;
+    if (smallest == 0.)
+      for (const BodyGroup &body : crowd.groups)
+      {
+        const double own = 0.8 * body.area / settings.primaries.sizes.mean_area();
+        smallest = smallest == 0. ? own : std::min(smallest, own);
+      }
+    const double wider = std::min(factor, std::sqrt(smallest / fewest));
+    if (wider < 1.1)
+      return {};
+    const auto text = [](const double value)
+    {
+      std::ostringstream s;
+      s << std::setprecision(3) << value;
+      return s.str();
+    };
+    if (settings.primaries.number > 0)
+      return {{"Primaries/Number per body", std::to_string(std::lround(smallest / (wider * wider)))}};
+    ParameterValues changes;
+    for (const auto &[name, value] : {std::pair("Smallest diameter", settings.primaries.sizes.smallest),
+                                      {"Largest diameter", settings.primaries.sizes.largest},
+                                      {"Mean diameter", settings.primaries.sizes.mean},
+                                      {"Standard deviation", settings.primaries.sizes.deviation}})
+      if (value > 0.)
+        changes.emplace_back("Primaries/" + std::string(name), text(wider * value));
+    return changes;
   }
 
   double solid_area(const Scene<2> &scene, dealii::ParameterHandler &prm, const Crowd &crowd) const override

@@ -16,6 +16,8 @@ from .errors import InputError
 from .prm_file import read_prm
 
 NAME = "made_by.json"
+PATHS = ("Additional shared libraries", "Output directory", "Packing/File", "Packing/Class table", "Packing/Save to", "Primaries/Library",
+         "Contact/Keep failed problems in")  # in a file they count from its folder
 NOT_READ = ("Save to", "Library")  # last names of parameters whose file is written, or keeps what can be made anew
 NO_RESULT = ("Output directory", "Threads")  # where and how, but not what is computed
 UNREAD = "its text"  # the only entry of a file that cannot be read
@@ -53,6 +55,18 @@ def digest_of(path):
         while block := file.read(1 << 20):
             found.update(block)
     return found.hexdigest()[:16]
+
+
+def moved(text, folder):
+    """
+    The paths of a value, a list with commas, as they are found from @folder away.
+
+    >>> moved("grains.csv, /data/b.csv", "../scenes"), moved("libgel.so", "..")
+    ('../scenes/grains.csv, /data/b.csv', 'libgel.so')
+    """
+    paths = [one.strip() for one in text.split(",") if one.strip()]
+    return ", ".join(os.path.normpath(os.path.join(folder, one)) if "/" in one or ".so" not in one or
+                     os.path.isfile(os.path.join(folder, one)) else one for one in paths)
 
 
 def entries_of(scene):
@@ -119,7 +133,7 @@ class Origins:
         entries = {**self.entries, **{name: (text, "") for name, text in changes.items()}}
         entries = {name: found for name, found in entries.items() if name not in NO_RESULT}
         files = {path: self.digest(path) for name, (text, folder) in entries.items()
-                 if name.rpartition("/")[2] not in NOT_READ for path in files_named(text, ("", folder))}
+                 if name.rpartition("/")[2] not in NOT_READ for path in files_named(text, (folder,))}
         return Origin({name: text for name, (text, _) in entries.items()}, files, self.program)
 
 

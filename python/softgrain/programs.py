@@ -181,7 +181,8 @@ def run_that_is_there(folder, origin):
 
 def output_of(scene, changes):
     """The folder into which the program writes when it is not told."""
-    named = changes.get("Output directory") or entries_of(os.fspath(scene)).get("Output directory", ("", ""))[0]
+    text, folder = entries_of(os.fspath(scene)).get("Output directory", ("", ""))
+    named = changes.get("Output directory") or (os.path.join(folder, text) if text else "")
     return named or os.path.join("output", pathlib.Path(scene).stem)
 
 

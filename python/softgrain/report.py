@@ -56,7 +56,7 @@ NUMBERS = (
     ("status", "status", str), ("model", "model", str), ("bodies", "bodies", "{:,}".format),
     ("material_points", "material points", "{:,}".format), ("primaries", "primaries", "{:,}".format),
     ("steps", "steps", "{:,}".format), ("simulated_time_s", "simulated time", lambda value: with_prefix(value, "s")),
-    ("wall_seconds", "time it took", in_words), ("threads", "threads", str),
+    ("wall_seconds", "time it took", in_words), ("processor_seconds", "processor time", in_words), ("threads", "threads", str),
     ("microseconds_per_point_step", "time per point and step", lambda value: f"{value:.3g} µs"),
     ("peak_memory_bytes", "most memory", lambda value: f"{value / 2**20:,.0f} MiB"),
     ("energy_balance_error", "error of the energy balance", lambda value: f"{value:.1e} of the largest term"),

@@ -10,7 +10,7 @@ from .page import chip
 from .units import scaled_unit
 
 FROM_STEPS = ("wall_seconds", "microseconds_per_point_step", "energy_balance_error", "momentum_error", "max_contact_residual",
-              "max_penetration_m", "peak_memory_bytes")  # of summary.json; nothing at the start of a run
+              "max_penetration_m", "peak_memory_bytes", "processor_seconds")  # of summary.json; nothing at the start of a run
 
 STATUSES = ("running", "completed", "interrupted", "failed")
 TEXTS = ("status", "model", "version")  # of summary.json; all else are numbers, but for the phases

@@ -214,15 +214,16 @@ class Runner:
 
 def earlier_cost(folder):
     """
-    What a run cost before it was interrupted. When this process was killed, too, nobody wrote it down: then it is the
-    time of the last checkpoint, and as much of the processor.
+    What a run cost before it was interrupted. When this process was killed, too, nobody wrote it down: then it is what its
+    summary says, that of the last checkpoint.
     """
     record = read_record(folder)
     known = {name: record[name] for name in ("wall_seconds", "cpu_seconds") if name in record}
     if known:
         return known
-    seconds = float((Run(folder).summary or {}).get("wall_seconds", 0.))
-    return {"wall_seconds": seconds, "cpu_seconds": seconds}
+    summary = Run(folder).summary or {}
+    seconds = float(summary.get("wall_seconds", 0.))
+    return {"wall_seconds": seconds, "cpu_seconds": float(summary.get("processor_seconds", seconds))}
 
 
 def check_jobs(program, jobs, seconds):

@@ -21,7 +21,7 @@ import numpy as np
 
 from .errors import InputError, MissingName
 from .listing import NAMES, Listed, listing, python_name
-from .made_by import UNREAD, entries_of
+from .made_by import PATHS, UNREAD, entries_of, moved
 from .parameters import plain
 from .programs import call, find_program, run
 from .scene_text import grains_text, scene_text, value_text
@@ -237,7 +237,8 @@ class Scene(Section):
     @classmethod
     def read(cls, path: str, program: Optional[str] = None) -> "Scene":
         """The scene of a parameter file, with what it includes."""
-        entries = {name: text for name, (text, _) in entries_of(os.fspath(path)).items()}
+        entries = {name: moved(text, folder) if name in PATHS and folder else text
+                   for name, (text, folder) in entries_of(os.fspath(path)).items()}
         if UNREAD in entries:
             call([find_program(program), "check", os.fspath(path)])  # says what is wrong with it
         scene = cls(entries.pop("Model", None), program)
@@ -343,9 +344,12 @@ class Scene(Section):
             with open(table, "w", encoding="utf-8") as file:
                 file.write(grains_text(self._grains))
             scene = self.copy()
-            scene.packing.file = table if not os.path.dirname(table) else os.path.abspath(table)
+            scene.packing.file = table
+        # What counts from here counts from the folder of the file there.
+        folder = os.path.relpath(".", os.path.dirname(path) or ".")
+        entries = {name: moved(text, folder) if name in PATHS and folder != "." else text for name, text in scene._all()}
         with open(path, "w", encoding="utf-8") as file:
-            file.write(scene.text)
+            file.write(scene_text(entries, scene.title))
         if not check:
             return ""
         try:

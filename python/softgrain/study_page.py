@@ -17,7 +17,7 @@ from .report_curves import thinned
 from .report_entry import Entry, in_words
 from .study_picture import COST_TEXTS, groups_of, standard_errors, usable
 from .study_quantities import curve_of, exact_curve
-from .study_text import cost_in_words, in_doubt, percent, place_rows, told_error
+from .study_text import about_places, cost_in_words, in_doubt, percent, place_rows, told_error, what_would_decide
 from .units import describe, html_of, scaled_unit, split_unit
 
 PICTURES = 24  # most on a page
@@ -76,7 +76,8 @@ def add_levels(section, findings):
         for level in study.levels:
             found = findings.verdict(quantity, level)
             one = found.result
-            doubt = "" if found.sure else f"{in_doubt(findings, quantity)}; it would say: "
+            doubt = "" if found.sure else \
+                f"{in_doubt(findings, quantity)} ({what_would_decide(findings, quantity, found)}); it would say: "
             cells = [f"≤ {percent(level)}", doubt + (one.point.label if one else "no point of this study"),
                      told_error(one, quantity) if one else "",
                      cost_in_words(study.cost, one.cost(study.cost)) if one else ""]
@@ -86,7 +87,8 @@ def add_levels(section, findings):
         if places := place_rows(findings, quantity):
             section.text(f"One packing: grains that rearrange a little earlier or later change {quantity.name} at one place. ± is how "
                          "much the error of a point, or of one that costs more, changes when single places are left out. Another packing may have other errors: several of "
-                         "them tell more. Errors place by place:")
+                         "them tell more. Errors place by place:" if findings.has_one_packing(quantity) else
+                         f"{about_places(findings, quantity)[:1].upper()}{about_places(findings, quantity)[1:]}:")
             section.table(places[0], [(row[0], row[1:], "") for row in places[1:]])
     exact = [quantity.name for quantity in study.quantities if not quantity.needs_run]
     told = "An error is relative: to the reference at each place, or in a window to the largest value of the reference there."

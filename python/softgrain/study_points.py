@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from .errors import InputError
 from .formula import Formula
-from .made_by import Origin
+from .made_by import PATHS, Origin, moved
 from .programs import folder_name
 from .study_file import IN_BRACES, is_number
 
@@ -60,6 +60,8 @@ def task_of(study, values, origins):
     """The run for a value of every knob; the same run has the same folder in every study of the scene."""
     changes = {name: filled(item.text, values) for name, item in study.settings.items()}
     changes.update({knob.parameter: values[knob.name] for knob in study.knobs if knob.parameter})
+    folder = os.path.dirname(study.path)
+    changes = {name: moved(text, folder) if name in PATHS and folder and text != EMPTY else text for name, text in changes.items()}
     changes.update(study.changes)
     changes = {name: "" if value == EMPTY else str(value) for name, value in changes.items()}
     origin = origins.of(changes)

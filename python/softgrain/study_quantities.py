@@ -18,6 +18,7 @@ class Difference:
     error: float = np.nan
     scatter: float = np.nan  # standard deviation of the difference of one run about its mean
     signed: Optional[np.ndarray] = None  # at every place
+    of_runs: Optional[np.ndarray] = None  # at every place, a row for each run
     note: str = ""  # why there is no number
 
 
@@ -137,7 +138,7 @@ def difference(quantity, found, reference):
     else:
         error = norm_of(quantity.norm, (own - other) / scale)
     scatter = float(np.sqrt(np.mean(np.var(of_runs, axis=0, ddof=1)))) if len(of_runs) > 1 else np.nan
-    return Difference(error, scatter, (own - other) / scale)
+    return Difference(error, scatter, (own - other) / scale, of_runs)
 
 
 def norm_of(norm, differences):

@@ -9,6 +9,7 @@ import numpy as np
 
 from .page import plain
 from .study_points import folder_of
+from .study_verdict import by_place
 
 
 def rows_of(findings):
@@ -52,16 +53,25 @@ def write_json(findings, path, output):
         row["signed_differences"] = {name: found.signed for name, found in one.differences.items()
                                      if found.signed is not None and len(found.signed) <= 50}
         row["uncertainties"] = one.uncertainty
+        row["place_by_place"] = {quantity.name: {place: {"error": error, "standard_error": off} for place, (error, off) in
+                                                 by_place(quantity, one.differences[quantity.name]).items()}
+                                 for quantity in study.quantities if one.differences[quantity.name].signed is not None}
         row["tasks"] = [{"values": task.values, "changes": task.changes, "folder": os.path.relpath(folder_of(output, task), output),
                          **{name: value for name, value in record.items() if name != "changes"}}
                         for task, record in zip(one.point.tasks, one.records)]
         points.append(row)
     found = {quantity.name: {f"{level:g}": findings.verdict(quantity, level) for level in study.levels}
              for quantity in study.quantities}
-    cheapest = {name: {level: one.result and one.result.point.label for level, one in of.items()} for name, of in found.items()}
+    # What cannot be decided is no answer: it stands under a name of its own.
+    cheapest = {name: {level: one.result.point.label if one.result and one.sure else None for level, one in of.items()}
+                for name, of in found.items()}
+    perhaps = {name: {level: one.result and one.result.point.label for level, one in of.items() if not one.sure}
+               for name, of in found.items()}
     data = {"title": study.title, "scene": study.scene, "study": study.path, "reference": study.reference, "cost": study.cost,
             "points": points, "orders": [{**vars(order), "good": order.good} for order in findings.orders],
             "cheapest": cheapest,
+            "perhaps_cheapest": perhaps,
+            "packings_needed": {name: {level: one.needed for level, one in of.items() if not one.sure} for name, of in found.items()},
             "cheapest_is_sure": {name: {level: one.sure for level, one in of.items()} for name, of in found.items()},
             "front_is_sure": {quantity.name: findings.is_front_sure(quantity) for quantity in study.quantities}}
     with open(path + ".part", "w", encoding="utf-8") as file:

@@ -5,7 +5,7 @@ import numpy as np
 
 from .report_entry import in_words
 from .study_picture import COST_TEXTS
-from .study_verdict import by_place
+from .study_verdict import MOST, by_place, deciding_place
 
 
 def percent(value):
@@ -36,21 +36,49 @@ def in_doubt(findings, quantity):
     return "one packing cannot decide" if findings.has_one_packing(quantity) else "the runs cannot decide"
 
 
+def what_would_decide(findings, quantity, found):
+    """Where the doubt of a Verdict comes from, and how many packings would end it, as words."""
+    words = []
+    if findings.has_one_packing(quantity):
+        named = {deciding_place(quantity, one.differences[quantity.name].signed) for one in findings.results
+                 if one.of_one_packing[quantity.name] and one.differences[quantity.name].signed is not None} - {""}
+        if len(named) == 1:
+            words.append(f"most of that is made at {quantity.x.text} = {named.pop()} alone")
+    what = "packings" if findings.has_one_packing(quantity) else "runs of each point"
+    words.append(f"about {found.needed:.0f} {what} would decide" if np.isfinite(found.needed) else
+                 f"so near to the level, more than {MOST} {what} would be needed")
+    return "; ".join(words)
+
+
 def told_verdict(findings, quantity, level):
-    """The cheapest point within a level of the error, or that it is not known which."""
+    """The cheapest point within a level of the error, or that it is not known which, and what would tell."""
     found = findings.verdict(quantity, level)
     own = f"{found.result.point.label}, {told_error(found.result, quantity)}, " \
           f"{cost_in_words(findings.study.cost, found.result.cost(findings.study.cost))}" if found.result else "no point"
-    return own if found.sure else f"{in_doubt(findings, quantity)} (it would say: {own})"
+    return own if found.sure else f"{in_doubt(findings, quantity)} (it would say: {own}); {what_would_decide(findings, quantity, found)}"
+
+
+def told_place(error, off):
+    """An error at a place, with what it may be off by where that is known."""
+    return percent(error) + (f" ± {percent(off)}" if np.isfinite(off) else "")
 
 
 def place_rows(findings, quantity):
-    """The errors of one packing place by place, as rows of cells with a head; nothing where they are not of one packing."""
-    rows = [(one.point.label, by_place(quantity, one.differences[quantity.name].signed)) for one in findings.results
-            if one.of_one_packing[quantity.name] and one.differences[quantity.name].signed is not None]
+    """The errors of packings place by place, as rows of cells with a head; nothing where there is one place, or nothing is random."""
+    rows = [(one.point.label, by_place(quantity, one.differences[quantity.name])) for one in findings.results
+            if one.differences[quantity.name].signed is not None and
+            (one.of_one_packing[quantity.name] or one.uncertainty[quantity.name] > 0)]
     rows = [(label, found) for label, found in rows if len(found) > 1]
     return [[f"{quantity.name} at {quantity.x.text} =", *rows[0][1]],
-            *([label, *map(percent, found.values())] for label, found in rows)] if rows else []
+            *([label, *(told_place(*one) for one in found.values())] for label, found in rows)] if rows else []
+
+
+def about_places(findings, quantity):
+    """What is to be said above the errors place by place."""
+    if findings.has_one_packing(quantity):
+        return f"errors of one packing, place by place: another packing may have others; give {quantity.name} several " \
+               "packings (a knob with 'Average = true')"
+    return "errors place by place, with the standard error over the runs of a point"
 
 
 def table(rows):
@@ -82,8 +110,7 @@ def print_findings(findings):
           ("; (*) perhaps: what errors may be off by decides it" if "(*)" in stars.values() else ""))
     for quantity in study.quantities:
         if rows := place_rows(findings, quantity):
-            print(f"errors of one packing, place by place: another packing may have others; give {quantity.name} several "
-                  "packings (a knob with 'Average = true')\n" + "\n".join(table(rows)))
+            print(about_places(findings, quantity) + "\n" + "\n".join(table(rows)))
     for order in findings.orders:
         others = ", ".join(f"{name} = {value}" for name, value in order.others.items())
         if order.good:

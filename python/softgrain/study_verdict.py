@@ -4,7 +4,8 @@ How sure a study is of what it found.
 
 Several packings have a scatter, and their mean a standard error. One packing has none: grains that rearrange a little earlier or
 later change a curve at one place and not at the next, and an error that is made of such jumps would be another one with the next
-packing. How much of an error is made at single places is found by leaving out one place after the other (the jackknife).
+packing. How much of an error is made at single places is found by leaving out one place after the other (the jackknife); errors of
+different packings scatter several times as much, because what differs between them also differs at all places alike.
 """
 
 from dataclasses import dataclass
@@ -14,6 +15,10 @@ import numpy as np
 from .study_quantities import norm_of, places
 
 BLOCKS = 8  # of a window: neighbouring places are no witnesses of their own
+FEWEST = 3  # packings whose scatter says something
+MOST = 100  # packings beyond which nobody is told how many
+OF_PACKINGS = 4.  # scatter of packings over what leaving out places shows of one: measured, doc/studies.md
+ALONE = 0.5  # share of what is uncertain from which on a place makes it alone
 
 
 @dataclass
@@ -21,6 +26,8 @@ class Verdict:
     """What a study says of a level of the error."""
     result: object  # the cheapest point within it, None without one
     sure: bool  # whether its error and those of cheaper points are on their sides of the level, with what is uncertain of each
+    in_doubt: list  # the points whose errors may be on the other side
+    needed: float = 0.  # packings, or runs, of every point that would decide, about; inf: more than anybody makes, 0: none
 
 
 def blocks_of(quantity, signed):
@@ -33,15 +40,47 @@ def blocks_of(quantity, signed):
     return [(f"{x[part[0]]:.3g} to {x[part[-1]]:.3g}", part) for part in np.array_split(np.arange(len(x)), BLOCKS)]
 
 
-def by_place(quantity, signed):
+def by_place(quantity, found):
     """
-    {place: relative difference there}, of a window the mean of each part.
+    {place: (relative difference there, its standard error over runs)} of a Difference, of a window the mean of each part. One
+    run has no standard error: NaN.
 
     >>> from softgrain.study_file import Quantity
-    >>> by_place(Quantity("q", None, None, [1., 2.], None, 0., "rms"), np.array([0.01, -0.08]))
-    {'1': 0.01, '2': -0.08}
+    >>> from softgrain.study_quantities import Difference
+    >>> of = Quantity("q", None, None, [1., 2.], None, 0., "rms")
+    >>> by_place(of, Difference(signed=np.array([0.01, -0.08])))
+    {'1': (0.01, nan), '2': (-0.08, nan)}
+    >>> by_place(of, Difference(signed=np.array([0.02, -0.08]), of_runs=np.array([[0.01, -0.08], [0.03, -0.08]])))
+    {'1': (0.02, 0.01), '2': (-0.08, 0.0)}
     """
-    return {place: float(np.mean(signed[part])) for place, part in blocks_of(quantity, signed)}
+    result = {}
+    for place, part in blocks_of(quantity, found.signed):
+        runs = [] if found.of_runs is None else np.mean(found.of_runs[:, part], axis=1)
+        off = float(np.std(runs, ddof=1) / np.sqrt(len(runs))) if len(runs) > 1 else np.nan
+        result[place] = (float(np.mean(found.signed[part])), off)
+    return result
+
+
+def left_out(quantity, signed):
+    """What an error is without one place, or part of a window, after the other."""
+    return np.array([norm_of(quantity.norm, np.delete(signed, part)) for _, part in blocks_of(quantity, signed)])
+
+
+def deciding_place(quantity, signed):
+    """
+    The place that alone makes most of what is uncertain of the error of one packing, as text; empty where none does.
+
+    >>> from softgrain.study_file import Quantity
+    >>> of = Quantity("q", None, None, [1., 2., 3., 4.], None, 0., "rms")
+    >>> deciding_place(of, np.array([0.08, 0.001, 0.002, -0.001])), deciding_place(of, np.array([0.03, -0.001, 0.03, 0.001]))
+    ('1', '')
+    """
+    parts = blocks_of(quantity, signed)
+    if len(parts) < 3:
+        return ""
+    away = (left_out(quantity, signed) - norm_of(quantity.norm, signed))**2
+    worst = int(np.argmax(away))
+    return parts[worst][0] if away[worst] > ALONE * away.sum() else ""
 
 
 def spread_over_places(quantity, signed):
@@ -54,11 +93,10 @@ def spread_over_places(quantity, signed):
     >>> spread_over_places(of, even), round(spread_over_places(of, jump), 3)
     (0.0, 0.034)
     """
-    parts = [part for _, part in blocks_of(quantity, signed)]
-    if len(parts) < 2:
+    n = len(blocks_of(quantity, signed))
+    if n < 2:
         return np.inf
-    left = np.array([norm_of(quantity.norm, np.delete(signed, part)) for part in parts])
-    n = len(parts)
+    left = left_out(quantity, signed)
     return float(np.sqrt((n - 1) / n * np.sum((left - left.mean())**2)))
 
 
@@ -76,7 +114,7 @@ def uncertainty(quantity, result):
         return float(found.scatter / np.sqrt(len(runs))), False
     if not runs or found.signed is None or not has_packing(runs[0]):
         return 0., False
-    return spread_over_places(quantity, found.signed), True
+    return OF_PACKINGS * spread_over_places(quantity, found.signed), True
 
 
 def judge_uncertainty(results, quantity, cost):
@@ -96,16 +134,33 @@ def interval(result, name):
     return error - off, error + off
 
 
+def packings_needed(one, name, level):
+    """
+    How many runs would bring what an error may be off by below its distance from a level: it falls with the root of their number.
+    """
+    off, gap = one.uncertainty[name], abs(one.differences[name].error - level)
+    if not np.isfinite(off):
+        return FEWEST
+    runs = sum(run is not None for run in one.runs)
+    needed = np.ceil(runs * (off / gap)**2) if gap > 0 else np.inf
+    return max(FEWEST, needed) if needed <= MOST else np.inf
+
+
 def verdict(results, quantity, level, cost):
     """The Verdict about the cheapest point whose error is at most @level."""
-    known = [one for one in results if np.isfinite(one.differences[quantity.name].error) and np.isfinite(one.cost(cost))]
-    sure = True
+    name = quantity.name
+    known = [one for one in results if np.isfinite(one.differences[name].error) and np.isfinite(one.cost(cost))]
+    chosen, doubtful = None, []
     for one in sorted(known, key=lambda one: one.cost(cost)):
-        least, most = interval(one, quantity.name)
-        if one.differences[quantity.name].error <= level:
-            return Verdict(one, sure and most <= level)
-        sure = sure and least > level
-    return Verdict(None, sure)
+        least, most = interval(one, name)
+        within = one.differences[name].error <= level
+        if most > level if within else least <= level:
+            doubtful.append(one)
+        if within:
+            chosen = one
+            break
+    needed = max((packings_needed(one, name, level) for one in doubtful), default=0.)
+    return Verdict(chosen, not doubtful, doubtful, float(needed))
 
 
 def is_front_sure(results, name, cost):

@@ -5,6 +5,7 @@
 #include <softgrain/app/progress.h>
 #include <softgrain/app/simulation.h>
 #include <softgrain/base/nearest_name.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <unistd.h>
 
@@ -87,6 +88,7 @@ void print_check_report(std::ostream &out,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
                         const Model<2> *model,
+                        const Trial *trial,
                         const unsigned int n_ranks)
 {
   const Scene<2> &scene = input.scene();
@@ -115,6 +117,7 @@ void print_check_report(std::ostream &out,
     obstacles.push_back(obstacle.name);
   if (!obstacles.empty())
     report.emplace_back("obstacles", join(obstacles));
+  report.emplace_back("friction", friction_in_words(scene));
   const auto append = [&report](const SizeReport &lines)
   { report.insert(report.end(), lines.begin(), lines.end()); };
   if (model != nullptr)
@@ -127,7 +130,9 @@ void print_check_report(std::ostream &out,
   std::vector<std::string> warnings;
   if (forecast)
   {
-    const double slowness = slowness_of_machine();
+    const double slowness = trial != nullptr ? 1. : slowness_of_machine();
+    if (trial != nullptr)
+      report.emplace_back("trial", trial->in_words());
     append(cost_report(*outline, *forecast, slowness));
     warnings = forecast->warnings;
     if (n_ranks > 0)
@@ -146,7 +151,9 @@ void print_check_report(std::ostream &out,
                        " of memory are needed, this machine has " + bytes_in_words(memory_of_machine()));
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
-  if (model == nullptr)
+  if (model == nullptr && trial == nullptr)
     out << "sizes are estimates; --build makes packing and bodies and says exact ones\n";
+  if (trial == nullptr)
+    out << "steps and times are a formula's; --try computes for some seconds and knows more\n";
 }
 } // namespace softgrain

@@ -10,6 +10,7 @@
 #include <softgrain/app/python_script.h>
 #include <softgrain/app/run_lock.h>
 #include <softgrain/app/simulation.h>
+#include <softgrain/app/trial.h>
 #include <softgrain/app/usage.h>
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
@@ -21,6 +22,7 @@
 #include <softgrain/model/model_factory.h>
 #include <softgrain/output/checkpoint.h>
 #include <softgrain/parameters/parameter_listing.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <CLI/CLI.hpp>
 
@@ -78,6 +80,13 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   add_input(check_command);
   check_command->add_flag("--build", build,
                           "make the packing and the model, which may take long, to say exact sizes");
+  CLI::Option *try_option =
+      check_command
+          ->add_option("--try", trial_seconds,
+                       "compute for so many seconds (default 10), coarser if need be, to say what the "
+                       "run takes; nothing is written")
+          ->expected(0, 1)
+          ->check(CLI::Range(0.1, 1e6));
   check_command->add_flag(
       "--no-libraries", no_libraries,
       "load no code that the file names; what only its libraries know is listed, not refused");
@@ -138,6 +147,8 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   if (!threads.empty())
     assignments.push_back("Threads=" + threads);
   restart = !restart_option->empty();
+  if (*try_option && try_option->as<std::string>().empty())
+    trial_seconds = 10.;
   const CLI::App *chosen = app.get_subcommands().front();
   if (chosen == run_command)
     command = Command::run;
@@ -287,7 +298,9 @@ bool CommandLine::run() const
   Simulation simulation(input, *created, lock, ranks.first() ? std::cout : silence);
   if (forecast)
   {
-    SizeReport expected = cost_report(*outline, *forecast, slowness_of_machine());
+    SizeReport expected = {{"friction", friction_in_words(input.scene())}};
+    const SizeReport cost = cost_report(*outline, *forecast, slowness_of_machine());
+    expected.insert(expected.end(), cost.begin(), cost.end());
     for (const std::string &warning : forecast->warnings)
       expected.emplace_back("warning", warning);
     simulation.expect(expected);
@@ -314,14 +327,19 @@ void CommandLine::check() const
       print_left_out(std::cout, input);
     return;
   }
-  const std::optional<RunOutline> outline = outline_of(input);
-  const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  std::optional<RunOutline> outline = outline_of(input);
+  std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  std::optional<Trial> trial;
+  if (trial_seconds > 0. && !Ranks().alone())
+    throw InputError("'--try' works on one rank: leave mpirun out");
+  if (trial_seconds > 0.)
+    trial = try_out(input, outline, forecast, trial_seconds);
   std::unique_ptr<Model<2>> model;
   // What is built in a moment is built: that finds more mistakes.
   if (build || !forecast || forecast->is_soon_built())
     model = input.model_to_look_at();
   if (Ranks().first())
-    print_check_report(std::cout, input, outline, forecast, model.get(), n_ranks);
+    print_check_report(std::cout, input, outline, forecast, model.get(), trial ? &*trial : nullptr, n_ranks);
 }
 
 void CommandLine::measure() const

@@ -7,7 +7,6 @@
 #include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/constitutive/load_libraries.h>
-#include <softgrain/model/model_factory.h>
 #include <softgrain/parameters/parameter_listing.h>
 #include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/scene/material_parameters.h>
@@ -17,6 +16,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -44,6 +44,19 @@ std::string model_of(const ParameterFile &file)
 
 namespace
 {
+/// What is a path in a parameter file: it counts from the folder of the file.
+const std::vector<std::string> &path_parameters()
+{
+  static const std::vector<std::string> list = {"Additional shared libraries",
+                                                "Output directory",
+                                                "Packing/File",
+                                                "Packing/Class table",
+                                                "Packing/Save to",
+                                                "Primaries/Library",
+                                                "Contact/Keep failed problems in"};
+  return list;
+}
+
 /// The lists that say what else the file may contain; without them nothing more can be read.
 SceneNames names_of(const ParameterFile &file, Mistakes &mistakes)
 {
@@ -73,6 +86,7 @@ Input::Input(const std::string &file_name,
 {
   for (const std::string &assignment : assignments)
     mistakes.attempt([&]() { file.set(assignment); });
+  file.resolve_paths(path_parameters());
 
   const std::vector<std::string> named =
       dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", ""));
@@ -173,8 +187,54 @@ double Input::solid_area(const Crowd &bodies)
       ->solid_area(described_scene, prm, bodies);
 }
 
-std::optional<Forecast> Input::forecast(const RunOutline &run)
+namespace
 {
+/// While it lives, some parameters have other values.
+class WithValues
+{
+public:
+  WithValues(dealii::ParameterHandler &prm, const ParameterValues &values) : prm(prm)
+  {
+    for (const auto &[name, value] : values)
+      before.emplace_back(name, set(name, value));
+  }
+  ~WithValues()
+  {
+    for (const auto &[name, value] : before)
+      set(name, value);
+  }
+  WithValues(const WithValues &) = delete;
+  WithValues &operator=(const WithValues &) = delete;
+
+private:
+  /// @return what stood there
+  std::string set(const std::string &name, const std::string &value)
+  {
+    const auto slash = name.find('/');
+    const std::string key = name.substr(slash + 1);
+    prm.enter_subsection(name.substr(0, slash));
+    const std::string old = prm.get(key);
+    prm.set(key, value);
+    prm.leave_subsection();
+    return old;
+  }
+
+  dealii::ParameterHandler &prm;
+  ParameterValues before;
+};
+} // namespace
+
+ParameterValues Input::coarser(const double factor)
+{
+  const std::optional<Crowd> bodies = crowd();
+  return bodies
+             ? Registry<ModelFactory>::instance().create(run_parameters.model)->coarser(prm, *bodies, factor)
+             : ParameterValues();
+}
+
+std::optional<Forecast> Input::forecast(const RunOutline &run, const ParameterValues &changes)
+{
+  const WithValues changed(prm, changes);
   try
   {
     const std::unique_ptr<ModelFactory> factory =
@@ -234,9 +294,10 @@ std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
   }
 }
 
-std::unique_ptr<Model<2>> Input::model_to_look_at()
+std::unique_ptr<Model<2>> Input::model_to_look_at(const ParameterValues &changes)
 {
   complete_scene();
+  const WithValues changed(prm, changes);
   try
   {
     return Registry<ModelFactory>::instance()
@@ -278,10 +339,41 @@ std::vector<std::string> Input::check_restart(const StateReader &checkpoint,
   }
 }
 
+namespace
+{
+/// Paths in a file that is going to lie elsewhere. That of the results stays: nobody computes into the folder
+/// of another run.
+void make_paths_absolute(ParameterSection &section, const std::string &path)
+{
+  const std::vector<std::string> &paths = path_parameters();
+  for (ParameterEntry &entry : section.entries)
+  {
+    const std::string name = path + entry.name;
+    if (name == "Output directory" || entry.value.empty() ||
+        std::find(paths.begin(), paths.end(), name) == paths.end())
+      continue;
+    std::string changed;
+    for (const std::string &one : dealii::Utilities::split_string_list(entry.value))
+    {
+      std::error_code ignored;
+      const bool by_name = one.find('/') == std::string::npos && name == "Additional shared libraries" &&
+                           !std::filesystem::exists(one, ignored);
+      changed += (changed.empty() ? "" : ", ") +
+                 (by_name ? one : std::filesystem::absolute(one).lexically_normal().string());
+    }
+    entry.value = changed;
+  }
+  for (ParameterSection &below : section.sections)
+    make_paths_absolute(below, path + below.name + "/");
+}
+} // namespace
+
 std::string Input::effective_parameters() const
 {
   std::ostringstream text;
-  print_prm(text, parameter_tree(prm), false);
+  ParameterSection tree = parameter_tree(prm);
+  make_paths_absolute(tree, "");
+  print_prm(text, tree, false);
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -29,6 +30,9 @@ void run_python_script(const std::string &name, const std::vector<std::string> &
   if (script.empty())
     throw InputError("the script '" + name + ".py' is missing; looked in " + join(folders));
 
+  // What scripts start is this very program, unless the user has named another.
+  if (!error && !program.empty())
+    setenv("SOFTGRAIN", program.c_str(), 0);
   std::vector<std::string> words = {SOFTGRAIN_PYTHON, script};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char *> argv;

@@ -16,7 +16,7 @@ namespace softgrain
 {
 namespace
 {
-const char *const state_name = "driver/statistics";
+const char *const state_name = "driver/statistics", *const processor_name = "driver/processor_seconds";
 } // namespace
 
 RunStatistics::RunStatistics(const Model<2> &model) : begin(std::chrono::steady_clock::now())
@@ -61,6 +61,11 @@ double RunStatistics::wall_seconds() const
          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+double RunStatistics::processor_time() const
+{
+  return earlier_processor_seconds + processor_seconds();
+}
+
 Summary RunStatistics::summary(const std::string &status, const Model<2> &model) const
 {
   Summary summary;
@@ -70,6 +75,7 @@ Summary RunStatistics::summary(const std::string &status, const Model<2> &model)
   summary.steps = model.step();
   summary.simulated_time = model.time();
   summary.wall_seconds = wall_seconds();
+  summary.processor_seconds = processor_time();
   summary.threads = n_threads();
   summary.ranks = Ranks().number();
   summary.bodies = model.n_bodies();
@@ -89,6 +95,7 @@ void RunStatistics::save(StateWriter &writer) const
 {
   writer.write(state_name, std::vector<double>{wall_seconds(), max_contact_residual, max_penetration,
                                                energy_at_start, largest_energy, energy_error});
+  writer.write(processor_name, std::vector<double>{processor_time()});
 }
 
 void RunStatistics::load(const StateReader &reader)
@@ -100,5 +107,8 @@ void RunStatistics::load(const StateReader &reader)
   energy_at_start = values[3];
   largest_energy = values[4];
   energy_error = values[5];
+  // Older checkpoints tell the time on the clock alone, which one thread had to itself.
+  earlier_processor_seconds =
+      reader.contains(processor_name) ? reader.read_doubles(processor_name, 1)[0] : earlier_wall_seconds;
 }
 } // namespace softgrain

@@ -31,7 +31,8 @@ void Simulation::print_end(const std::string &status)
   const Summary summary = statistics.summary(status, model);
   log.both() << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
              << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
-             << summary.microseconds_per_point_step() << " us per point and step)\n";
+             << summary.microseconds_per_point_step() << " us per point and step; "
+             << duration_in_words(summary.processor_seconds) << " of processor time)\n";
   for (const auto &[what, error] : {std::make_pair("energy", summary.energy_balance_error),
                                     std::make_pair("momentum", summary.momentum_error)})
     if (!std::isfinite(error))

@@ -31,6 +31,7 @@ std::string text_of(const Summary &summary)
   json["steps"] = summary.steps;
   json["simulated_time_s"] = summary.simulated_time;
   json["wall_seconds"] = summary.wall_seconds;
+  json["processor_seconds"] = summary.processor_seconds;
   json["threads"] = summary.threads;
   json["ranks"] = summary.ranks;
   json["bodies"] = summary.bodies;

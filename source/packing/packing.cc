@@ -3,6 +3,7 @@
 #include <softgrain/base/preparation.h>
 #include <softgrain/packing/packing.h>
 #include <softgrain/packing/shaken_box.h>
+#include <softgrain/packing/shaken_disks.h>
 #include <softgrain/packing/shrinking_box.h>
 
 #include <deal.II/base/numbers.h>
@@ -50,9 +51,12 @@ double area_of(const std::vector<double> &radii, const double taken = 0.)
 
 /// Makes the box smaller until @p end [m, half of its first edge], or until the disks jam. @return whether
 /// they did.
-bool shrink(ShrinkingBox &box, const double end, const double mean, const PackingProtocol &protocol)
+bool shrink(ShrinkingBox &box,
+            const double end,
+            const double mean,
+            const PackingProtocol &protocol,
+            const Jamming &jamming)
 {
-  const Jamming jamming = protocol.jam ? wanted : avoided;
   const double allowed = allowed_overlap * mean;
   // Those who are impatient make many small packings, and tell of them themselves.
   std::optional<Preparation> telling;
@@ -83,6 +87,41 @@ bool shrink(ShrinkingBox &box, const double end, const double mean, const Packin
   }
   return false;
 }
+/**
+ * Disks that have jammed before the box was as small as it is to be, shaken until it is.
+ * @throw InputError that says how far they came
+ */
+void shake_in(ShrinkingBox &box,
+              const double end,
+              const dealii::Tensor<1, 2> &edges,
+              const std::vector<double> &radius,
+              const PackingProtocol &protocol,
+              Uniform &random,
+              const std::string &numbers)
+{
+  const double taken = allowed_overlap * mean_of(radius);
+  const auto filled = [&](const double scale)
+  { return area_of(radius, taken) / (std::pow(2. * scale, 2) * edges[1] / edges[0]); };
+  double reached = filled(box.scale());
+  if (protocol.patient && protocol.friction == 0.)
+  {
+    // Room to change places, and more than they overlap.
+    const double least = *std::min_element(radius.begin(), radius.end());
+    box.loosen(1. + std::max(0.06, 1.5 * taken / least));
+    ShakenDisks disks(box.disks(), radius, {box.scale(), box.scale() * edges[1] / edges[0]},
+                      protocol.periodic);
+    if (disks.shrink(end, random))
+      return box.restore(disks.places(), disks.scale());
+    reached = std::max(reached, filled(disks.scale()));
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << reached;
+  throw InputError("'Packing': the disks jam before they are in the box: " + numbers + ", and " + text.str() +
+                   " is the most that was reached; ask for less ('Packing fraction', or a larger box), try "
+                   "another 'Seed', or take "
+                   "'Until jammed' = 'true', which keeps what they reach");
+}
 } // namespace
 
 double solid_area(const Packing<2> &packing)
@@ -106,10 +145,14 @@ Packing<2> pack_disks(const std::vector<double> &radius,
 {
   const dealii::Tensor<1, 2> edges = upper - lower;
   const double fraction = area_of(radius) / (edges[0] * edges[1]);
-  std::ostringstream numbers;
-  numbers << radius.size() << " disks fill " << fraction << " of the box";
+  const auto fill = [&radius](const double share)
+  {
+    std::ostringstream text;
+    text << radius.size() << " disks fill " << share << " of the box";
+    return text.str();
+  };
   if (fraction > 0.9 && !protocol.jam)
-    throw InputError("'Packing': " + numbers.str() + "; at most about 0.80 is possible");
+    throw InputError("'Packing': " + fill(fraction) + "; at most about 0.84 is possible");
   for (unsigned int d = 0; d < 2; ++d)
     if (protocol.periodic[d] && !protocol.jam &&
         edges[d] < 6. * *std::max_element(radius.begin(), radius.end()))
@@ -121,10 +164,11 @@ Packing<2> pack_disks(const std::vector<double> &radius,
   ShrinkingBox box(radius, form, random);
   const double mean = mean_of(radius);
   const bool tight = protocol.jam || growth > 1.;
-  const bool jammed = tight && shrink(box, protocol.jam ? 0. : 0.5 * edges[0], mean, protocol);
+  const double end = protocol.jam ? 0. : 0.5 * edges[0];
+  const bool jammed = tight && shrink(box, end, mean, protocol, protocol.jam ? wanted : avoided);
   if (jammed && !protocol.jam)
-    throw InputError("'Packing': the disks jam before they are in the box: " + numbers.str() +
-                     "; enlarge the box or use fewer disks");
+    shake_in(box, end, edges, radius, protocol, random,
+             fill(area_of(radius, allowed_overlap * mean_of(radius)) / (edges[0] * edges[1])));
 
   // Jammed disks are scaled to the box, all alike.
   const double scale = protocol.jam ? 0.5 * edges[0] / box.scale() : 1.;
@@ -177,13 +221,18 @@ pack_grains(Packing<2> packing, const dealii::Point<2> &lower, const dealii::Poi
 
 std::vector<double> draw_radii(const PackingRequest2D &request, Uniform &random)
 {
-  std::vector<double> radii(request.number);
-  for (double &r : radii)
-    r = 0.5 * request.sizes.draw(random);
+  std::vector<double> radii;
+  const std::vector<unsigned int> numbers = request.numbers();
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+    for (unsigned int i = 0; i < numbers[c]; ++i)
+      radii.push_back(0.5 * (request.classes[c].smallest +
+                             random() * (request.classes[c].largest - request.classes[c].smallest)));
+  while (request.classes.empty() && radii.size() < request.number)
+    radii.push_back(0.5 * request.sizes.draw(random));
   if (request.fraction > 0.)
   {
     // What pack_disks() takes from the radii is made up for.
-    const bool disks = request.mix.only_disks();
+    const bool disks = request.only_disks();
     const double taken = disks && request.fraction > loose_fraction ? allowed_overlap * mean_of(radii) : 0.;
     const dealii::Tensor<1, 2> edges = request.upper - request.lower;
     const double scale = (disks ? 1. : 1. / (1. - grain_slack)) *
@@ -196,14 +245,30 @@ std::vector<double> draw_radii(const PackingRequest2D &request, Uniform &random)
 
 namespace
 {
+/// The class of every grain; empty without classes.
+std::vector<const GrainClass2D *> classes_of(const PackingRequest2D &request)
+{
+  std::vector<const GrainClass2D *> result;
+  const std::vector<unsigned int> numbers = request.numbers();
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+    result.insert(result.end(), numbers[c], &request.classes[c]);
+  return result;
+}
+
 /// Grains with the areas of disks of these radii.
-Packing<2> draw_forms(const std::vector<double> &radii, const GrainMix2D &mix, Uniform &random)
+Packing<2> draw_forms(const std::vector<double> &radii,
+                      const GrainMix2D &mix,
+                      const std::vector<const GrainClass2D *> &classes,
+                      Uniform &random)
 {
   Packing<2> packing;
-  for (const double radius : radii)
+  for (std::size_t i = 0; i < radii.size(); ++i)
   {
+    const double radius = radii[i];
     GrainForm2D form;
     form.kind = mix.kinds[static_cast<std::size_t>(mix.kinds.size() * random())];
+    if (!classes.empty() && classes[i]->kind)
+      form.kind = *classes[i]->kind;
     const double ratio = mix.least_ratio + (mix.greatest_ratio - mix.least_ratio) * random();
     const unsigned int corners =
         mix.least_corners + static_cast<unsigned int>((mix.most_corners - mix.least_corners + 1) * random());
@@ -222,8 +287,14 @@ Packing<2> make_packing(const PackingRequest2D &request)
 {
   Uniform random(request.seed);
   const std::vector<double> radii = draw_radii(request, random);
-  if (!request.mix.only_disks())
-    return pack_grains(draw_forms(radii, request.mix, random), request.lower, request.upper, random);
-  return pack_disks(radii, request.lower, request.upper, random, request.protocol);
+  const std::vector<const GrainClass2D *> classes = classes_of(request);
+  Packing<2> packing = request.only_disks()
+                           ? pack_disks(radii, request.lower, request.upper, random, request.protocol)
+                           : pack_grains(draw_forms(radii, request.mix, classes, random), request.lower,
+                                         request.upper, random);
+  for (const GrainClass2D *const one : classes)
+    if (!one->material.empty())
+      packing.materials.push_back(one->material);
+  return packing;
 }
 } // namespace softgrain

@@ -228,6 +228,15 @@ double ShrinkingBox::step(const double factor)
   return deepest_overlap();
 }
 
+void ShrinkingBox::loosen(const double factor)
+{
+  for (double &edge : form.half)
+    edge *= factor;
+  for (Place &place : places)
+    for (double &component : place)
+      component *= factor;
+}
+
 void ShrinkingBox::restore(const std::vector<Place> &old_places, const double old_scale)
 {
   places = old_places;

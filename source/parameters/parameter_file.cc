@@ -235,6 +235,46 @@ void ParameterFile::set(const std::string &text)
   assignments.push_back(assignment);
 }
 
+namespace
+{
+/// The folder of the file that "FILE:LINE" or "FILE" names.
+std::filesystem::path folder_of(const std::string &where)
+{
+  const auto colon = where.find_last_of(':');
+  const bool line = colon != std::string::npos && colon + 1 < where.size() &&
+                    where.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  return std::filesystem::path(line ? where.substr(0, colon) : where).parent_path();
+}
+
+/// @p path as it is found from where the program was started.
+std::string resolved(const std::string &path, const std::filesystem::path &folder)
+{
+  const std::filesystem::path there = folder / path;
+  std::error_code ignored;
+  // A library without a folder may be one that the loader finds by its name.
+  if (path.find('/') == std::string::npos && path.find(".so") != std::string::npos &&
+      !std::filesystem::exists(there, ignored))
+    return path;
+  return there.lexically_normal().string();
+}
+} // namespace
+
+void ParameterFile::resolve_paths(const std::vector<std::string> &paths)
+{
+  for (ParameterAssignment &assignment : assignments)
+  {
+    const std::filesystem::path folder = folder_of(assignment.where);
+    if (assignment.where == "--set" || folder.empty() || assignment.value.empty() ||
+        std::find(paths.begin(), paths.end(), parameter_path(assignment.sections, assignment.key)) ==
+            paths.end())
+      continue;
+    std::string changed;
+    for (const std::string &path : dealii::Utilities::split_string_list(assignment.value))
+      changed += (changed.empty() ? "" : ", ") + resolved(path, folder);
+    assignment.value = changed;
+  }
+}
+
 const ParameterAssignment *ParameterFile::find(const std::vector<std::string> &sections,
                                                const std::string &key) const
 {

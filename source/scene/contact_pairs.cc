@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace softgrain
@@ -59,6 +60,44 @@ bool has_friction(const Scene<2> &scene)
          std::any_of(scene.friction_pairs.begin(), scene.friction_pairs.end(), positive) ||
          std::any_of(scene.walls.begin(), scene.walls.end(),
                      [](const WallDescription<2> &wall) { return wall.friction > 0.; });
+}
+
+std::string friction_in_words(const Scene<2> &scene)
+{
+  const auto value = [](const double friction)
+  {
+    std::ostringstream text;
+    text << friction;
+    return friction > 0. ? text.str() : std::string("none");
+  };
+  std::string text = value(scene.friction) + " between bodies";
+  // Walls and obstacles with the same friction stand together, in the order of the file.
+  std::vector<std::pair<double, std::string>> at;
+  const auto add = [&](const std::string &name, const double friction)
+  {
+    const auto known =
+        std::find_if(at.begin(), at.end(), [&](const auto &one) { return one.first == friction; });
+    if (known == at.end())
+      at.emplace_back(friction, name);
+    else
+      known->second += ", " + name;
+  };
+  for (const WallDescription<2> &wall : scene.walls)
+    if (wall.type != WallDescription<2>::Type::periodic)
+      add(wall.name, wall.friction);
+  for (const ObstacleDescription<2> &obstacle : scene.obstacles)
+    add(obstacle.name, obstacle.friction);
+  if (at.size() == 1 && at.front().first == scene.friction && scene.friction_pairs.empty())
+    return scene.friction > 0. ? value(scene.friction) + " everywhere" : "none";
+  for (const auto &[friction, names] : at)
+    text += "; " + value(friction) + " at " + names;
+  for (const PairValue &pair : scene.friction_pairs)
+    text += "; " + value(pair.value) + " of " + pair.text();
+  const bool smooth =
+      !at.empty() && std::all_of(at.begin(), at.end(), [](const auto &one) { return one.first == 0.; });
+  if (scene.friction > 0. && smooth && scene.friction_pairs.empty())
+    text += " ('Contact/Friction at walls' = 'same' gives it to walls)";
+  return text;
 }
 
 std::optional<double> uniform_friction(const Scene<2> &scene)

@@ -22,19 +22,18 @@ double length_of(const Polygon &polygon)
   return sum;
 }
 
-/// Disks that are still to be packed.
-std::optional<BodyGroup> group_of(const PackingMethod<2> &method)
+/// Disks that are still to be packed, all of them.
+BodyGroup group_of(const ExpectedGrains &disks)
 {
-  const std::optional<ExpectedGrains> disks = method.expected();
-  if (!disks)
-    return std::nullopt;
   BodyGroup group;
   group.name = "grain_1";
-  group.count = disks->number;
-  group.area = disks->mean_volume;
-  group.perimeter = 2. * std::sqrt(PI * disks->mean_volume);
-  group.thickness = disks->smallest;
-  group.short_edge = 2. * std::sqrt(disks->mean_volume / PI);
+  group.thinnest =
+      disks.thinnest.empty() ? "the thinnest grain of 'Packing'" : "body '" + disks.thinnest + "'";
+  group.count = disks.number;
+  group.area = disks.mean_volume;
+  group.perimeter = 2. * std::sqrt(PI * disks.mean_volume);
+  group.thickness = disks.smallest;
+  group.short_edge = 2. * std::sqrt(disks.mean_volume / PI);
   return group;
 }
 } // namespace
@@ -43,6 +42,7 @@ BodyGroup group_of(const BodyDescription<2> &body)
 {
   BodyGroup group;
   group.name = body.name;
+  group.thinnest = "body '" + body.name + "'";
   group.material = body.material;
   group.area = body.shape->area();
   group.driven = body.driven;
@@ -88,13 +88,22 @@ std::optional<Crowd> crowd_of(const Scene<2> &scene, const bool packed)
     crowd.groups.push_back(group_of(body));
   if (!scene.packing.method || packed)
     return crowd;
-  const std::optional<BodyGroup> grains = group_of(*scene.packing.method);
+  const std::optional<ExpectedGrains> grains = scene.packing.method->expected();
   if (!grains)
     return std::nullopt;
-  crowd.groups.push_back(*grains);
-  for (unsigned int m = 0; m < scene.materials.size(); ++m)
-    if (scene.materials[m].name == scene.packing.material)
-      crowd.groups.back().material = m;
+  const auto add = [&](const std::string &material, const double count)
+  {
+    BodyGroup group = group_of(*grains);
+    group.count = count;
+    for (unsigned int m = 0; m < scene.materials.size(); ++m)
+      if (scene.materials[m].name == material)
+        group.material = m;
+    crowd.groups.push_back(group);
+  };
+  for (const auto &[material, count] : grains->of_material)
+    add(material, count);
+  if (grains->of_material.empty())
+    add(scene.packing.material, grains->number);
   return crowd;
 }
 } // namespace softgrain

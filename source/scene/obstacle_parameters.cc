@@ -45,7 +45,8 @@ void declare(dealii::ParameterHandler &prm)
                     "Place about which it turns, and about which its torque is taken; it goes with "
                     "'Displacement'. Units: m.");
   prm.declare_entry("Friction", "0", Double(0),
-                    "Coefficient of friction between the obstacle and bodies. Units: none.");
+                    "Coefficient of friction between the obstacle and bodies; see 'Contact/Friction at "
+                    "walls', too. Units: none.");
 }
 
 void check_unused(const dealii::ParameterHandler &prm,

@@ -19,6 +19,7 @@ namespace softgrain
 namespace
 {
 const char *const automatic = "automatic";
+const std::string of_classes = "'Packing/Classes': the material ";
 
 /// @param where begins the message of an unknown name
 unsigned int find_material(const std::string &name,
@@ -44,13 +45,16 @@ std::vector<unsigned int> materials_of(const Packing<2> &packing,
     return std::vector<unsigned int>(packing.balls.size(),
                                      find_material(name, materials, "'Packing/Material' = "));
   if (!name.empty())
-    throw InputError("'Packing/Material' = '" + name + "' is not allowed with 'Packing/File' = '" +
-                     packing.file + "', which names the material of every disk: leave one of them out");
+    throw InputError(
+        "'Packing/Material' = '" + name + "' is not allowed with " +
+        (packing.file.empty() ? "'Packing/Classes'" : "'Packing/File' = '" + packing.file + "'") +
+        ", which names the material of every disk: leave one of them out");
   std::vector<unsigned int> result;
   for (std::size_t i = 0; i < packing.balls.size(); ++i)
     result.push_back(find_material(packing.materials[i], materials,
-                                   "'Packing/File': line " + std::to_string(i + 2) + " of '" + packing.file +
-                                       "': the material "));
+                                   packing.file.empty() ? of_classes
+                                                        : "'Packing/File': line " + std::to_string(i + 2) +
+                                                              " of '" + packing.file + "': the material "));
   return result;
 }
 
@@ -120,10 +124,12 @@ PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandl
   if (method)
   {
     packing.material = prm.get("Material");
+    method->parse_parameters(prm);
     // Before the packing is made, which may take long.
     if (!(method->may_name_materials() && packing.material.empty()))
       find_material(packing.material, materials, "'Packing/Material' = ");
-    method->parse_parameters(prm);
+    for (const std::string &name : method->named_materials())
+      find_material(name, materials, of_classes);
     packing.method = method;
   }
   else if (!packing.save_to.empty())

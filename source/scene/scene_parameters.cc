@@ -29,10 +29,15 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   walls.declare_parameters(prm);
   obstacles.declare_parameters(prm);
   prm.enter_subsection("Contact");
-  prm.declare_entry(
-      "Friction", "0", Double(0),
-      "Coefficient of friction between bodies. With Model = bpm it hardly acts while the primaries of "
-      "bodies may roll: see 'Contact/Rolling resistance'. Units: none.");
+  prm.declare_entry("Friction", "0", Double(0),
+                    "Coefficient of friction between bodies; at walls and obstacles only with 'Friction at "
+                    "walls' = same. With Model = "
+                    "bpm it hardly acts while the primaries of bodies may roll: see 'Contact/Rolling "
+                    "resistance'. Units: none.");
+  prm.declare_entry("Friction at walls", "own", Selection("own|same"),
+                    "own: each wall and obstacle has its own 'Friction', 0 where it sets none; same: "
+                    "'Contact/Friction' holds there "
+                    "too. 'Friction of pairs' counts more than either.");
   const std::string table =
       "Other values for pairs, \"first / second: value; ...\". Each name is that of a material, of a body or "
       "of "
@@ -69,6 +74,25 @@ void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &sce
   }
 }
 
+void SceneParameters::rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scene) const
+{
+  if (prm.get({"Contact"}, "Friction at walls") != "same")
+    return;
+  const auto take = [&](const std::string &path, double &friction)
+  {
+    if (friction != 0.)
+      throw InputError(
+          "'" + path +
+          "/Friction' has no effect with 'Contact/Friction at walls' = 'same': leave one of them out");
+    friction = scene.friction;
+  };
+  for (WallDescription<2> &wall : scene.walls)
+    if (wall.type != WallDescription<2>::Type::periodic)
+      take("Walls/" + wall.name, wall.friction);
+  for (ObstacleDescription<2> &obstacle : scene.obstacles)
+    take("Obstacles/" + obstacle.name, obstacle.friction);
+}
+
 Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
   Scene<2> scene;
@@ -79,6 +103,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters(prm); });
   mistakes.attempt([&]() { parse_contact(prm, scene); });
   mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
+  mistakes.attempt([&]() { rub_at_walls(prm, scene); });
   mistakes.end();
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;

@@ -127,7 +127,8 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
                       "left and right. Units: none.");
     declare_drive(prm, false);
     prm.declare_entry("Friction", "0", Double(0),
-                      "Coefficient of friction between the wall and bodies. Units: none.");
+                      "Coefficient of friction between the wall and bodies; see 'Contact/Friction at walls', "
+                      "too. Units: none.");
     prm.leave_subsection();
   }
   prm.leave_subsection();

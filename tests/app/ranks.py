@@ -84,7 +84,7 @@ def data_of(path):
     found = {}
 
     def note(name, item):
-        if isinstance(item, h5py.Dataset) and name not in ("driver/statistics", "driver/parameters"):
+        if isinstance(item, h5py.Dataset) and name not in ("driver/statistics", "driver/processor_seconds", "driver/parameters"):
             value = item[()]
             if name == "contents":  # but for the size of what is left out above: it has the name of the folder
                 value = re.sub(rb"driver/parameters t \d+\n", b"", value[0])

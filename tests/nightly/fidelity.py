@@ -64,18 +64,19 @@ def forces_of_one(preset):
     return [force[min(range(len(force)), key=lambda i: abs(columns["time_s"][i] - t))] for t in times], seconds
 
 
-def stresses_of_assembly(preset):
-    scene = without((PARAMETERS / "gallery/thirty_grains_mpm.prm").read_text(), "Cell size", "CFL multiple")
+def stresses_of_assembly(preset, name="thirty_grains_mpm", kind="assembly", seeds=(1, 2), settings=("Stop/End time=2e-3",)):
+    """Stress of a compacted assembly at four packing fractions, and seconds: means over packings."""
+    scene = without((PARAMETERS / f"gallery/{name}.prm").read_text(), "Cell size", "CFL multiple")
     curve, cost = [0.] * 4, 0.
-    for seed in (1, 2):
-        columns, _, seconds = computed(f"assembly_{preset}_{seed}", scene, f"Fidelity={preset}", f"Packing/Seed={seed}",
+    for seed in seeds:
+        columns, _, seconds = computed(f"{kind}_{preset}_{seed}", scene, f"Fidelity={preset}", f"Packing/Seed={seed}",
                                        "Contact/Friction=0.5", *(f"Walls/{wall}/Friction=0.5" for wall in WALLS),
-                                       "Packing/Packing fraction=0.70", "Stop/Packing fraction=0.93", "Stop/End time=2e-3",
-                                       "Output/Fields every=0", "Output/Snapshots every=0")
+                                       "Packing/Packing fraction=0.70", "Stop/Packing fraction=0.93",
+                                       "Output/Fields every=0", "Output/Snapshots every=0", *settings)
         stress = [(top + bottom) / 2 for top, bottom in zip(columns["top_force_N_per_m"], columns["bottom_force_N_per_m"])]
         for i, at in enumerate((0.80, 0.84, 0.88, 0.92)):
-            curve[i] += mean_near(columns["packing_fraction"], stress, at, 0.01) / 2
-        cost += seconds / 2
+            curve[i] += mean_near(columns["packing_fraction"], stress, at, 0.01) / len(seeds)
+        cost += seconds / len(seeds)
     return curve, cost
 
 
@@ -95,6 +96,13 @@ class Presets(unittest.TestCase):
 
     def test_assembly(self):
         self.check("assembly", stresses_of_assembly, (0.12, 0.06, 0.))
+
+    def test_at_rest(self):
+        """Without inertia: cells are those of the preset, the way of the wall in a step a tenth of a cell, half of that in the reference."""
+        def of_preset(preset):
+            way = "Time/Wall way=" + ("0.05" if preset == "reference" else "0.1")
+            return stresses_of_assembly(preset, "thirty_grains_quasi_static_mpm", "rest", settings=(way, "Stop/End time=5e-3"))
+        self.check("assembly at rest", of_preset, (0.12, 0.06, 0.))
 
     def test_bonded(self):
         """The step of bonded particles."""

@@ -2,6 +2,7 @@
 #ifndef softgrain_app_check_report_h
 #define softgrain_app_check_report_h
 
+#include <softgrain/app/trial.h>
 #include <softgrain/model/forecast.h>
 
 #include <iosfwd>
@@ -16,6 +17,8 @@ class Input;
  * warnings.
  * @param outline, forecast where they are known
  * @param model exact sizes; null: those of the forecast
+ * @param trial by which the forecast was corrected; its seconds are then those of this machine; null: none
+ * was made
  * @param n_ranks for which the cost of one rank is said; 0: that of one process alone
  */
 void print_check_report(std::ostream &out,
@@ -23,6 +26,7 @@ void print_check_report(std::ostream &out,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
                         const Model<2> *model,
+                        const Trial *trial = nullptr,
                         unsigned int n_ranks = 0);
 
 /// Length, steps, processor time and memory that a run is expected to take, on a machine as slow as

@@ -53,6 +53,7 @@ private:
   std::string parameter_file;
   std::vector<std::string> assignments; ///< those of --output and --threads included
   unsigned int n_ranks = 0;             ///< that check is to say the cost of; 0: none
+  double trial_seconds = 0.;            ///< that check is to compute for; 0: not at all
   bool build = false;                   ///< check is to make packing and model
   bool no_libraries = false;            ///< check is to load no code of others
   bool restart = false;

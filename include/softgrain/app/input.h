@@ -5,6 +5,7 @@
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/driving/stages.h>
 #include <softgrain/model/forecast.h>
+#include <softgrain/model/model_factory.h>
 #include <softgrain/packing/packing.h>
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/scene/scene.h>
@@ -20,7 +21,6 @@
 namespace softgrain
 {
 class Mistakes;
-class ModelFactory;
 class StateReader;
 
 /**
@@ -66,7 +66,11 @@ public:
   double solid_area(const Crowd &bodies);
 
   /// Size and cost of the run; nothing when model or packing cannot say.
-  std::optional<Forecast> forecast(const RunOutline &run);
+  /// @param changes of parameters of the model, for this answer alone
+  std::optional<Forecast> forecast(const RunOutline &run, const ParameterValues &changes = {});
+
+  /// What makes the run coarser by @p factor, or as coarse as it may be; nothing when it cannot be.
+  ParameterValues coarser(double factor);
 
   /// Makes the packing of the scene, once, on all threads. @throw InputError when it cannot be made, or its
   /// bodies do not suit walls and other bodies.
@@ -81,7 +85,8 @@ public:
   std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
 
   /// The same to look at: no file is written.
-  std::unique_ptr<Model<2>> model_to_look_at();
+  /// @param changes of parameters of the model, for this one alone
+  std::unique_ptr<Model<2>> model_to_look_at(const ParameterValues &changes = {});
 
   /**
    * @brief Compares with the checkpoint that the run is to go on from.

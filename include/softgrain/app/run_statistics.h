@@ -34,6 +34,9 @@ public:
   double energy_balance_error() const;
 
   double wall_seconds() const;
+  /// Processor time of all threads of this process and of the parts before a restart, preparation included
+  /// [s].
+  double processor_time() const;
 
   Summary summary(const std::string &status, const Model<2> &model) const;
 
@@ -43,6 +46,7 @@ public:
 private:
   const std::chrono::steady_clock::time_point begin;
   double earlier_wall_seconds = 0;
+  double earlier_processor_seconds = 0;
   double output_seconds = 0;
   double max_contact_residual = 0;
   double max_penetration = 0;

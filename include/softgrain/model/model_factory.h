@@ -23,6 +23,9 @@ namespace softgrain
 {
 class StateReader;
 
+/// Parameters and their values, "Section/Key" each.
+using ParameterValues = std::vector<std::pair<std::string, std::string>>;
+
 /**
  * @brief How a model enters the program: it registers one of these under the name users write in `Model`.
  *
@@ -60,8 +63,7 @@ public:
 
   /// What 'Fidelity' (draft, standard or reference) sets where a file does not, for the bodies given:
   /// "Section/Key" and value of each.
-  virtual std::vector<std::pair<std::string, std::string>> presets(const std::string & /*fidelity*/,
-                                                                   const Crowd & /*crowd*/) const
+  virtual ParameterValues presets(const std::string & /*fidelity*/, const Crowd & /*crowd*/) const
   {
     return {};
   }
@@ -82,6 +84,19 @@ public:
   forecast(const Scene<2> & /*scene*/, dealii::ParameterHandler & /*prm*/, const RunOutline & /*run*/) const
   {
     return std::nullopt;
+  }
+
+  /**
+   * @brief What makes a run coarser by @p factor, for a trial that costs less and goes the same way; less
+   * than that where bodies would not be bodies any more.
+   *
+   * @p prm as for create().
+   * @return nothing when there is no such run
+   */
+  virtual ParameterValues
+  coarser(dealii::ParameterHandler & /*prm*/, const Crowd & /*crowd*/, double /*factor*/) const
+  {
+    return {};
   }
 
   /**

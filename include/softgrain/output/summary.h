@@ -15,9 +15,10 @@ struct Summary
   std::string model;
   std::string points_name; ///< "material_points" or "primaries"
   std::uint64_t steps = 0;
-  double simulated_time = 0; ///< [s]
-  double wall_seconds = 0;   ///< of all parts of a run that was restarted
-  unsigned int threads = 1;  ///< of each rank
+  double simulated_time = 0;    ///< [s]
+  double wall_seconds = 0;      ///< of all parts of a run that was restarted
+  double processor_seconds = 0; ///< of all threads of the first rank, in all parts of a run
+  unsigned int threads = 1;     ///< of each rank
   unsigned int ranks = 1;
   std::uint64_t bodies = 0;
   std::uint64_t points = 0;

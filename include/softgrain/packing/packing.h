@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,17 +86,41 @@ struct GrainMix2D
   bool only_disks() const { return kinds.size() == 1 && kinds[0] == GrainForm2D::Kind::disk; }
 };
 
+/// Grains of a packing that are alike.
+struct GrainClass2D
+{
+  double share = 0;                      ///< of the grains, or of their area, over the sum of all shares
+  double smallest = 0, largest = 0;      ///< diameters, uniform between these [m]
+  std::string material;                  ///< empty: that of the packing
+  std::optional<GrainForm2D::Kind> kind; ///< nothing: as the packing's mix says
+
+  double mean_area() const; ///< [m^2]
+};
+
 /// What make_packing() is to make.
 struct PackingRequest2D
 {
   unsigned int number = 0;
-  SizeDistribution sizes; ///< diameters, of disks with the areas of the grains
+  SizeDistribution sizes;            ///< diameters, of disks with the areas of the grains
+  std::vector<GrainClass2D> classes; ///< in place of sizes; the first class has the first grains
+  bool shares_of_area = false;       ///< what the shares of classes count: numbers, or areas
   GrainMix2D mix;
   dealii::Point<2> lower, upper; ///< box at the end [m]
   double fraction = 0; ///< of the box that the disks fill, their sizes scaled alike; 0: sizes as drawn
   std::uint64_t seed = 1;
   PackingProtocol protocol;
+
+  bool only_disks() const;
+  /// Number of grains of each class: shares rounded so that their sum is the number of all.
+  /// @throw InputError when a class would have none
+  std::vector<unsigned int> numbers() const;
 };
+
+/// Reads "share: diameter [to diameter] [, material] [, shape]; ..." of 'Packing/Classes'. @throw InputError
+std::vector<GrainClass2D> parse_classes(const std::string &text);
+/// Reads a table with the columns share,smallest_m,largest_m and, if it has them, material and shape. @throw
+/// InputError
+std::vector<GrainClass2D> read_classes(const std::string &file);
 
 /**
  * @brief Disks of given @p radii [m] in the box from @p lower to @p upper, at random and without overlap.
@@ -104,7 +129,8 @@ struct PackingRequest2D
  * it, a little at a time; the contact kernel keeps the disks apart. A thousandth of the mean radius is taken
  * from every radius at the end, so that no rounding makes disks overlap.
  *
- * About 0.80 is reached without friction, 0.84 when jammed.
+ * About 0.80 is reached by this alone. Where that is too little, disks without friction are shaken, see
+ * ShakenDisks: about 0.84.
  * @throw InputError when the disks do not fit into the box.
  */
 Packing<2> pack_disks(const std::vector<double> &radii,

@@ -5,7 +5,10 @@
 #include <softgrain/base/registry.h>
 #include <softgrain/packing/packing.h>
 
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -19,7 +22,9 @@ struct ExpectedGrains
 {
   double number = 0;
   double mean_volume = 0; ///< in the plane an area [m^dim]
-  double smallest = 0;    ///< diameter [m]
+  double smallest = 0;    ///< width of the thinnest: the diameter of a disk [m]
+  std::string thinnest;   ///< its name as a body, as "grain_3"; empty: not known before it is made
+  std::map<std::string, double> of_material; ///< how many have a material of their own; empty: none
 };
 
 /**
@@ -40,8 +45,11 @@ public:
   /// Whether parameters that were read ask for it where 'Method' is left at automatic.
   virtual bool asked_for(const dealii::ParameterHandler &) const { return false; }
 
-  /// Whether the disks may come with materials of their own.
+  /// Whether the disks may come with materials of their own, when parameters have been read.
   virtual bool may_name_materials() const { return false; }
+
+  /// Names of the materials that grains are known to have, before they are made.
+  virtual std::vector<std::string> named_materials() const { return {}; }
 
   /// What make() is expected to bring, within a moment; nothing when it cannot say.
   /// @throw InputError when a file cannot be read

@@ -41,6 +41,9 @@ public:
   /// Shrinks by @p factor, just below 1, and keeps the disks apart. @return the deepest overlap left [m].
   double step(double factor);
 
+  /// Grows by @p factor, just above 1; centres move with it.
+  void loosen(double factor);
+
   const std::vector<Place> &disks() const { return places; }
   /// Half of the first edge [m].
   double scale() const { return form.half[0]; }

@@ -44,6 +44,13 @@ public:
   /// Adds a later word, from the command line: "Section/Sub/Key=value".
   void set(const std::string &assignment);
 
+  /**
+   * @brief Parameters that are paths count from the folder of the file in which they stand: relative ones are
+   * changed to what leads there from where the program was started. Those of set() count from there already.
+   * @param paths "Section/Key"; a value may be a list with commas
+   */
+  void resolve_paths(const std::vector<std::string> &paths);
+
   /// What the file says last of a parameter, or @p otherwise.
   std::string
   value(const std::vector<std::string> &sections, const std::string &key, const std::string &otherwise) const;

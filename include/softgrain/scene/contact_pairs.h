@@ -5,12 +5,16 @@
 #include <softgrain/scene/scene.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace softgrain
 {
 /// Whether something in @p scene names friction, before its bodies are known.
 bool has_friction(const Scene<2> &scene);
+
+/// What rubs in @p scene and what does not, for the user: "0.5 between bodies, none at bottom, top".
+std::string friction_in_words(const Scene<2> &scene);
 
 /// Friction of every contact between bodies, if it is that of Coulomb's law and the same for all.
 std::optional<double> uniform_friction(const Scene<2> &scene);

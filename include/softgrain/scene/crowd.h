@@ -14,6 +14,7 @@ namespace softgrain
 struct BodyGroup
 {
   std::string name;          ///< of the first
+  std::string thinnest;      ///< the smallest, for messages: "body 'grain_3'"
   double count = 1;          ///< how many
   unsigned int material = 0; ///< index into Scene::materials
   double area = 0;           ///< of one [m^2]

@@ -41,6 +41,8 @@ public:
 
 private:
   void parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const;
+  /// Where walls and obstacles are to rub as bodies do.
+  void rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scene) const;
 
   const SceneNames names;
   const MaterialParameters materials;

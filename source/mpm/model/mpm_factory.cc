@@ -49,8 +49,7 @@ public:
 
   void check(const Scene<2> &scene, dealii::ParameterHandler &prm) const override { read(scene, prm); }
 
-  std::vector<std::pair<std::string, std::string>> presets(const std::string &fidelity,
-                                                           const Crowd &crowd) const override
+  ParameterValues presets(const std::string &fidelity, const Crowd &crowd) const override
   {
     // Cells across the smallest body, by the studies: one body needs more, because its contacts count.
     const bool alone = crowd.n_bodies() < 1.5;
@@ -67,6 +66,22 @@ public:
     if (fidelity == "reference")
       list.emplace_back("Time/CFL multiple", "4");
     return list;
+  }
+
+  ParameterValues
+  coarser(dealii::ParameterHandler &prm, const Crowd &crowd, const double factor) const override
+  {
+    prm.enter_subsection("Mesh");
+    const double cell = prm.get_double("Cell size");
+    prm.leave_subsection();
+    // With fewer cells than that bodies lie in each other before they have been pressed far.
+    const double fewest = crowd.n_bodies() < 1.5 ? 10. : 3.;
+    const double largest = crowd.thickness() > 0. ? crowd.thickness() / fewest : cell;
+    if (std::min(factor * cell, largest) < 1.1 * cell)
+      return {};
+    std::ostringstream text;
+    text << std::setprecision(3) << std::min(factor * cell, largest);
+    return {{"Mesh/Cell size", text.str()}};
   }
 
   std::optional<Forecast>

@@ -115,23 +115,24 @@ std::vector<std::string> warnings(
   const bool walls = !scene.walls.empty();
   std::vector<std::string> list;
   const double h = settings.cell_size, wave_speed = settings.finest_cell() / cfl;
+  // The thinnest body says it for all.
+  const BodyGroup *thinnest = nullptr;
   for (const BodyGroup &body : run.crowd.groups)
+    if (!body.driven && (thinnest == nullptr || body.thickness < thinnest->thickness))
+      thinnest = &body;
+  if (thinnest != nullptr)
   {
-    if (body.driven)
-      continue;
-    const double cells = body.thickness / h;
+    const double cells = thinnest->thickness / h;
     const std::string what = "'Mesh/Cell size' = " + text(h, " m") + " is " + text(1. / cells, "") +
-                             " of the width of body '" + body.name + "'";
+                             " of the width of " + thinnest->thinnest + ", " +
+                             text(thinnest->thickness, " m");
     if (cells < 1.)
-      list.push_back("'Mesh/Cell size' = " + text(h, " m") + " is larger than body '" + body.name + "', " +
-                     text(body.thickness, " m") + " wide: it can hardly deform");
+      list.push_back("'Mesh/Cell size' = " + text(h, " m") + " is larger than " + thinnest->thinnest + ", " +
+                     text(thinnest->thickness, " m") + " wide: it can hardly deform");
     else if (run.crowd.n_bodies() > 1.5 && cells < 2.6)
       list.push_back(what + ": stresses of assemblies are 15 % off and more");
     else if (walls && run.crowd.n_bodies() < 1.5 && cells < 8.)
       list.push_back(what + ": contact forces are 5 % off and more, 12 cells make it 3 %");
-    else
-      continue;
-    break; // one body says it for all
   }
   const double way = run.fastest_wall * dt / settings.finest_cell();
   if (!settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && way > 0.5)

@@ -37,13 +37,18 @@ public:
   std::optional<ExpectedGrains> expected() const override
   {
     const Packing<2> packing = read_packing(file);
-    ExpectedGrains disks{static_cast<double>(packing.balls.size()),
-                         solid_area(packing) / packing.balls.size(), 0.};
+    ExpectedGrains disks;
+    disks.number = packing.balls.size();
+    disks.mean_volume = solid_area(packing) / packing.balls.size();
+    for (const std::string &material : packing.materials)
+      ++disks.of_material[material];
     for (std::size_t i = 0; i < packing.balls.size(); ++i)
     {
       const double width = form_of(packing, i).width(packing.balls[i].radius);
-      if (disks.smallest == 0. || width < disks.smallest)
-        disks.smallest = width;
+      if (disks.smallest != 0. && width >= disks.smallest)
+        continue;
+      disks.smallest = width;
+      disks.thinnest = "grain_" + std::to_string(i + 1);
     }
     return disks;
   }

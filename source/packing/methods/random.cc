@@ -25,7 +25,21 @@ public:
     prm.declare_entry(
         "Number", "0", Integer(0, 10000000),
         "Number of grains to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
-    SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
+    SizeDistribution::declare_parameters(prm, smallest, largest);
+    prm.declare_entry(
+        "Classes", "", Anything(),
+        "Grains of several kinds, in place of a distribution of sizes: \"share: diameter [to diameter][, "
+        "material][, "
+        "shape]; ...\". Diameters are uniform from the one to the other; shape is disk, ellipse or polygon; "
+        "numbers are "
+        "rounded so that their sum is 'Number'. Two sizes: \"0.5: 2e-3; 0.5: 2.8e-3\". Units: m.");
+    prm.declare_entry("Class table", "", Anything(),
+                      "The same from a file, CSV with the columns share,smallest_m,largest_m and, where they "
+                      "are needed, material "
+                      "and shape: the steps of a sieve curve, for example.");
+    prm.declare_entry(
+        "Shares of", "number", Selection("number|area"),
+        "What the shares of 'Classes' count: how many grains there are, or how much area they have.");
     prm.declare_entry(
         "Shapes", "disk", MultipleSelection("disk|ellipse|polygon"),
         "What the grains are: disks, ellipses, polygons, or several of these, each as often as the "
@@ -42,7 +56,7 @@ public:
     prm.declare_entry(
         "Upper", "1, 1", List(Double(), 2, 2, ","),
         "Upper right corner of that box. Number, diameters and box decide how dense the packing is, unless "
-        "'Packing fraction' or 'Until jammed' does; up to about 0.80 is possible. Units: m.");
+        "'Packing fraction' or 'Until jammed' does; up to about 0.84 is possible. Units: m.");
     prm.declare_entry("Packing fraction", "0", Double(0., 0.9),
                       "Share of the box that the disks fill; all diameters are scaled by one factor to reach "
                       "it. 0: diameters are kept. Units: none.");
@@ -70,6 +84,7 @@ public:
       throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
                        prm.get("Number") + "': either make a packing or read one");
     request.sizes.parse_parameters(prm, "Packing");
+    parse_classes_of(prm);
     parse_mix(prm);
     request.lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
     request.upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
@@ -85,10 +100,24 @@ public:
           "'Packing/Packing fraction' = '" + prm.get("Packing fraction") +
           "' is not allowed with 'Packing/Until jammed' = 'true', which decides it: it must be 0");
     for (unsigned int d = 0; d < 2; ++d)
-      if (!(request.upper[d] - request.lower[d] > request.sizes.largest))
+      if (!(request.upper[d] - request.lower[d] > largest_diameter()))
         throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
                          "' is not allowed: the box from 'Lower' = '" + prm.get("Lower") +
                          "' on must be larger than a disk");
+  }
+
+  bool may_name_materials() const override
+  {
+    return !request.classes.empty() && !request.classes.front().material.empty();
+  }
+
+  std::vector<std::string> named_materials() const override
+  {
+    std::vector<std::string> names;
+    for (const GrainClass2D &one : request.classes)
+      if (!one.material.empty())
+        names.push_back(one.material);
+    return names;
   }
 
   bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
@@ -98,11 +127,18 @@ public:
     // The very radii that will be packed: with few disks the mean of the distribution says little.
     Uniform random(request.seed);
     std::vector<double> radii = draw_radii(request, random);
-    ExpectedGrains disks{static_cast<double>(request.number), 0., 0.};
+    ExpectedGrains disks;
+    disks.number = request.number;
     for (const double r : radii)
       disks.mean_volume += dealii::numbers::PI * r * r / disks.number;
-    const double thin = 2. * *std::min_element(radii.begin(), radii.end());
-    disks.smallest = request.mix.only_disks() ? thin : thin * std::sqrt(request.mix.least_ratio);
+    const auto least = std::min_element(radii.begin(), radii.end());
+    disks.smallest = 2. * *least * (request.only_disks() ? 1. : std::sqrt(request.mix.least_ratio));
+    if (request.only_disks())
+      disks.thinnest = "grain_" + std::to_string(least - radii.begin() + 1);
+    const std::vector<unsigned int> numbers = request.numbers();
+    for (std::size_t c = 0; c < numbers.size(); ++c)
+      if (!request.classes[c].material.empty())
+        disks.of_material[request.classes[c].material] += numbers[c];
     if (request.protocol.jam)
     {
       // All are scaled to fill the box as jammed disks do.
@@ -117,6 +153,59 @@ public:
   Packing<2> make() const override { return make_packing(request); }
 
 private:
+  double largest_diameter() const
+  {
+    double largest = request.classes.empty() ? request.sizes.largest : 0.;
+    for (const GrainClass2D &one : request.classes)
+      largest = std::max(largest, one.largest);
+    return largest;
+  }
+
+  void parse_classes_of(const dealii::ParameterHandler &prm)
+  {
+    const std::string text = prm.get("Classes"), table = prm.get("Class table");
+    request.shares_of_area = prm.get("Shares of") == "area";
+    if (!text.empty() && !table.empty())
+      throw InputError("'Packing/Class table' = '" + table + "' is not allowed with 'Packing/Classes' = '" +
+                       text + "': leave one of them out");
+    const bool classes = !text.empty() || !table.empty();
+    if (!classes && request.shares_of_area)
+      throw InputError("'Packing/Shares of' = 'area' has no effect without 'Packing/Classes'");
+    const std::string key = text.empty() ? "Class table" : "Classes";
+    for (const auto &[name, unset] : {std::pair("Smallest diameter", smallest),
+                                      {"Largest diameter", largest},
+                                      {"Size distribution", "uniform area"}})
+      if (classes && prm.get(name) != unset)
+        throw InputError("'Packing/" + std::string(name) + "' = '" + prm.get(name) +
+                         "' has no effect with 'Packing/" + key + "', which has the sizes");
+    if (!classes)
+      return;
+    request.classes = text.empty() ? read_classes(table) : parse_classes(text);
+    const double least =
+        std::min_element(request.classes.begin(), request.classes.end(),
+                         [](const auto &a, const auto &b) { return a.smallest < b.smallest; })
+            ->smallest;
+    if (largest_diameter() > 1000. * least)
+      throw InputError(
+          "'Packing/" + key +
+          "' is not allowed: the smallest diameter must be at least a thousandth of the largest");
+    request.numbers(); // whether there is a grain of each
+  }
+
+  static constexpr const char *smallest = "1.4e-3",
+                              *largest = "2.4e-3"; ///< diameters unless the file has others [m]
+
+  /// Whether grains may be of this kind.
+  bool has(const GrainForm2D::Kind kind) const
+  {
+    const std::vector<GrainForm2D::Kind> &kinds = request.mix.kinds;
+    const bool in_mix = std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    return request.classes.empty()
+               ? in_mix
+               : std::any_of(request.classes.begin(), request.classes.end(),
+                             [&](const GrainClass2D &one) { return one.kind ? *one.kind == kind : in_mix; });
+  }
+
   void parse_mix(const dealii::ParameterHandler &prm)
   {
     const std::string shapes = prm.get("Shapes");
@@ -135,11 +224,12 @@ private:
         throw InputError("'Packing/" + key + "' = '" + prm.get(key) + "' " + why + " 'Packing/Shapes' = '" +
                          shapes + "'");
     };
-    if (mix.only_disks())
+    const bool disks = request.only_disks(), polygons = has(GrainForm2D::Kind::polygon);
+    if (disks)
       refuse("Aspect ratio", "1, 1", "has no effect with");
-    if (shapes.find("polygon") == std::string::npos)
+    if (!polygons)
       refuse("Corners", "5, 5", "has no effect with");
-    if (!mix.only_disks())
+    if (!disks)
     {
       refuse("Until jammed", "false", "is known for disks alone, not with");
       refuse("Periodic", "", "is known for disks alone, not with");

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_packing_shaken_disks_h
+#define softgrain_packing_shaken_disks_h
+
+#include <softgrain/base/random.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief Hard disks in a box about the origin that shrinks as far as they leave it room, shaken at random and
+ * never in each other.
+ *
+ * A Monte Carlo method: disks move a little, and now and then two of them change places, whatever their
+ * sizes. The latter finds denser packings than pressing alone, which jams at the first that carries its
+ * sides.
+ */
+class ShakenDisks
+{
+public:
+  using Place = std::array<double, 2>;
+
+  /// @param places without overlap @param half of the edges of the box [m] @param periodic directions without
+  /// walls
+  ShakenDisks(std::vector<Place> places,
+              std::vector<double> radii,
+              const Place &half,
+              const std::array<bool, 2> &periodic);
+
+  /// Shakes until half of the first edge is @p end [m]. @return whether it came to that
+  bool shrink(double end, Uniform &random);
+
+  const std::vector<Place> &places() const { return centers; }
+  double scale() const { return edges[0]; } ///< half of the first edge [m]
+
+private:
+  void fill_cells();
+  std::size_t cell_of(const Place &place) const;
+  /// Over the sides without walls, the nearest image.
+  Place apart(const Place &a, const Place &b) const;
+  bool inside(const Place &place, double radius) const;
+  /// Calls work(j) for all disks in the cells around @p place, until it returns false. @return whether it
+  /// never did
+  template <class Work>
+  bool around(const Place &place, const Work &work) const;
+  bool is_free(std::size_t i, const Place &place, double radius) const;
+  bool move(std::size_t i, const Place &way);
+  bool swap(std::size_t i, std::size_t j);
+  /// By how much the box may become smaller: a factor, at most 1.
+  double room() const;
+  void scale_by(double factor);
+
+  std::vector<Place> centers;
+  std::vector<double> radius;
+  Place edges;
+  std::array<bool, 2> periodic;
+  double mean, largest; ///< radius
+  double step;          ///< largest way of a disk [m]
+  std::array<int, 2> n_cells{};
+  std::vector<std::vector<std::uint32_t>> cells;
+  std::vector<std::size_t> cell; ///< of every disk
+};
+} // namespace softgrain
+
+#endif
