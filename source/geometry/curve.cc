@@ -52,6 +52,14 @@ Curve::Vector Curve::direction_at_end() const
   return radius > 0. ? left_of(last - center) / radius : direction_at_begin();
 }
 
+Curve::Course Curve::course(const double along) const
+{
+  if (radius == 0.)
+    return {first + along * direction_at_begin(), direction_at_begin(), 0.};
+  const double angle = from + along / radius;
+  return {at(angle), Vector({-std::sin(angle), std::cos(angle)}), 1. / radius};
+}
+
 Curve::Foot Curve::foot(const Place &p) const
 {
   Foot foot;

@@ -279,13 +279,21 @@ int main()
   rough.materials.resize(1);
   rough.friction = rough.walls[0].friction = 0.5;
   const ContactPairs pairs(rough);
-  const FrameScene scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
+  // A rigid arc that bulges towards the first body, and the tip of a line beside it.
+  Obstacle arc, line;
+  arc.description.pieces = {Curve::arc({-0.3, 4.}, 1., -1., 1.)};
+  line.description.pieces = {Curve::segment({2.6, 8.}, {2.9, 6.3})};
+  const std::vector<ObstacleLine> obstacles{ObstacleLine(arc), ObstacleLine(line)};
+  FrameScene scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
+  scene.lines = &obstacles;
   Vectors start;
   for (const Body<2> &body : bodies)
     start.push_back(body.displacement);
   for (const ContactFrame<2> &frame : find_frames(scene, {}))
   {
-    const std::string partner = frame.partner == ContactFrame<2>::none ? "wall" : bodies[frame.partner].name;
+    const std::string partner = scene.line_of(frame) != nullptr          ? "obstacle"
+                                : frame.partner == ContactFrame<2>::none ? "wall"
+                                                                         : bodies[frame.partner].name;
     const std::string pair = bodies[frame.body].name + " at " + partner +
                              (frame.corner == ContactFrame<2>::none ? "" : ", corner");
     look(bodies[frame.body].name + " at " + partner +

@@ -32,6 +32,17 @@ public:
   };
   Foot foot(const Place &p) const;
 
+  /// How it runs at some place.
+  struct Course
+  {
+    Place place;      ///< [m]
+    Vector direction; ///< unit, on
+    double bend = 0;  ///< by which it turns to the left [1/m]
+  };
+  /// @param along from the beginning, within its length [m]
+  Course course(double along) const;
+  double length() const { return radius > 0. ? radius * sweep : first.distance(last); } ///< [m]
+
   Place begin() const { return first; } ///< [m]
   Place end() const { return last; }    ///< [m]
   /// Unit, along the curve.

@@ -34,13 +34,16 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
-  /// The vertex at which piece @p piece begins, as the end of the piece before it: beyond a corner.
-  Place end_before(const unsigned int piece) const { return at(previous[piece], chord[previous[piece]]); }
-
   /// Of the chord from vertex @p piece to the next [m].
   double length(const unsigned int piece) const { return chord[piece]; }
 
   Place move(const Place &place, const dealii::Tensor<1, 1> &way) const override;
+
+  /// The vertex at which the piece of @p place begins, as the end of the piece before it.
+  Place beyond_edge(const Place &place) const override
+  {
+    return at(previous[place.piece], chord[previous[place.piece]]);
+  }
 
 private:
   void lay_spline(const std::vector<unsigned int> &piece, bool closed);

@@ -43,6 +43,9 @@ public:
   /// about so far. It goes to an edge or a corner and no further.
   virtual SurfacePlace<dim> move(const SurfacePlace<dim> &place,
                                  const dealii::Tensor<1, dim - 1> &way) const = 0;
+
+  /// A place at an edge or a corner as the surface beyond it has it.
+  virtual SurfacePlace<dim> beyond_edge(const SurfacePlace<dim> &place) const { return place; }
 };
 } // namespace softgrain
 

@@ -14,6 +14,7 @@ using Vector = dealii::Tensor<1, 2>;
 using Point = dealii::Point<2>;
 
 constexpr double steepest = 2.;         ///< slope of a surface over the lattice
+constexpr double deepest = 0.5;         ///< overlap of surfaces that meet [cells]
 constexpr double beside_corners = 0.05; ///< no new ray meets a side nearer to a corner [cells]
 constexpr unsigned int tries = 4;       ///< places from which a ray looks for a surface
 } // namespace
@@ -30,8 +31,7 @@ FrameLayout::guesses_of(const FrameStretch &stretch, const Frame &frame, const u
       const double y = (sample.position - frame.origin) * frame.across[0];
       guesses.emplace_back(y, sample.place);
       if (sample.place.at_edge)
-        guesses.emplace_back(
-            y, scene.outlines[side == 0 ? frame.partner : frame.body].end_before(sample.place.piece));
+        guesses.emplace_back(y, scene.surface_of(frame, side).beyond_edge(sample.place));
     }
   return guesses;
 }
@@ -43,15 +43,25 @@ bool FrameLayout::meet_from(const SurfacePlace<2> &guess,
                             Frame::RayPlace &ray,
                             double &height) const
 {
-  const unsigned int b = side == 0 ? frame.partner : frame.body;
-  const RaySide<2> found = meet(ray_of(frame, ray.index[0] * frame.spacing, away(side)), scene.outlines[b],
-                                scene.bodies[b].field, scene.bodies[b].displacement, guess);
+  const RaySide<2> found = meet_surface(frame, side, ray.index[0] * frame.spacing, guess);
   if (!found.met)
     return false;
   ray.place[side] = found.place;
   height = found.height;
   const double outwards = (side == 0 ? 1. : -1.) * (found.way[0] * frame.across[0]);
   return outwards > 0. && std::abs(found.normal * frame.across[0]) < steepest;
+}
+
+RaySide<2> FrameLayout::meet_surface(const Frame &frame,
+                                     const unsigned int side,
+                                     const double offset,
+                                     const SurfacePlace<2> &guess) const
+{
+  const Ray<2> ray = ray_of(frame, offset, away(side));
+  const unsigned int b = side == 0 ? frame.partner : frame.body;
+  if (b == Frame::none)
+    return scene.line_of(frame)->meet(ray, 0., guess);
+  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].displacement, guess);
 }
 
 /// Where a ray meets a side. @param old the same ray before, if there was one
@@ -63,8 +73,7 @@ bool FrameLayout::meet_side(const FrameStretch &stretch,
                             Frame::RayPlace &ray,
                             double &height) const
 {
-  const unsigned int b = side == 0 ? frame.partner : frame.body;
-  if (b == Frame::none)
+  if (side == 0 && partner == nullptr)
   {
     height = (scene.walls[frame.wall].point - frame.origin) * frame.direction;
     return true;
@@ -85,17 +94,18 @@ bool FrameLayout::meet_side(const FrameStretch &stretch,
                    { return std::abs(x.first - offset) < std::abs(y.first - offset); });
   for (unsigned int i = 0; i < std::min<std::size_t>(tries, by_distance.size()); ++i)
     if (meet_from(by_distance[i].second, frame, side, ray, height) &&
-        (stretch.corner != Frame::none || !near_corner(b, ray.place[side])))
+        (stretch.corner != Frame::none || !near_corner(frame, side, ray.place[side])))
       return true;
   return false;
 }
 
 /// Corners have rays of their own.
-bool FrameLayout::near_corner(const unsigned int b, const SurfacePlace<2> &place) const
+bool FrameLayout::near_corner(const Frame &frame, const unsigned int side, const SurfacePlace<2> &place) const
 {
+  const RestSurface<2> &surface = scene.surface_of(frame, side);
   dealii::Tensor<1, 1> way;
   way[0] = beside_corners * scene.cell_size;
-  return scene.outlines[b].move(place, way).at_edge || scene.outlines[b].move(place, -way).at_edge;
+  return surface.move(place, way).at_edge || surface.move(place, -way).at_edge;
 }
 
 void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
@@ -136,7 +146,9 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
       place.force = old->force;
       place.friction = old->friction;
     }
-    if (height[1] - height[0] > scene.reach && place.force == 0.)
+    const double gap = height[1] - height[0];
+    // No step ends with bodies as deep in each other: what looks so is the far side of a thin body.
+    if ((gap > scene.reach_of(frame) || gap < -deepest * scene.cell_size) && place.force == 0.)
       continue;
     rays.push_back(place);
   }
@@ -145,7 +157,7 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
 
 void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
 {
-  const bool wall = frame.partner == Frame::none;
+  const bool wall = partner == nullptr;
   std::array<const SurfacePlace<2> *, 2> guess{};
   double nearest = std::numeric_limits<double>::max();
   for (const auto &pair : stretch.facing)
@@ -173,9 +185,7 @@ void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
     Vector normal;
     for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
     {
-      const unsigned int b = side == 0 ? frame.partner : frame.body;
-      const RaySide<2> found = meet(ray_of(frame, 0., away(side)), scene.outlines[b], scene.bodies[b].field,
-                                    scene.bodies[b].displacement, place[side]);
+      const RaySide<2> found = meet_surface(frame, side, 0., place[side]);
       if (!found.met)
         return;
       place[side] = found.place;

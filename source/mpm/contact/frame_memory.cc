@@ -2,6 +2,7 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/contact/frame_memory.h>
+#include <softgrain/mpm/contact/obstacle_line.h>
 
 #include <algorithm>
 
@@ -56,6 +57,7 @@ void load_frames(const StateReader &in,
                  const std::string &name,
                  const std::vector<Body<2>> &bodies,
                  const unsigned int n_walls,
+                 const std::vector<Obstacle> &obstacles,
                  std::vector<Frame> &frames)
 {
   const std::vector<std::uint64_t> who = in.read_integers(name + "/who", ListSize::rows_of(counts_of_frame));
@@ -68,6 +70,9 @@ void load_frames(const StateReader &in,
   std::vector<OutlineSurface> outlines;
   for (const Body<2> &body : bodies)
     outlines.push_back(outline_of(body));
+  std::vector<LineSurface> lines;
+  for (const Obstacle &obstacle : obstacles)
+    lines.push_back(surface_of(obstacle));
   frames.assign(n, Frame());
   std::size_t next = 0;
   for (std::size_t f = 0; f < n; ++f)
@@ -75,8 +80,9 @@ void load_frames(const StateReader &in,
     Frame &frame = frames[f];
     const std::uint64_t *names = &who[counts_of_frame * f];
     const bool at_wall = names[1] == Frame::none;
-    if (names[0] >= bodies.size() || (at_wall ? names[2] >= n_walls : names[1] >= bodies.size()))
-      in.refuse(name + "/who", "there is no such body or wall");
+    if (names[0] >= bodies.size() ||
+        (at_wall ? names[2] >= n_walls + obstacles.size() : names[1] >= bodies.size()))
+      in.refuse(name + "/who", "there is no such body, wall or obstacle");
     if (names[4] > 1 && names[4] != Frame::none)
       in.refuse(name + "/who", "a frame has two sides");
     if (names[3] > n_rays - next)
@@ -104,6 +110,13 @@ void load_frames(const StateReader &in,
       ray.index[0] = static_cast<int>(of_ray[0]);
       ray.force = of_ray[1];
       ray.friction = of_ray[2];
+      if (at_wall && frame.wall >= n_walls)
+      {
+        const LineSurface &line = lines[frame.wall - n_walls];
+        if (pieces[counts_of_ray * next] >= line.n_pieces())
+          in.refuse(name + "/pieces", "the obstacle has no such piece");
+        ray.place[0] = line.at(pieces[counts_of_ray * next], of_ray[3]);
+      }
       for (unsigned int side = 0; side < 2; ++side)
         if (of_side(frame, side) != Frame::none)
         {

@@ -51,6 +51,11 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
       row.body = layout.body;
       row.partner = layout.partner;
       row.wall = layout.wall;
+      if (const ObstacleLine *line = frame.obstacle())
+      {
+        row.obstacle = true;
+        row.partner_velocity = line->way_of(ray.side[0].place) / scene.dt;
+      }
       if (layout.partner != FrameState::none && scene.bodies[layout.partner].driven)
         row.wall = scene.bodies[layout.partner].wall;
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);

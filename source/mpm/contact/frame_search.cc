@@ -26,8 +26,16 @@ constexpr double keeps_direction = 0.98163;
 void look(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples, FrameTask &task)
 {
   const SampledSurface<2> &body = samples[task.named.body];
-  if (task.named.partner == Frame::none)
-    task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], scene.reach);
+  if (const ObstacleLine *line = scene.line_of(task.named))
+  {
+    // Long lines have but a part near a body.
+    task.image = std::make_unique<SampledSurface<2>>(line->samples_in(task.near, 0.5 * scene.cell_size));
+    task.partner = task.image.get();
+    if (!task.partner->samples.empty())
+      task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
+  }
+  else if (task.named.partner == Frame::none)
+    task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], scene.reach_of(task.named));
   else
   {
     task.partner = &samples[task.named.partner];
@@ -38,7 +46,7 @@ void look(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples
         sample.position += task.apart;
       task.partner = task.image.get();
     }
-    task.stretches = stretches_between(*task.partner, body, scene.reach);
+    task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
   }
   add_corners(task.partner, body, task.stretches);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/row_velocity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace softgrain::mpm
@@ -12,7 +14,11 @@ constexpr double softness_of_rays = 1e-3; ///< times the softer Young's modulus
 } // namespace
 
 FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
-    : frame(layout), rays(layout.rays.size()), subgrid(scene.subgrid)
+    : frame(layout)
+    , rays(layout.rays.size())
+    , met_at(scene.met_at)
+    , theta(scene.theta)
+    , subgrid(scene.subgrid)
 {
   young = scene.bodies[frame.body].law->young_modulus();
   if (frame.partner != none)
@@ -23,14 +29,22 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = scene.apart(frame);
+  line = scene.line_of(frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
   if (scene.pairs != nullptr)
-    friction = frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
-                                     : scene.pairs->friction(frame.body, frame.partner);
+    friction = line != nullptr         ? line->friction
+               : frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
+                                       : scene.pairs->friction(frame.body, frame.partner);
   double sum = 0.;
   for (const auto &ray : frame.rays)
     sum += ray.force;
+  if (met_at < 1.)
+  {
+    dent_at_start = subgrid(dent, sum) * sum;
+    opens = share_that_opens(scene);
+    softness *= opens; // in short steps masses yield much less than matter
+  }
   std::vector<double> weight(rays.size(), 0.);
   if (sum > 0.)
     for (unsigned int k = 0; k < rays.size(); ++k)
@@ -52,6 +66,8 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
                            away(side) - frame.origin;
           height += sign(side) * (x * frame.direction);
         }
+        else if (line != nullptr && side == 0)
+          height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
       if (height < least)
       {
         least = height;
@@ -81,41 +97,62 @@ void FrameState::carry(const FrameScene &scene)
     carried[0] += scene.dt * (scene.cell->gradient * apart);
 }
 
+RaySide<2> FrameState::meet_surface(const FrameScene &scene,
+                                    const std::vector<Eigen::VectorXd> &displacement,
+                                    const unsigned int side,
+                                    const Ray<2> &ray,
+                                    const SurfacePlace<2> &guess) const
+{
+  const unsigned int b = body(side);
+  return b == none ? line->meet(ray, at, guess)
+                   : meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], guess);
+}
+
+/// A place of the material, or of an obstacle, is where it is.
+void FrameState::meet_corner(const FrameScene &scene,
+                             const std::vector<Eigen::VectorXd> &displacement,
+                             const unsigned int k)
+{
+  const unsigned int side = frame.corner, b = body(side);
+  RaySide<2> &corner = rays[k].side[side];
+  if (!corner.met)
+  {
+    corner.met = true;
+    corner.place = frame.rays[k].place[side];
+    if (b != none)
+      corner.find_functions(scene.bodies[b].field);
+    corner.normal = frame.direction;
+  }
+  const dealii::Point<2> place =
+      b == none ? line->placed(corner.place, at)
+                : dealii::Point<2>(corner.place.position + corner.function.at(displacement[b]) + away(side));
+  corner.height = (place - frame.origin) * frame.direction;
+  rays[k].gap += sign(side) * corner.height;
+}
+
 bool FrameState::meet_ray(const FrameScene &scene,
                           const std::vector<Eigen::VectorXd> &displacement,
                           const double wall_height,
                           const unsigned int k)
 {
-  const double offset = frame.rays[k].index[0] * frame.spacing + moved;
+  const double offset = frame.rays[k].index[0] * frame.spacing + at * moved;
   RayHere &here = rays[k];
   here.gap = here.by_motion = 0.;
   for (unsigned int side = 0; side < 2; ++side)
   {
-    const unsigned int b = body(side);
-    if (b == none)
+    if (side == 0 && flat_partner())
     {
       here.gap -= wall_height;
       continue;
     }
     if (side == frame.corner)
     {
-      RaySide<2> &corner = here.side[side];
-      if (!corner.met)
-      {
-        corner.met = true;
-        corner.place = frame.rays[k].place[side];
-        corner.find_functions(scene.bodies[b].field);
-        corner.normal = frame.direction;
-      }
-      corner.height =
-          (corner.place.position + corner.function.at(displacement[b]) + away(side) - frame.origin) *
-          frame.direction;
-      here.gap += sign(side) * corner.height;
+      meet_corner(scene, displacement, k);
       continue;
     }
     const RaySide<2> found =
-        meet(ray_of(frame, offset, away(side)), scene.outlines[b], scene.bodies[b].field, displacement[b],
-             here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
+        meet_surface(scene, displacement, side, ray_of(frame, offset, away(side)),
+                     here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
     if (!found.met)
       return false;
     here.side[side] = found;
@@ -125,15 +162,49 @@ bool FrameState::meet_ray(const FrameScene &scene,
   return true;
 }
 
-void FrameState::begin_to_rub(const unsigned int k)
+/// Of an overlap with which a step with inertia begins: what is found late is pushed out without a velocity,
+/// see Opening.
+double FrameState::share_that_opens(const FrameScene &scene) const
+{
+  return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
+}
+
+/// From the gap halfway that at the end.
+void FrameState::draw_on(const unsigned int k, const bool begins)
+{
+  RayHere &here = rays[k];
+  if (begins)
+  {
+    here.met_at_start = true;
+    here.at_start = here.gap;
+    here.stays = (1. - opens) * std::min(0., here.gap + dent_at_start);
+  }
+  here.gap = here.at_start + (here.gap - here.at_start) / met_at - here.stays;
+}
+
+void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, const unsigned int k)
 {
   RayHere &here = rays[k];
   for (unsigned int side = 0; side < 2; ++side)
-    if (body(side) != none)
+    if (side == 1 || !flat_partner())
       here.start[side] = here.side[side].place;
   const Vector pushed = resultant(k);
   here.bound = friction * pushed.norm();
   here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
+  if (theta == 1.)
+    return;
+  // Friction rests where end velocities are alike.
+  Vector apart_by = -1. * way_of_partner(wall_way, here.start[0]);
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = body(side); b != none)
+    {
+      apart_by += sign(side) * carried[side];
+      if (unknown(side) != none)
+        apart_by +=
+            sign(side) * scene.dt *
+            scene.bodies[b].field.functions_at(here.start[side].position).at(scene.bodies[b].velocity);
+    }
+  here.known_slide = (1. - theta) * (apart_by * here.e);
 }
 
 bool FrameState::evaluate(const FrameScene &scene,
@@ -145,6 +216,9 @@ bool FrameState::evaluate(const FrameScene &scene,
                           const double within)
 {
   carry(scene);
+  const bool begins = !begun;
+  begun = true;
+  at = begins && met_at < 1. ? 0. : met_at;
   sum_of_forces = 0.;
   for (const double of_ray : force)
     sum_of_forces += of_ray;
@@ -161,10 +235,11 @@ bool FrameState::evaluate(const FrameScene &scene,
       for (const auto &[i, weight] : mean[side])
         moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
     moved += share(side) * (carried[side] * t);
+    if (line != nullptr && side == 0 && share(0) > 0.)
+      moved += line->way_of(frame.rays[0].place[0]) * t;
   }
   const double wall_height =
-      frame.partner != none ? 0.
-                            : (scene.walls[frame.wall].point + wall_way - frame.origin) * frame.direction;
+      !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
   bool all_met = true;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
@@ -175,10 +250,13 @@ bool FrameState::evaluate(const FrameScene &scene,
     if (!here.near)
       continue;
     here.path = path;
-    here.met = meet_ray(scene, displacement, wall_height, k);
+    const bool known = begins || met_at == 1. || here.met_at_start;
+    here.met = known && meet_ray(scene, displacement, wall_height, k);
     all_met = all_met && (here.met || force[k] == 0.);
+    if (here.met && met_at < 1.)
+      draw_on(k, begins);
     if (here.met && first && friction > 0.)
-      begin_to_rub(k);
+      begin_to_rub(scene, wall_way, k);
     if (!here.met || !(force[k] > 0. || free_gap(k) < within))
       continue;
     for (unsigned int side = 0; side < 2; ++side)
@@ -186,7 +264,7 @@ bool FrameState::evaluate(const FrameScene &scene,
         here.side[side].find_functions(scene.bodies[body(side)].field);
     if (!rubs(k))
       continue;
-    here.slide = frame.partner == none ? -(wall_way * here.e) : 0.;
+    here.slide = -(way_of_partner(wall_way, here.start[0]) * here.e);
     for (unsigned int side = 0; side < 2; ++side)
       if (const unsigned int b = body(side); b != none)
       {
@@ -227,8 +305,8 @@ double FrameState::twice_by(const std::vector<double> &force,
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
     for (unsigned int side = 0; side < 2; ++side)
-      if (force[k] > 0. && rays[k].met && body(side) != none)
-        sum += sign(side) * force[k] * (v[side] * (rays[k].side[side].sliding_twice * w[side]));
+      if (force[k] > 0. && rays[k].met && (side == 1 || !flat_partner()))
+        sum += sign(side) * met_at * force[k] * (v[side] * (rays[k].side[side].sliding_twice * w[side]));
   return sum;
 }
 

@@ -51,7 +51,7 @@ void FrameSystem::find_order()
   {
     std::vector<int> of_this; // frames
     for (const unsigned int i : list)
-      if (columns[i].kind == Column::tangential)
+      if (columns[i].kind != Column::wall && (of_this.empty() || of_this.back() != frame_of[i]))
         of_this.push_back(frame_of[i]);
     for (const int one : of_this)
       for (const int other : of_this)
@@ -65,14 +65,35 @@ void FrameSystem::find_order()
   for (int f = 0; f < n; ++f)
   {
     const unsigned int begin = first[permutation.indices()[f]], end = first[permutation.indices()[f] + 1];
-    for (unsigned int i = begin; i < end - 2; ++i)
-      order.push_back(i);
-    order.push_back(end - 1);
-    order.push_back(end - 2);
+    for (unsigned int i = begin; i < end; ++i)
+      if (columns[i].kind != Column::motion)
+        order.push_back(i);
+    for (unsigned int i = begin; i < end; ++i)
+      if (columns[i].kind == Column::motion)
+        order.push_back(i);
   }
   // Walls meet many.
   for (unsigned int w = 0; w < ways.size(); ++w)
     order.push_back(w);
+}
+
+/// Columns of the motion of a frame and of the force that it takes, after those of its rays.
+void FrameSystem::add_motion(const FrameState &frame,
+                             const std::vector<double> &force,
+                             const unsigned int first,
+                             const unsigned int f)
+{
+  const unsigned int motion = columns.size(), tangential = motion + 1;
+  ++n_frames;
+  columns.push_back({Column::motion, f, 0});
+  columns.push_back({Column::tangential, f, 0});
+  active.insert(active.end(), 2, 1);
+  gap.insert(gap.end(), 2, 0.);
+  for (unsigned int i = first; i < motion; ++i)
+    if (columns[i].kind == Column::ray)
+      own.emplace_back(motion, i, frame.ray(columns[i].ray_number).by_motion);
+  own.emplace_back(motion, motion, frame.twice_by_motion(force));
+  own.emplace_back(tangential, motion, 1.);
 }
 
 void FrameSystem::add_columns(const FrameScene &scene,
@@ -103,7 +124,6 @@ void FrameSystem::add_columns(const FrameScene &scene,
   const unsigned int motion_of_rays = columns.size();
   if (motion_of_rays == first)
     return;
-  ++n_frames;
   for (unsigned int i = first; i < motion_of_rays; ++i)
     if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
     {
@@ -114,17 +134,11 @@ void FrameSystem::add_columns(const FrameScene &scene,
       active.push_back(active[i]);
       gap.push_back(frame.free_slide(k));
     }
-  const unsigned int motion = columns.size(), tangential = motion + 1;
-  columns.push_back({Column::motion, f, 0});
-  columns.push_back({Column::tangential, f, 0});
-  active.insert(active.end(), 2, 1);
-  gap.insert(gap.end(), 2, 0.);
+  const unsigned int motion = columns.size();
   for (unsigned int i = first; i < motion; ++i)
-  {
     own.emplace_back(i, i, frame.ray_softness());
-    if (columns[i].kind == Column::ray)
-      own.emplace_back(motion, i, frame.ray(columns[i].ray_number).by_motion);
-  }
+  if (frame.rides())
+    add_motion(frame, force[f], first, f);
   if (frame.dent_slope() != 0.)
     for (unsigned int i = first; i < motion_of_rays; ++i)
       for (unsigned int j = first; j <= i; ++j)
@@ -134,24 +148,23 @@ void FrameSystem::add_columns(const FrameScene &scene,
     const std::array<FrameState::Vector, 2> moves = ways[w].moves(scene, frame);
     if (moves[0].norm_square() + moves[1].norm_square() == 0.)
       continue;
-    for (unsigned int i = first; i <= tangential; ++i)
+    for (unsigned int i = first; i < columns.size(); ++i)
       if (columns[i].kind != Column::motion)
         own.emplace_back(i, w,
                          columns[i].kind == Column::ray     ? frame.gap_by(columns[i].ray_number, moves)
                          : columns[i].kind == Column::slide ? frame.slide_by(columns[i].ray_number, moves)
                                                             : -frame.motion_by(moves));
     const std::array<FrameState::Vector, 2> as_motion{{frame.as_motion(), frame.as_motion()}};
-    own.emplace_back(motion, w, frame.twice_by(force[f], as_motion, moves));
+    if (frame.rides())
+      own.emplace_back(motion, w, frame.twice_by(force[f], as_motion, moves));
     for (unsigned int v = 0; v <= w; ++v)
       own.emplace_back(w, v, frame.twice_by(force[f], ways[v].moves(scene, frame), moves));
   }
-  own.emplace_back(motion, motion, frame.twice_by_motion(force[f]));
-  own.emplace_back(tangential, motion, 1.);
   for (unsigned int side = 0; side < 2; ++side)
     if (frame.unknown(side) != FrameState::none)
     {
       const unsigned int b = frame.unknown(side);
-      for (unsigned int i = first; i <= tangential; ++i)
+      for (unsigned int i = first; i < columns.size(); ++i)
         of_body[b].push_back(i);
     }
 }

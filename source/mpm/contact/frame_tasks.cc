@@ -36,12 +36,13 @@ Boxes boxes_of(const FrameScene &scene, const std::vector<SampledSurface<2>> &sa
       boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
       back = scene.cell->cell.shift(boxes.fold.back());
     }
+    const double reach = 0.5 * scene.reach + scene.way_of(b);
     Point lower = samples[b].samples.front().position, upper = lower;
     for (const auto &s : samples[b].samples)
       for (unsigned int d = 0; d < 2; ++d)
       {
-        lower[d] = std::min(lower[d], s.position[d] - 0.5 * scene.reach);
-        upper[d] = std::max(upper[d], s.position[d] + 0.5 * scene.reach);
+        lower[d] = std::min(lower[d], s.position[d] - reach);
+        upper[d] = std::max(upper[d], s.position[d] + reach);
       }
     boxes.box.push_back(dealii::BoundingBox<2>({lower - back, upper - back}));
   }
@@ -86,6 +87,16 @@ std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
         task.named.wall = w;
         tasks.push_back(std::move(task));
       }
+    for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size() && !scene.bodies[b].driven;
+         ++o)
+    {
+      FrameTask task;
+      task.named.body = b;
+      task.named.wall = scene.walls.size() + o;
+      task.near = boxes.box[b];
+      task.near.extend(0.5 * scene.reach + scene.cell_size);
+      tasks.push_back(std::move(task));
+    }
     std::vector<unsigned int> near;
     tree.query(boost::geometry::index::intersects(boxes.box[b]), std::back_inserter(near));
     std::sort(near.begin(), near.end());

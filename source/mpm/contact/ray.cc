@@ -14,12 +14,23 @@ constexpr unsigned int max_iterations = 40;
 constexpr double half_piece = 0.1; ///< that is seen as one where a field has kinks [cells]
 constexpr double rounding = 1e-14; ///< of a place, over its distance from the origin
 
+/// What a rigid surface has in place of the field of a body.
+template <int dim>
+struct NoField
+{
+  using Vector = dealii::Tensor<1, dim>;
+  bool look_at(const dealii::Point<dim> &) { return true; }
+  Vector along(const Vector &) const { return Vector(); }
+  Vector along(const Vector &, const Vector &) const { return Vector(); }
+  Vector value;
+};
+
 /// The deformed surface at a place.
 template <int dim>
 struct Deformed
 {
-  Deformed(const SurfacePlace<dim> &place, const FieldNear<dim> &field)
-      : position(place.position + field.value)
+  template <class Field>
+  Deformed(const SurfacePlace<dim> &place, const Field &field) : position(place.position + field.value)
   {
     for (unsigned int k = 0; k < dim - 1; ++k)
       tangent[k] = place.tangent[k] + field.along(place.tangent[k]);
@@ -41,11 +52,11 @@ dealii::Tensor<2, dim - 1> jacobian(const Ray<dim> &ray, const Deformed<dim> &su
 }
 
 /// Gives a side that has been met its height and derivatives.
-template <int dim>
+template <int dim, class Field>
 void derive(const Ray<dim> &ray,
             const Deformed<dim> &surface,
             const dealii::Tensor<2, dim - 1> &inverse,
-            const FieldNear<dim> &field,
+            const Field &field,
             RaySide<dim> &side)
 {
   side.height = (surface.position - ray.origin) * ray.direction;
@@ -96,19 +107,16 @@ void round_off(const Ray<2> &ray, const RestSurface<2> &surface, FieldNear<2> &n
   side.normal = ray.direction - (height[1] - height[0]) / (y[1] - y[0]) * ray.across[0];
   side.sliding_twice = (slope[1] - slope[0]) / (y[1] - y[0]) * outer_product(ray.across[0], ray.across[0]);
 }
-} // namespace
 
-template <int dim>
-RaySide<dim> meet(const Ray<dim> &ray,
-                  const RestSurface<dim> &surface,
-                  const BodyField<dim> &field,
-                  const Eigen::VectorXd &nodal,
-                  const SurfacePlace<dim> &guess)
+template <int dim, class Field>
+RaySide<dim> meet_deformed(const Ray<dim> &ray,
+                           const RestSurface<dim> &surface,
+                           Field &near,
+                           const SurfacePlace<dim> &guess)
 {
   RaySide<dim> side;
   side.place = guess;
   double before = std::numeric_limits<double>::max();
-  FieldNear<dim> near(field, nodal);
   for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
   {
     if (!near.look_at(side.place.position))
@@ -130,9 +138,6 @@ RaySide<dim> meet(const Ray<dim> &ray,
     {
       side.met = true;
       derive(ray, here, inverse, near, side);
-      if constexpr (dim == 2)
-        if (!field.smooth())
-          round_off(ray, surface, near, side);
       return side;
     }
     before = error;
@@ -143,7 +148,32 @@ RaySide<dim> meet(const Ray<dim> &ray,
   }
   return side;
 }
+} // namespace
 
+template <int dim>
+RaySide<dim> meet(const Ray<dim> &ray,
+                  const RestSurface<dim> &surface,
+                  const BodyField<dim> &field,
+                  const Eigen::VectorXd &nodal,
+                  const SurfacePlace<dim> &guess)
+{
+  FieldNear<dim> near(field, nodal);
+  RaySide<dim> side = meet_deformed(ray, surface, near, guess);
+  if constexpr (dim == 2)
+    if (side.met && !field.smooth())
+      round_off(ray, surface, near, side);
+  return side;
+}
+
+template <int dim>
+RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess)
+{
+  NoField<dim> none;
+  return meet_deformed(ray, surface, none, guess);
+}
+
+template RaySide<2> meet(const Ray<2> &, const RestSurface<2> &, const SurfacePlace<2> &);
+template RaySide<3> meet(const Ray<3> &, const RestSurface<3> &, const SurfacePlace<3> &);
 template RaySide<2> meet(const Ray<2> &,
                          const RestSurface<2> &,
                          const BodyField<2> &,

@@ -18,8 +18,8 @@ namespace
 
 void check_rays(const Scene<2> &scene, const Settings &settings)
 {
-  if (settings.scheme.name != "quasi_static")
-    refuse("with 'Time/Scheme' = '" + settings.scheme.name + "': it needs 'quasi_static'");
+  if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
+    refuse("with 'Time/Scheme' = '" + settings.scheme.name + "': it needs 'quasi_static' or 'moreau_jean'");
   if (settings.coupling != ContactCoupling::condensed)
     refuse("with 'Contact/Solver' = 'lumped'");
   if (const std::string &type = settings.linear_solver.type;
@@ -30,7 +30,5 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
   const ContactPairs pairs(scene);
   if (pairs.adhere())
     refuse("with adhesion");
-  if (!scene.obstacles.empty())
-    refuse("where the scene has 'Obstacles/" + scene.obstacles.front().name + "'");
 }
 } // namespace softgrain::mpm

@@ -198,6 +198,6 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   }
   work.outlines.clear();
   if (problem.settings.meets_by_rays())
-    load_frames(in, "mpm/contact/frames", state.bodies, state.walls.size(), state.frames);
+    load_frames(in, "mpm/contact/frames", state.bodies, state.walls.size(), state.obstacles, state.frames);
 }
 } // namespace softgrain::mpm

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_equations.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -22,19 +24,26 @@ RayEquations::RayEquations(const Problem &problem,
     , plan(plan)
     , motion(motion)
     , h(problem.lattice->cell_size())
+    , inertia(problem.settings.scheme.inertia)
+    , theta(problem.settings.scheme.theta)
     , cell(state.cell_motion(motion))
+    , lines(state.obstacles.begin(), state.obstacles.end())
     , equations(problem, state, work, plan)
     , scene{state.bodies,
             work.outlines,
             motion,
             h,
             problem.subgrid(),
-            0.5 * h + 2. * largest_way(),
+            (inertia ? 0.2 : 0.5) * h + 2. * largest_way(),
             &problem.pairs,
             cell ? &*cell : nullptr,
             plan.dt,
-            ways_of_bodies()}
-    , system(work.share, state.bodies, work.solvers, plan.dt * plan.dt)
+            ways_of_bodies(),
+            inertia ? 0.5 : 1.,
+            theta,
+            own_ways(),
+            &lines}
+    , system(work.share, state.bodies, work.solvers, theta * plan.dt * plan.dt)
 {
 }
 
@@ -60,6 +69,22 @@ void RayEquations::lay()
   path = h; // 0 is for rays that have never been met
 }
 
+RayEquations::Vectors RayEquations::free_way() const
+{
+  Vectors ways = at_rest;
+  for (const Body<2> &body : state.bodies)
+    if (inertia && !body.driven)
+      ways[body.index] = plan.dt * body.velocity;
+  return ways;
+}
+
+Eigen::VectorXd RayEquations::end_velocity(const unsigned int b, const Eigen::VectorXd &way) const
+{
+  if (!inertia || state.bodies[b].driven)
+    return way / plan.dt;
+  return (way / plan.dt - (1. - theta) * state.bodies[b].velocity) / theta;
+}
+
 /// By which bodies move beside what their nodes do, see FrameScene::carried.
 std::vector<FrameState::Vector> RayEquations::ways_of_bodies() const
 {
@@ -72,12 +97,24 @@ std::vector<FrameState::Vector> RayEquations::ways_of_bodies() const
   return ways;
 }
 
+/// See FrameScene::own_way; those of driven bodies are in largest_way().
+std::vector<double> RayEquations::own_ways() const
+{
+  std::vector<double> ways;
+  for (const Body<2> &body : state.bodies)
+    if (inertia)
+      ways.push_back(body.driven ? 0. : plan.dt * mpm::largest_way(body, body.velocity));
+  return ways;
+}
+
 /// The largest by which something that is no unknown brings two places nearer [m].
 double RayEquations::largest_way() const
 {
   double way = 0.;
   for (const WallMotion<2> &wall : motion)
     way = std::max(way, way_of(wall).norm());
+  for (const ObstacleLine &line : lines)
+    way = std::max(way, line.largest_way());
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       way = std::max(way, plan.dt * work.drive[body.index].norm());
@@ -89,7 +126,7 @@ void RayEquations::move_free_walls()
 {
   std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
   for (unsigned int w = 0; w < list.size(); ++w)
-    list[w].speed = system.ways[w].at / plan.dt;
+    list[w].speed = (system.ways[w].at / plan.dt - (1. - theta) * list[w].start_speed) / theta;
   if (list.empty())
     return;
   settle_free_walls(problem, state, work, motion);
@@ -101,15 +138,17 @@ bool RayEquations::evaluate(const Vectors &to)
 {
   move_free_walls();
   trial.resize(to.size());
+  for (unsigned int b = 0; b < to.size(); ++b)
+    trial[b] = end_velocity(b, to[b]);
+  not_met = none;
+  return equations.evaluate(trial) && meet(to);
+}
+
+bool RayEquations::meet(const Vectors &to)
+{
   displacement.resize(to.size());
   for (unsigned int b = 0; b < to.size(); ++b)
-  {
-    trial[b] = to[b] / plan.dt;
-    displacement[b] = state.bodies[b].displacement + to[b];
-  }
-  not_met = none;
-  if (!equations.evaluate(trial))
-    return false;
+    displacement[b] = state.bodies[b].displacement + scene.met_at * to[b];
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
   std::vector<char> met(frames.size(), 1);
   parallel_for(frames.size(), 4,
@@ -118,10 +157,9 @@ bool RayEquations::evaluate(const Vectors &to)
                  for (std::size_t f = begin; f < end; ++f)
                  {
                    const unsigned int w = frames[f].layout().wall;
-                   met[f] =
-                       frames[f].evaluate(scene, displacement, to,
-                                          w == FrameState::none ? FrameState::Vector() : way_of(motion[w]),
-                                          force[f], path, 2. * candidates_within * h + largest_way());
+                   met[f] = frames[f].evaluate(scene, displacement, to,
+                                               w < motion.size() ? way_of(motion[w]) : FrameState::Vector(),
+                                               force[f], path, 2. * candidates_within() + largest_way());
                  }
                });
   const auto missed = std::find(met.begin(), met.end(), 0);
@@ -145,8 +183,10 @@ std::string RayEquations::why_not() const
   const ContactFrame<2> &frame = frames[not_met].layout();
   std::ostringstream text;
   text << "body '" << state.bodies[frame.body].name << "' and "
-       << (frame.partner == none ? "wall '" + state.walls[frame.wall].description.name
-                                 : "body '" + state.bodies[frame.partner].name)
+       << (frame.partner != none ? "body '" + state.bodies[frame.partner].name
+           : frame.wall < state.walls.size()
+               ? "wall '" + state.walls[frame.wall].description.name
+               : "obstacle '" + state.obstacles[frame.wall - state.walls.size()].description.name)
        << "' turn away from where they press each other, near (" << frame.origin << ") m";
   return text.str();
 }
@@ -200,6 +240,15 @@ void RayEquations::measure_frame(const unsigned int f, double &wrong_friction)
   }
 }
 
+/// Root of the sum of squares of the momentum of all nodes [N s/m].
+double RayEquations::momentum_of_nodes(const Body<2> &body) const
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += (body.mass[i] * body.velocity.segment<2>(2 * i)).squaredNorm();
+  return std::sqrt(sum);
+}
+
 void RayEquations::measure()
 {
   double worst = 0., scale = 0., wrong_friction = 0.;
@@ -214,6 +263,9 @@ void RayEquations::measure()
     worst = std::max(worst, (equations.missing(b) / plan.dt + contact[b]).norm());
     scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
                       1e-8 * state.bodies[b].law->wave_modulus() * h});
+    if (inertia)
+      scale = std::max(
+          {scale, 1e-6 / plan.dt * momentum_of_nodes(state.bodies[b]), equations.external[b].norm()});
   }
   for (const FreeWay &free : system.ways)
     scale = std::max(scale, std::abs(free.load));
@@ -239,14 +291,15 @@ void RayEquations::assemble()
                       [&](const Body<2> &body)
                       {
                         const unsigned int b = body.index;
-                        equations.assemble_static(body);
+                        equations.assemble_exact(body);
                         Eigen::MatrixXd block;
                         for (const auto &[f, side] : system.frames_of[b])
                           for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
                             if (force[f][k] > 0.)
                             {
                               const RaySide<2> &ray = frames[f].ray(k).side[side];
-                              const double factor = (side == 0 ? 1. : -1.) * force[f][k] * plan.dt * plan.dt;
+                              const double factor = (side == 0 ? 1. : -1.) * frames[f].bend() * force[f][k] *
+                                                    theta * plan.dt * plan.dt;
                               ray.second_derivative(block);
                               work.matrices[b].add_cell<2>(
                                   ray.function.cell,
@@ -283,12 +336,25 @@ void RayEquations::find_free_walls()
   for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
     const Wall &wall = state.walls[free.wall];
+    const unsigned int slab = wall.body == Wall::no_body ? FrameState::none : wall.body;
+    const PeriodicCell<2> *const side = wall.repeats() ? repeats : nullptr;
+    if (inertia)
+    {
+      const double dt = plan.dt, begun = (1. - theta) * free.start_speed,
+                   stiffness = free.mass / (theta * dt * dt),
+                   farthest = free.stop > 0. ? dt * (std::abs(begun) + theta * free.stop)
+                                             : std::numeric_limits<double>::max();
+      system.ways.emplace_back(free, slab, side, 0., stiffness * dt * (begun + theta * free.free_speed),
+                               farthest, stiffness);
+      system.ways.back().at = dt * free.start_speed;
+      continue;
+    }
     const double load = free.slides() ? wall.slide_load : wall.load, net = load + wall.force * free.way;
     // The spring is that of bodies that resist no more than they must.
-    system.ways.emplace_back(
-        free, wall.body == Wall::no_body ? FrameState::none : wall.body, wall.repeats() ? repeats : nullptr,
-        std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load, problem.settings.wall_motion * h,
-        free.mass / (plan.dt * plan.dt) * problem.settings.regularisation / plan.regularisation);
+    system.ways.emplace_back(free, slab, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
+                             problem.settings.wall_motion * h,
+                             free.mass / (plan.dt * plan.dt) * problem.settings.regularisation /
+                                 plan.regularisation);
   }
 }
 

@@ -4,8 +4,10 @@
 #include <softgrain/mpm/contact/frame_rows.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
+#include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
+#include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_equations.h>
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -23,8 +25,9 @@ constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
 constexpr unsigned int halvings_with_all_rays = 2;
 constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
-constexpr double keeps_dents_from = 0.3; ///< resistance
-constexpr double longest_way = 0.3;      ///< of a node in an iteration [cells]
+constexpr double keeps_dents_from = 0.3;   ///< resistance
+constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
+constexpr double longest_way = 0.3;        ///< of a node in an iteration [cells]
 
 /// A step that finds balance.
 class RayStep : private RayEquations
@@ -44,6 +47,9 @@ private:
     return (residual < problem.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h &&
            right_inertia;
   }
+  bool begin();
+  void hand_over_rows();
+  std::string why_contact_would_give();
   std::string find_forces();
   bool resist_more();
   bool keep_dents();
@@ -53,6 +59,8 @@ private:
 
   bool right_inertia = false;
   bool dents_kept = false;
+  std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
+  bool factors_serve = false;           ///< these serve for another iteration
 };
 
 /// Forces of rays for Newton's equations; bodies resist more where these have no minimum.
@@ -61,8 +69,11 @@ std::string RayStep::find_forces()
   Vectors y(way.size());
   for (unsigned int attempt = 0;; ++attempt)
   {
-    assemble();
-    const std::optional<unsigned int> negative = factorise();
+    if (!factors_serve)
+    {
+      assemble();
+      negative = factorise();
+    }
     if (negative)
     {
       {
@@ -71,21 +82,26 @@ std::string RayStep::find_forces()
                             [&](const Body<2> &body)
                             {
                               work.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
-                              y[body.index] *= plan.dt;
+                              y[body.index] *= theta * plan.dt;
                             });
       }
       {
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
         // In the first iteration walls have moved and bodies have not.
         system.condense(scene, frames, force, rubbing,
-                        candidates_within * h + (outcome.newton_iterations == 0 ? largest_way() : 0.));
+                        candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.));
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
       if (system.solve(y, h, *negative) && system.wrong_inertia(*negative) == 0)
         return "";
     }
-    if (attempt == most_rises)
+    if (attempt == most_rises || (inertia && !factors_serve))
       return "no forces of contacts are found";
+    if (factors_serve)
+    {
+      factors_serve = false;
+      continue;
+    }
     if (!resist_more())
       return why_not();
   }
@@ -127,9 +143,12 @@ void RayStep::find_direction(Vectors &direction)
                       [&](const Body<2> &body)
                       {
                         const unsigned int b = body.index;
-                        work.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b),
-                                               direction[b]);
-                        direction[b] *= plan.dt;
+                        if (system.frames_of[b].empty())
+                          equations.solve_free(b, direction[b]);
+                        else
+                          work.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b),
+                                                 direction[b]);
+                        direction[b] *= theta * plan.dt;
                       });
 }
 
@@ -180,8 +199,28 @@ std::string RayStep::iterate()
     if (halving >= halvings_with_all_rays && leave_unmet_rays() && evaluate(way))
       break;
   }
+  const double before_it = residual;
   measure();
+  // Masses make most of the matrix: near the end it need not be the latest.
+  factors_serve = inertia && residual < old_factors_below && (!factors_serve || residual < 0.1 * before_it);
   return "";
+}
+
+/// Goes where bodies go by themselves; what turns inside out there sets out from rest.
+bool RayStep::begin()
+{
+  if (!inertia)
+    return evaluate(way);
+  if (!meet(way))
+    leave_unmet_rays();
+  way = free_way();
+  for (const Eigen::VectorXd &of_body : way)
+    path = std::max(path, h + of_body.lpNorm<Eigen::Infinity>());
+  if (evaluate(way))
+    return true;
+  path += path;
+  way = at_rest;
+  return evaluate(way);
 }
 
 std::string RayStep::find()
@@ -189,7 +228,7 @@ std::string RayStep::find()
   outcome.unsolved = true;
   lay();
   keep_dents();
-  if (!evaluate(way) && !(leave_unmet_rays() && evaluate(way)))
+  if (!begin() && !(leave_unmet_rays() && evaluate(way)))
     return why_not();
   measure();
   for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
@@ -207,16 +246,40 @@ std::string RayStep::find()
   outcome.unsolved = false;
   outcome.max_penetration = deepest;
   outcome.contact_sweeps = system.passes;
+  if (inertia && walls_are_on_their_way(work))
+    return "a wall under a load would go further than 'Wall motion' allows";
+  hand_over_rows();
+  if (const std::string given = why_contact_would_give(); !given.empty())
+  {
+    outcome.gives_energy = true;
+    return given;
+  }
   return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
 }
 
-void RayStep::accept(State &state_to_change)
+/// Rays that carry force, as those who keep accounts want them.
+void RayStep::hand_over_rows()
 {
   ContactMemory<2> memory;
   memory.step = plan.dt;
   std::vector<ContactRow<2>> rows = rows_of_frames(scene, frames, force, rubbing, memory);
   work.contact.held = false; // dents are those of the frames
   work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
+}
+
+std::string RayStep::why_contact_would_give()
+{
+  if (!inertia)
+    return "";
+  Vectors rate(way.size());
+  for (unsigned int b = 0; b < way.size(); ++b)
+    rate[b] = way[b] / plan.dt;
+  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, plan.dt, rate, motion),
+                           equations.increment);
+}
+
+void RayStep::accept(State &state_to_change)
+{
   Vectors rate(way.size());
   FoundStep found{plan,
                   motion,
@@ -224,20 +287,26 @@ void RayStep::accept(State &state_to_change)
                   equations.internal,
                   equations.increment,
                   rate,
-                  plan.held ? equations.external
-                            : external_forces(state.bodies, work.share, problem.scene.gravity,
-                                              state.time + 0.5 * plan.dt), // for their work
+                  plan.held || inertia ? equations.external
+                                       : external_forces(state.bodies, work.share, problem.scene.gravity,
+                                                         state.time + 0.5 * plan.dt), // for their work
                   std::vector<double>(way.size(), 0.),
                   0.,
                   {}};
-  state_to_change.held_back.resize(way.size());
+  if (!inertia)
+    state_to_change.held_back.resize(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     rate[b] = way[b] / plan.dt;
     const bool driven = state.bodies[b].driven;
     found.regularisation_work += driven ? 0. : equations.regularisation_work(b);
-    found.resistance.push_back(driven ? FrameState::Vector() : equations.resistance(b));
-    state_to_change.held_back[b] = driven ? 0. : equations.held_back(b);
+    if (inertia)
+      found.scheme_damping[b] = driven ? 0. : equations.scheme_damping(b, trial[b]);
+    else
+    {
+      found.resistance.push_back(driven ? FrameState::Vector() : equations.resistance(b));
+      state_to_change.held_back[b] = driven ? 0. : equations.held_back(b);
+    }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;

@@ -31,7 +31,8 @@ StepEquations::StepEquations(const Problem &problem,
           // theta is. newmark takes those at the end, (3.21), and has those at the start
           // in the acceleration. So do steps with rays, which end in balance.
           state.time + (plan.held ? 0.
-                        : problem.settings.scheme.stored_acceleration || problem.settings.meets_by_rays()
+                        : problem.settings.scheme.stored_acceleration ||
+                                (problem.settings.meets_by_rays() && !problem.settings.scheme.inertia)
                             ? 1.
                             : 0.5) *
                            plan.dt))

@@ -42,13 +42,17 @@ void StepEquations::resist_more(const double factor)
     of_body *= factor;
 }
 
-void StepEquations::assemble_static(const Body<2> &body)
+void StepEquations::assemble_exact(const Body<2> &body)
 {
-  SystemMatrix &matrix = work.matrices[body.index];
+  const unsigned int b = body.index;
+  SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
-  add_stiffness(body, work.trial[body.index], dt * dt, matrix);
-  matrix.add_mass<2>(drag(body), shift[body.index]);
-  work.solvers[body.index]->set_update(rotation[body.index], rotation_weight[body.index]);
+  add_stiffness(body, work.trial[b], scheme.theta * scheme.theta * dt * dt, matrix);
+  if (scheme.inertia)
+    matrix.add_mass<2>(body.mass, 1.);
+  else
+    matrix.add_mass<2>(drag(body), shift[b]);
+  work.solvers[b]->set_update(lever[b].size() > 0 ? lever[b] : rotation[b], rotation_weight[b]);
 }
 
 std::string StepEquations::factorise()
@@ -129,6 +133,13 @@ void StepEquations::heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eig
     work.solvers[n]->solve(missing, more);
     x += more;
   }
+}
+
+void StepEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const
+{
+  work.solvers[b]->solve(missing_impulse[b], x);
+  if (std::abs(half_turn[b]) > small_turn)
+    heed_turn(state.bodies[b], missing_impulse[b], x);
 }
 
 StepEquations::Slope StepEquations::solve(const bool with_contact, Vectors &x) const

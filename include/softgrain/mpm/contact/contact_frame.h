@@ -31,7 +31,7 @@ struct ContactFrame
   std::uint64_t id = 0;        ///< no other frame has it; it stays as long as the frame lasts
   unsigned int body = none;    ///< feels +force along the direction
   unsigned int partner = none; ///< another body; none: the wall
-  unsigned int wall = none;
+  unsigned int wall = none;    ///< wall; obstacles are counted on after walls
   /// Image of the partner that the body meets, counted as if no body had ever been brought back into the
   /// cell.
   typename PeriodicCell<dim>::Image image{};

@@ -14,7 +14,7 @@ public:
   using Vector = dealii::Tensor<1, 2>;
 
   /// @param apart   from the partner to the image that the body meets [m]
-  /// @param partner samples of that image; null: a wall
+  /// @param partner samples of that image, or of an obstacle; null: a wall
   FrameLayout(const FrameScene &scene,
               const Vector &apart,
               const SampledSurface<2> *partner,
@@ -40,7 +40,7 @@ private:
                  unsigned int side,
                  ContactFrame<2>::RayPlace &ray,
                  double &height) const;
-  bool near_corner(unsigned int b, const SurfacePlace<2> &place) const;
+  bool near_corner(const ContactFrame<2> &frame, unsigned int side, const SurfacePlace<2> &place) const;
   bool meet_side(const FrameStretch &stretch,
                  const ContactFrame<2> &frame,
                  unsigned int side,
@@ -51,6 +51,10 @@ private:
   void note_dent(const std::array<SurfacePlace<2>, 2> &place, ContactFrame<2> &frame) const;
   const SampledSurface<2> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }
   Vector away(const unsigned int side) const { return side == 0 ? apart : Vector(); }
+  RaySide<2> meet_surface(const ContactFrame<2> &frame,
+                          unsigned int side,
+                          double offset,
+                          const SurfacePlace<2> &guess) const;
 
   const FrameScene &scene;
   const Vector &apart;

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_frame_memory_h
 #define softgrain_mpm_contact_frame_memory_h
 
+#include <softgrain/driving/obstacle.h>
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_frame.h>
@@ -25,6 +26,7 @@ void load_frames(const StateReader &in,
                  const std::string &name,
                  const std::vector<Body<2>> &bodies,
                  unsigned int n_walls,
+                 const std::vector<Obstacle> &obstacles,
                  std::vector<ContactFrame<2>> &frames);
 
 /// Lays the outlines of bodies whose grid is another one than before, and puts the places of @p frames on

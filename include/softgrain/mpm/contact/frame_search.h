@@ -7,6 +7,7 @@
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/obstacle_line.h>
 #include <softgrain/mpm/contact/ray.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -23,13 +24,40 @@ struct FrameScene
   const std::vector<WallMotion<2>> &walls;
   double cell_size;                    ///< [m]
   SubgridCompliance subgrid;           ///< what the grid misses of dents
-  double reach;                        ///< gap up to which places are looked at [m]
+  double reach;                        ///< gap up to which places of bodies at rest are looked at [m]
   const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
   const CellMotion *cell = nullptr;    ///< that repeats; null: nothing does
   double dt = 0.;                      ///< [s]
   /// By which bodies move beside what their nodes do over the step, since they are driven or a cell takes
   /// them along; empty: by nothing [m].
   std::vector<dealii::Tensor<1, 2>> carried = {};
+  /// Share of the step after which rays meet surfaces. 1: its end, where a step without inertia is in
+  /// balance; 1/2: with inertia, so that forces between rest places do no work.
+  double met_at = 1.;
+  double theta = 1.; ///< of TimeScheme
+  /// Of the outline of every body over the step as it moves now; empty: without inertia [m].
+  std::vector<double> own_way = {};
+  const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
+
+  /// Gap up to which places of a pair are looked at [m].
+  double reach_of(const ContactFrame<2> &frame) const
+  {
+    return reach + way_of(frame.body) + (frame.partner == ContactFrame<2>::none ? 0. : way_of(frame.partner));
+  }
+  /// The obstacle that a frame belongs to; null: none.
+  const ObstacleLine *line_of(const ContactFrame<2> &frame) const
+  {
+    const bool at_line = frame.partner == ContactFrame<2>::none && frame.wall >= walls.size();
+    return at_line ? &(*lines)[frame.wall - walls.size()] : nullptr;
+  }
+  /// The surface of a side, 0 the partner, which is no wall, and 1 the body.
+  const RestSurface<2> &surface_of(const ContactFrame<2> &frame, const unsigned int side) const
+  {
+    if (side == 0 && frame.partner == ContactFrame<2>::none)
+      return line_of(frame)->surface;
+    return outlines[side == 0 ? frame.partner : frame.body];
+  }
+  double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
 
   /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].
   dealii::Tensor<1, 2> apart(const ContactFrame<2> &frame) const;

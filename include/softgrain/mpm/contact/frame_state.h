@@ -17,10 +17,12 @@ namespace softgrain::mpm
  * @brief A frame in a step: where its rays meet both surfaces for trial displacements, and what their gaps do
  * to the unknowns.
  *
- * A gap is g = h_body - h_partner, the difference of the heights along a ray. The frame moves across its rays
- * by c, the mean of the displacements over the step of the places that lay under its rays at the start; a
- * wall is no partner in that mean. The force tau that this takes makes the forces on both sides equal and
- * opposite: tau = -sum_k P_k dg_k/dc.
+ * A gap is g = h_body - h_partner, the difference of the heights along a ray. With inertia rays meet surfaces
+ * where they are halfway, and the gap at the end is what it was and twice what has been added halfway: so
+ * forces on a gap that stays closed do no work. The frame moves across its rays by c, the mean of the
+ * displacements over the step of the places that lay under its rays at the start; a wall is no partner in
+ * that mean. The force tau that this takes makes the forces on both sides equal and opposite: tau = -sum_k
+ * P_k dg_k/dc.
  *
  * Friction holds together the two places of the material that lay under a ray at the start of the step. Its
  * slide is what they have moved past each other since then, along the unit vector e at right angles to what
@@ -48,7 +50,8 @@ public:
   double total_force() const { return sum_of_forces; }
 
   /// Meets the surfaces. Rays without force that cannot have come within @p within since they were last met
-  /// are not looked at: no place has moved by more than @p path in all since the first call.
+  /// are not looked at: no place has moved by more than @p path in all since the first call. With inertia the
+  /// first call meets them as the step begins.
   /// @param displacement of all bodies since the grid was laid [m]
   /// @param increment  part of it that belongs to this step, none in the first call [m]
   /// @param wall_way of the wall over the step [m]
@@ -73,11 +76,14 @@ public:
   {
     std::array<RaySide<2>, 2> side; ///< of the partner and the body
     bool met = false;
-    bool near = true;     ///< looked at
+    bool met_at_start = false; ///< with inertia; else no gap at the end is known
+    bool near = true;          ///< looked at
     bool left = false;    ///< has slid off one of its surfaces, so that it is no more looked at in this step
     double gap = 0;       ///< [m]
     double path = 0;      ///< when it was last looked at
     double by_motion = 0; ///< dg/dc
+    double at_start = 0;  ///< gap at the start of the step, with inertia [m]
+    double stays = 0;     ///< what the step leaves closed of an overlap with which it began [m]
 
     // Of friction; e is 0 where there is none.
     std::array<SurfacePlace<2>, 2> start;  ///< places under the ray at the start of the step
@@ -85,16 +91,22 @@ public:
     Vector e;                              ///< unit
     double bound = 0;                      ///< largest friction over force
     double slide = 0;                      ///< [m]
+    double known_slide = 0;                ///< what velocities at the start have in it, with inertia [m]
   };
 
   /// Whether a ray rubs: a pair with friction, met at the start of the step.
   bool rubs(const unsigned int k) const { return rays[k].bound > 0.; }
   double friction_coefficient() const { return friction; }
   /// Slide that softness lets a force on a ray have that differs from the one at the start of the step [m].
-  double free_slide(const unsigned int k) const { return rays[k].slide - softness * frame.rays[k].friction; }
+  double free_slide(const unsigned int k) const
+  {
+    return rays[k].slide - rays[k].known_slide - softness * frame.rays[k].friction;
+  }
 
   unsigned int n_rays() const { return rays.size(); }
   const RayHere &ray(const unsigned int k) const { return rays[k]; }
+  /// The obstacle that is its partner; null: none.
+  const ObstacleLine *obstacle() const { return line; }
   /// The body of a side, 0 the partner and 1 the body; none for a wall.
   unsigned int body(const unsigned int side) const { return side == 0 ? frame.partner : frame.body; }
   /// The same if its nodes are unknown; none for a body that is driven.
@@ -105,6 +117,8 @@ public:
   /// From the partner to the image of it that the body meets, at the start of the step [m].
   const Vector &image_shift() const { return apart; }
   const ContactFrame<2> &layout() const { return frame; }
+  /// Whether its motion depends on unknowns: at a corner of an obstacle it does not.
+  bool rides() const { return !mean[0].empty() || !mean[1].empty(); }
   /// c [m].
   double motion() const { return moved; }
 
@@ -133,6 +147,8 @@ public:
     for (const auto &[i, weight] : mean[side])
       add(i, factor * weight * frame.across[0]);
   }
+  /// Of second derivatives of a height, that those of its gap have.
+  double bend() const { return met_at; }
   /// The same for sum_k P_k d^2 g_k/du dv, where a side moves by @p v. @param force of all rays [N/m]
   template <class F>
   void
@@ -143,12 +159,12 @@ public:
       if (force[k] == 0. || !rays[k].met)
         continue;
       const RaySide<2> &here = rays[k].side[side];
-      const Vector bend = here.sliding_twice * v;
+      const Vector twice = here.sliding_twice * v;
       const double along = here.way[0] * v;
       for (unsigned int i = 0; i < here.function.node.size(); ++i)
         add(here.function.node[i],
-            sign(side) * force[k] *
-                (here.function.value[i] * bend +
+            sign(side) * bend() * force[k] *
+                (here.function.value[i] * twice +
                  (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
     }
   }
@@ -176,7 +192,7 @@ public:
   /// slide.
   double gap_by(const unsigned int k, const std::array<Vector, 2> &moves) const
   {
-    const Vector partner = frame.partner == none ? frame.direction : rays[k].side[0].normal;
+    const Vector partner = flat_partner() ? frame.direction : rays[k].side[0].normal;
     return rays[k].side[1].normal * moves[1] - partner * moves[0];
   }
   double slide_by(const unsigned int k, const std::array<Vector, 2> &moves) const
@@ -200,14 +216,29 @@ private:
       return side == frame.corner ? 1. : 0.;
     return unknown(0) == none ? side : 0.5;
   }
+  /// Whether the partner is a wall.
+  bool flat_partner() const { return frame.partner == none && line == nullptr; }
+  /// Of places of the partner that no body has, over the step.
+  Vector way_of_partner(const Vector &wall_way, const SurfacePlace<2> &place) const
+  {
+    return line != nullptr ? line->way_of(place) : frame.partner == none ? wall_way : Vector();
+  }
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
   /// By which a side stands away from where its nodes say.
-  Vector away(const unsigned int side) const { return carried[side] + (side == 0 ? apart : Vector()); }
+  Vector away(const unsigned int side) const { return at * carried[side] + (side == 0 ? apart : Vector()); }
   bool meet_ray(const FrameScene &scene,
                 const std::vector<Eigen::VectorXd> &displacement,
                 double wall_height,
                 unsigned int k);
-  void begin_to_rub(unsigned int k);
+  void begin_to_rub(const FrameScene &scene, const Vector &wall_way, unsigned int k);
+  RaySide<2> meet_surface(const FrameScene &scene,
+                          const std::vector<Eigen::VectorXd> &displacement,
+                          unsigned int side,
+                          const Ray<2> &ray,
+                          const SurfacePlace<2> &guess) const;
+  void meet_corner(const FrameScene &scene, const std::vector<Eigen::VectorXd> &displacement, unsigned int k);
+  double share_that_opens(const FrameScene &scene) const;
+  void draw_on(unsigned int k, bool begins);
 
   ContactFrame<2> frame;
   std::vector<RayHere> rays;
@@ -217,6 +248,11 @@ private:
   std::array<Vector, 2> carried;
   void carry(const FrameScene &scene);
   bool partner_is_driven = false;
+  const ObstacleLine *line = nullptr;
+  double met_at = 1., theta = 1.;
+  bool begun = false;
+  double at = 1.; ///< share of the step after which rays were last met
+  double dent_at_start = 0., opens = 1.;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;
   double young = 0, softness = 0, friction = 0;

@@ -113,6 +113,8 @@ private:
                    const RayForces &rubbing,
                    unsigned int f,
                    double within);
+  void
+  add_motion(const FrameState &frame, const std::vector<double> &force, unsigned int first, unsigned int f);
   /// Fills column @p i of those of a body.
   void gather(const FrameScene &scene,
               const std::vector<FrameState> &frames,

@@ -5,6 +5,8 @@
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <memory>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct FrameTask
   ContactFrame<2> named;                    ///< without place and rays
   dealii::Tensor<1, 2> apart;               ///< from the partner to the image that the body meets [m]
   std::unique_ptr<SampledSurface<2>> image; ///< of the partner, where that is not the body itself
+  dealii::BoundingBox<2> near;              ///< in which an obstacle is looked at
   const SampledSurface<2> *partner = nullptr;
   std::vector<FrameStretch> stretches;
   std::vector<ContactFrame<2>> found;

@@ -12,10 +12,10 @@
 namespace softgrain::mpm
 {
 /**
- * @brief How far a wall under a load goes in a step without inertia: one unknown of Newton's equations.
+ * @brief How far a wall under a load goes in a step: one unknown of Newton's equations.
  *
- * The load bears what the rays give, and a weak spring that resists the way. A wall goes no further than its
- * stop.
+ * The load bears what the rays give, and a spring that resists the way: without inertia a weak one, with inertia
+ * that of its mass, and the load holds what the wall has of speed. A wall goes no further than its stop.
  */
 struct FreeWay
 {

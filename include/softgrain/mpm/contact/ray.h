@@ -117,6 +117,10 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const BodyField<dim> &field,
                   const Eigen::VectorXd &nodal,
                   const SurfacePlace<dim> &guess);
+
+/// The same of a rigid surface, as it is.
+template <int dim>
+RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess);
 } // namespace softgrain::mpm
 
 #endif

@@ -14,8 +14,7 @@
 namespace softgrain::mpm
 {
 /**
- * @brief What is unknown in a step without inertia whose contacts are met by rays, and how far it is from
- * balance.
+ * @brief What is unknown in a step whose contacts are met by rays, and how far it is from balance.
  *
  * Unknown are the ways of the nodes, the forces and the friction of all rays, and how far walls under loads
  * go.
@@ -32,16 +31,21 @@ public:
                std::vector<WallMotion<2>> &motion);
 
 protected:
-  static constexpr double candidates_within = 0.15; ///< gap of rays that may become pressed [cells]
+  /// Gap of rays that may become pressed [m]. With inertia bodies go nearly where they are expected.
+  double candidates_within() const { return (inertia ? 0.05 : 0.15) * h; }
 
   /// Finds the frames of the step, with the forces that their rays had.
   void lay();
+  /// The way of bodies that go on as they do; none without inertia [m].
+  Vectors free_way() const;
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
   /// such a state
   bool evaluate(const Vectors &way);
   /// After evaluate() has returned false: leaves out pressed rays whose surfaces have slid away from under
   /// them. @return whether there are any, so that there may be such a state now
   bool leave_unmet_rays();
+  /// Where rays meet the surfaces after nodes have moved by @p way. @return whether those that press do
+  bool meet(const Vectors &way);
   /// Why there is none, after evaluate() has returned false.
   std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
@@ -61,7 +65,10 @@ protected:
   const StepPlan &plan;
   std::vector<WallMotion<2>> &motion;
   const double h;
+  const bool inertia;
+  const double theta; ///< velocity at the end of the step times theta dt is unknown way
   std::optional<CellMotion> cell;
+  std::vector<ObstacleLine> lines;
   StepEquations equations;
   FrameScene scene;
   std::vector<FrameState> frames;
@@ -79,10 +86,13 @@ private:
     return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
   }
   std::vector<FrameState::Vector> ways_of_bodies() const;
+  Eigen::VectorXd end_velocity(unsigned int b, const Eigen::VectorXd &way) const;
+  std::vector<double> own_ways() const;
   void move_free_walls();
   void find_free_walls();
   double unbalanced_free_walls() const;
   Vectors contact_forces() const;
+  double momentum_of_nodes(const Body<2> &body) const;
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;

@@ -103,11 +103,14 @@ public:
   /// A x = the missing impulse, or what is unbalanced with contact, for every body of this rank [m/s].
   Slope solve(bool with_contact, Vectors &x) const;
 
+  /// A x = the missing impulse of a body that touches nothing, with the change of forces that turn with it
+  /// [m/s].
+  void solve_free(unsigned int b, Eigen::VectorXd &x) const;
+
   /// Impulse that is missing for balance without contact, as last evaluated [N s/m].
   const Eigen::VectorXd &missing(const unsigned int b) const { return missing_impulse[b]; }
-  /// A of one body without inertia as its forces have it, with @p extra times its mass beside what resists
-  /// motion anyway.
-  void assemble_static(const Body<2> &body);
+  /// A of one body as its forces have it, nothing held stable.
+  void assemble_exact(const Body<2> &body);
   /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
   void resist_more(double factor);
 
