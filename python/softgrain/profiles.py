@@ -8,11 +8,12 @@ from .errors import InputError
 from .tables import Table
 
 
-def profile_of(state, body, partner) -> Table:
+def profile_of(state, body, partner, smooth=True) -> Table:
     """
     One row per place where @body meets @partner, from one end of the contact to the other: how far along it the place is, counted
-    from the line of the resultant force (``along_m``), the length of outline that it stands for (``length_m``: the resolution),
-    pressure and traction there, and the place. The sums of ``pressure_Pa * length_m`` and ``traction_Pa * length_m`` are the
+    from the line of the resultant force (``along_m``), the length of outline that it stands for (``length_m``), pressure and
+    traction there, and the place. Places are closer than the field of a body can tell forces apart, so each hands a quarter of its
+    force to the next on either side (``smooth=False``: none): the resolution is the length of two places. The sums of ``pressure_Pa * length_m`` and ``traction_Pa * length_m`` are the
     normal and the tangential force of all places. A traction is positive where it pulls @body on along the contact.
 
     @partner is a body, a wall or an obstacle; both are names, bodies may also be told by their numbers. Along the contact one goes
@@ -35,9 +36,25 @@ def profile_of(state, body, partner) -> Table:
     weight = np.maximum(pressed, 0)
     along = along - (weight @ along / weight.sum() if weight.sum() > 0 else along.mean())
     order = np.argsort(along, kind="stable")
+    if smooth:
+        pressed[order], rubbed[order] = spread(pressed[order]), spread(rubbed[order])
     return Table({name: values[order] for name, values in (
         ("along_m", along), ("pressure_Pa", pressed / length), ("traction_Pa", rubbed / length), ("length_m", length),
         ("place_m", place))}, "contact profile")
+
+
+def spread(forces):
+    """
+    A quarter of each goes to its neighbours; the sum stays.
+
+    >>> spread(np.array([4., 0., 8.]))
+    array([3., 3., 6.])
+    """
+    moved = forces / 4
+    result = forces.copy()
+    result[1:] += moved[:-1] - moved[1:]
+    result[:-1] += moved[1:] - moved[:-1]
+    return result
 
 
 def rows_of(state, body, partner):

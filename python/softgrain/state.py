@@ -9,6 +9,7 @@ from . import contacts as pairing
 from . import kinematics
 from .errors import InputError
 from .loads import loads_of, resultants
+from .profiles import profile_of
 
 
 class Outlines:
@@ -127,6 +128,13 @@ class State:
     def loads(self):
         """What each body feels from each of its partners: force, and torque about its centre of mass."""
         return loads_of(self)
+
+    def contact_profile(self, body, partner, smooth=True):
+        """
+        Pressure and traction along the contact of a body with another one, a wall or an obstacle, told by their names:
+        see :func:`softgrain.profiles.profile_of`.
+        """
+        return profile_of(self, body, partner, smooth)
 
     @cached_property
     def walls(self):

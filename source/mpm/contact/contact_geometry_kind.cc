@@ -38,8 +38,8 @@ public:
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "rays",
-        "rays that stand in space during a step meet the surfaces, and Newton's method knows how (only at "
-        "rest, without adhesion and obstacles)",
+        "rays that stand in space during a step meet the surfaces, and Newton's method knows how (one rank, "
+        "quasi_static and moreau_jean, without adhesion)",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "nodes",

@@ -72,7 +72,7 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
         row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function).shared();
       const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion();
       row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
-      row.length = layout.spacing;
+      row.length = layout.spacing * frame.resultant(k).norm(); // of outline
       if (scene.cell != nullptr)
         place_in_cell(scene, frame, row);
       row.log_full_width = layout.log_full_width;

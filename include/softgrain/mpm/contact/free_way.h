@@ -14,8 +14,9 @@ namespace softgrain::mpm
 /**
  * @brief How far a wall under a load goes in a step: one unknown of Newton's equations.
  *
- * The load bears what the rays give, and a spring that resists the way: without inertia a weak one, with inertia
- * that of its mass, and the load holds what the wall has of speed. A wall goes no further than its stop.
+ * The load bears what the rays give, and a spring that resists the way: without inertia a weak one, with
+ * inertia that of its mass, and the load holds what the wall has of speed. A wall goes no further than its
+ * stop.
  */
 struct FreeWay
 {
