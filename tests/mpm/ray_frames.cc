@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The frame of a contact between two deformed disks, of a disk at a wall, and of a corner at a disk. It moves
-// with the mean motion of what lies under its rays. What its rays do to the nodes is the derivative of their
-// gaps, and the matrix of Newton's method is the derivative of that: both against differences, with the
+// Frames of contacts of deformed disks, a wall, a corner, and obstacles with a curved side and a tip. A frame
+// moves with the mean motion of what lies under its rays. What its rays do to the nodes is the derivative of
+// their gaps, and the matrix of Newton's method is the derivative of that: both against differences, with the
 // motion of the frame counted in. Forces on both sides are equal and opposite.
 #include "scene_of.h"
 
