@@ -173,11 +173,8 @@ void BodyField<dim>::build_cell_dependence()
         for_entries(
             nodes[k], [&](const unsigned int j, const double weight)
             { cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), j) - list.begin()) = weight; });
-      if (dim == 2)
-      {
-        cell_transpose[c].setZero(DenseKernels::filled(list.size()), n_cell_nodes);
-        cell_transpose[c].topRows(list.size()) = cell_matrix[c].transpose();
-      }
+      cell_transpose[c].setZero(DenseKernels::filled(list.size()), n_cell_nodes);
+      cell_transpose[c].topRows(list.size()) = cell_matrix[c].transpose();
     }
     cell_dependence[c] = std::move(list);
   }

@@ -3,6 +3,7 @@
 #include <softgrain/linear/dense_kernels.h>
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/field/cell_slopes.h>
+#include <softgrain/mpm/stepping/space_cell.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
 #include <algorithm>
@@ -302,6 +303,21 @@ void add_plane_stiffness(const Body<2> &body,
   for_cells(body, work);
 }
 
+/// Adds the cells by SpaceCell.
+void add_space_stiffness(const Body<3> &body,
+                         const StepState<3> &s,
+                         const double factor,
+                         SystemMatrix &matrix)
+{
+  const auto work = [&](const unsigned int c)
+  {
+    // Buffers alone: nothing is read that this cell has not written.
+    static thread_local SpaceCell space;
+    space.add(body, s, c, factor, matrix);
+  };
+  for_cells(body, work);
+}
+
 /// Adds the cells by cell_stiffness().
 template <int dim>
 void add_general_stiffness(const Body<dim> &body,
@@ -375,6 +391,9 @@ void add_stiffness(const Body<dim> &body,
   if constexpr (dim == 2)
     if (body.averaged == 0.)
       return add_plane_stiffness(body, s, factor, pressure_follows, matrix);
+  if constexpr (dim == 3)
+    if (body.averaged == 0. && !pressure_follows)
+      return add_space_stiffness(body, s, factor, matrix);
   add_general_stiffness(body, s, factor, pressure_follows, matrix);
 }
 

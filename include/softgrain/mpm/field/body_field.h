@@ -133,7 +133,7 @@ public:
   const std::vector<unsigned int> &cell_independent(const unsigned int c) const { return cell_dependence[c]; }
   const Eigen::MatrixXd &cell_extension(const unsigned int c) const { return cell_matrix[c]; }
 
-  /// The transpose of that matrix in the plane, filled up for DenseKernels with rows of zeros.
+  /// The transpose of that matrix, filled up for DenseKernels with rows of zeros.
   const Eigen::MatrixXd &cell_spread(const unsigned int c) const { return cell_transpose[c]; }
 
   /// Groups of cells of which no two touch the same independent node (for assembly) or the same node (for

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_geometry_solid_h
+#define softgrain_geometry_solid_h
+
+#include <softgrain/geometry/shape.h>
+
+#include <array>
+#include <vector>
+
+namespace softgrain
+{
+/// A closed surface of triangles, whose corners run counter-clockwise when seen from outside.
+struct TriangulatedSurface
+{
+  std::vector<dealii::Point<3>> vertices; ///< [m]
+  std::vector<std::array<unsigned int, 3>> triangles;
+};
+
+/**
+ * @brief The shape of a body in space at rest, in its place: `Bodies/NAME/Shape` names a member of this
+ * family where `Dimension` is 3.
+ *
+ * A shape knows how deep a place lies in it. Grids cut it by that alone.
+ */
+template <>
+class Shape<3>
+{
+public:
+  using Place = dealii::Point<3>;
+
+  virtual ~Shape() = default;
+
+  /// Declares its parameters where the handler stands, in the section of a body that has `Center` already.
+  virtual void declare_parameters(dealii::ParameterHandler &prm) const = 0;
+
+  /// @param center 'Center' of the body [m]
+  virtual void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) = 0;
+
+  /// @param body "Bodies/NAME", for messages. @throw InputError when the shape encloses nothing
+  virtual void check(const std::string &body) const = 0;
+
+  /// Distance of @p p to the surface, positive inside [m].
+  virtual double depth(const Place &p) const = 0;
+
+  /// [m^3]
+  virtual double volume() const = 0;
+
+  /// Least and greatest signed distance from a plane, along its unit normal [m].
+  virtual std::pair<double, double> distances_from_plane(const Place &point,
+                                                         const dealii::Tensor<1, 3> &normal) const = 0;
+
+  /// Radius of the ball that curves as the surface does where it is met along @p normal, outward [m].
+  virtual double radius_of_curvature(const dealii::Tensor<1, 3> &normal) const = 0;
+
+  /// Triangles whose vertices lie on the surface, about @p spacing apart and hardly farther [m].
+  virtual TriangulatedSurface surface(double spacing) const = 0;
+
+  /**
+   * @brief Places of the surface that a flat wall will meet: a hexagonal pattern about the one that is
+   * farthest against @p normal of the wall.
+   *
+   * A wall that comes nearer meets that place first, so light contacts are where the surface is round.
+   * @param spacing of the pattern, about [m]
+   */
+  virtual std::vector<Place> places_facing(const dealii::Tensor<1, 3> &normal, double spacing) const = 0;
+
+  /// Every number that places and shapes it: two are the same when these are.
+  virtual std::vector<double> numbers() const = 0;
+
+  /// Corners of the box around it with the smallest and with the greatest coordinates [m].
+  std::pair<Place, Place> bounding_box() const;
+};
+
+template <>
+Registry<Shape<3>> &Registry<Shape<3>>::instance();
+
+/// A ball.
+class Sphere final : public Shape<3>
+{
+public:
+  Sphere() = default;
+  Sphere(const Place &center, const double radius) : center(center), radius(radius) {}
+
+  void declare_parameters(dealii::ParameterHandler &prm) const override;
+  void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override;
+  void check(const std::string &body) const override;
+  double depth(const Place &p) const override { return radius - p.distance(center); }
+  double volume() const override;
+  std::pair<double, double> distances_from_plane(const Place &point,
+                                                 const dealii::Tensor<1, 3> &normal) const override;
+  double radius_of_curvature(const dealii::Tensor<1, 3> &) const override { return radius; }
+  /// A geodesic sphere: an icosahedron with divided sides, the same in the mirrors of all three axes.
+  TriangulatedSurface surface(double spacing) const override;
+  /// The pattern is laid on the sphere by distance and direction from the first place.
+  std::vector<Place> places_facing(const dealii::Tensor<1, 3> &normal, double spacing) const override;
+  std::vector<double> numbers() const override { return {center[0], center[1], center[2], radius}; }
+
+  Place center;      ///< [m]
+  double radius = 0; ///< [m]
+};
+} // namespace softgrain
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/solid.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::Shape<3>)
+
+namespace softgrain
+{
+namespace
+{
+using dealii::numbers::PI;
+
+constexpr double widest_angle = 1.4; ///< of places that a wall may meet, from the first one [rad]
+
+/// Edge of an icosahedron over the radius of the sphere through its corners.
+constexpr double edge_of_icosahedron = 1.0514622242382672;
+
+/// An icosahedron whose corners have the coordinates 0, 1 and the golden ratio with either sign.
+TriangulatedSurface icosahedron()
+{
+  const double g = 0.5 * (1. + std::sqrt(5.));
+  TriangulatedSurface result;
+  for (unsigned int d = 0; d < 3; ++d)
+    for (const double one : {-1., 1.})
+      for (const double other : {-g, g})
+      {
+        dealii::Point<3> p;
+        p[(d + 1) % 3] = one;
+        p[(d + 2) % 3] = other;
+        result.vertices.push_back(p);
+      }
+  const auto near = [&](const unsigned int a, const unsigned int b)
+  { return result.vertices[a].distance(result.vertices[b]) < 2.1; };
+  for (unsigned int a = 0; a < 12; ++a)
+    for (unsigned int b = a + 1; b < 12; ++b)
+      for (unsigned int c = b + 1; c < 12; ++c)
+        if (near(a, b) && near(b, c) && near(a, c))
+        {
+          const auto &v = result.vertices;
+          const bool outward =
+              dealii::cross_product_3d(v[b] - v[a], v[c] - v[a]) * dealii::Tensor<1, 3>(v[a]) > 0.;
+          result.triangles.push_back(outward ? std::array<unsigned int, 3>{{a, b, c}}
+                                             : std::array<unsigned int, 3>{{a, c, b}});
+        }
+  return result;
+}
+
+/// Numbers the vertices of divided triangles: those on common edges are the same.
+class Divider
+{
+public:
+  Divider(const TriangulatedSurface &coarse, const unsigned int n) : coarse(coarse), n(n) {}
+
+  TriangulatedSurface divide()
+  {
+    for (const auto &triangle : coarse.triangles)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j + i < n; ++j)
+        {
+          fine.triangles.push_back(
+              {{vertex(triangle, i, j), vertex(triangle, i + 1, j), vertex(triangle, i, j + 1)}});
+          if (i + j + 1 < n)
+            fine.triangles.push_back(
+                {{vertex(triangle, i + 1, j), vertex(triangle, i + 1, j + 1), vertex(triangle, i, j + 1)}});
+        }
+    return fine;
+  }
+
+private:
+  /// The vertex i steps along the first side and j along the second.
+  unsigned int vertex(const std::array<unsigned int, 3> &triangle, const unsigned int i, const unsigned int j)
+  {
+    std::map<unsigned int, unsigned int> weights; // of the corners
+    for (const auto &[corner, weight] : {std::pair<unsigned int, unsigned int>(triangle[0], n - i - j),
+                                         std::pair<unsigned int, unsigned int>(triangle[1], i),
+                                         std::pair<unsigned int, unsigned int>(triangle[2], j)})
+      if (weight > 0)
+        weights[corner] = weight;
+    const auto [place, is_new] = numbers.emplace(weights, fine.vertices.size());
+    if (is_new)
+    {
+      dealii::Tensor<1, 3> sum;
+      for (const auto &[corner, weight] : weights)
+        sum += static_cast<double>(weight) * coarse.vertices[corner];
+      fine.vertices.push_back(dealii::Point<3>(sum / static_cast<double>(n)));
+    }
+    return place->second;
+  }
+
+  const TriangulatedSurface &coarse;
+  const unsigned int n;
+  TriangulatedSurface fine;
+  std::map<std::map<unsigned int, unsigned int>, unsigned int> numbers;
+};
+} // namespace
+
+std::pair<Shape<3>::Place, Shape<3>::Place> Shape<3>::bounding_box() const
+{
+  std::pair<Place, Place> box;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    dealii::Tensor<1, 3> axis;
+    axis[d] = 1.;
+    std::tie(box.first[d], box.second[d]) = distances_from_plane(Place(), axis);
+  }
+  return box;
+}
+
+void Sphere::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  prm.declare_entry("Radius", "0", dealii::Patterns::Double(0), "Radius of a sphere. Units: m.");
+}
+
+void Sphere::parse_parameters(const dealii::ParameterHandler &prm, const Place &body_center)
+{
+  center = body_center;
+  radius = prm.get_double("Radius");
+}
+
+void Sphere::check(const std::string &body) const
+{
+  if (!(radius > 0.))
+    throw InputError("'" + body + "/Radius' = '" + std::to_string(radius) +
+                     "' leaves the body empty: it must be greater than 0");
+}
+
+double Sphere::volume() const
+{
+  return 4. / 3. * PI * radius * radius * radius;
+}
+
+std::pair<double, double> Sphere::distances_from_plane(const Place &point,
+                                                       const dealii::Tensor<1, 3> &normal) const
+{
+  const double middle = (center - point) * normal;
+  return {middle - radius, middle + radius};
+}
+
+std::vector<Sphere::Place> Sphere::places_facing(const dealii::Tensor<1, 3> &normal,
+                                                 const double spacing) const
+{
+  unsigned int least = 0;
+  for (unsigned int d = 1; d < 3; ++d)
+    if (std::abs(normal[d]) < std::abs(normal[least]))
+      least = d;
+  dealii::Tensor<1, 3> across, first = -normal;
+  across[least] = 1.;
+  across -= (across * normal) * normal;
+  across /= across.norm();
+  const dealii::Tensor<1, 3> other = dealii::cross_product_3d(first, across);
+  const double widest = widest_angle * radius;
+  const int n = static_cast<int>(2. * widest / spacing) + 1;
+  std::vector<Place> places;
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+    {
+      const double x = spacing * (i + 0.5 * j), y = spacing * std::sqrt(0.75) * j, way = std::hypot(x, y);
+      if (way > widest)
+        continue;
+      const double angle = way / radius, side = way > 0. ? std::sin(angle) / way : 0.;
+      places.push_back(center + radius * (std::cos(angle) * first + side * (x * across + y * other)));
+    }
+  return places;
+}
+
+TriangulatedSurface Sphere::surface(const double spacing) const
+{
+  const unsigned int n =
+      std::max(1, static_cast<int>(std::ceil(edge_of_icosahedron * radius / spacing - 1e-9)));
+  const TriangulatedSurface coarse = icosahedron();
+  TriangulatedSurface result = Divider(coarse, n).divide();
+  for (Place &x : result.vertices)
+    x = center + radius / x.norm() * (x - Place());
+  return result;
+}
+
+namespace
+{
+[[maybe_unused]] const bool registered =
+    Registry<Shape<3>>::instance().add("sphere", "Radius", [] { return std::make_unique<Sphere>(); });
+}
+} // namespace softgrain

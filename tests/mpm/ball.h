@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_tests_mpm_ball_h
+#define softgrain_tests_mpm_ball_h
+
+#include <softgrain/constitutive/law_registry.h>
+#include <softgrain/mpm/body/solid_builder.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+
+/// A ball with Young's modulus 1 that a grid cuts, with all that it stands on.
+struct Ball
+{
+  /// @param cut shift of the ball on the grid
+  Ball(const double radius,
+       const double cell,
+       const std::string &law,
+       const double poisson_ratio = 0.3,
+       const double cut = 0.)
+      : lattice(dealii::Point<3>(), dealii::Point<3>(8., 8., 8.), cell)
+      , shape(softgrain::mpm::create_shape_function("bspline"))
+      , sphere(dealii::Point<3>(4.13 + cut, 3.91 + 0.7 * cut, 4.07 + cut), radius)
+      , store(lattice, softgrain::mpm::PointLayout<3>(needs()))
+  {
+    using namespace softgrain;
+    dealii::ParameterHandler prm;
+    constitutive::declare_all_laws(prm);
+    prm.enter_subsection(constitutive::law_title(law));
+    prm.set("Young's modulus", 1.);
+    prm.set("Poisson's ratio", poisson_ratio);
+    prm.leave_subsection();
+    store.cover_all();
+    // Where walls below and above meet it.
+    std::vector<dealii::Point<3>> markers = sphere.surface(0.7 * cell).vertices;
+    for (const double side : {1., -1.})
+    {
+      places.push_back(sphere.places_facing(dealii::Tensor<1, 3>({0., 0., side}), 0.7 * cell));
+      markers.insert(markers.end(), places.back().begin(), places.back().end());
+    }
+    body = mpm::make_solid("ball", sphere, constitutive::create_law<3>(law, prm), 1., mpm::Settings(), *shape,
+                           lattice, markers, store);
+  }
+
+  static softgrain::mpm::PointNeeds needs()
+  {
+    softgrain::mpm::PointNeeds needs;
+    needs.velocity = false;
+    return needs;
+  }
+
+  softgrain::mpm::Lattice<3> lattice;
+  std::unique_ptr<softgrain::mpm::ShapeFunction> shape;
+  softgrain::Sphere sphere;
+  std::vector<std::vector<dealii::Point<3>>> places;
+  softgrain::mpm::PointStore<3> store;
+  softgrain::mpm::Body<3> body;
+};
+
+#endif
