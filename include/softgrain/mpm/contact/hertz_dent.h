@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_hertz_dent_h
+#define softgrain_mpm_contact_hertz_dent_h
+
+namespace softgrain::mpm
+{
+/**
+ * @brief By how much a round body comes nearer to a wall than its grid says: the dent of a contact that is
+ * narrower than a cell.
+ *
+ * Hertz's contact of radius a = (3 F R / 4 E*)^(1/3) gives way by a²/R. A grid with cells of edge h spreads
+ * the force over about a cell, and shows β F / (E* h) of that. What is left is
+ * δ = F / (E* h) (3 h / 4 a - β), as long as it is positive. β was measured against finite elements, with
+ * B-splines: .89 where a grid line goes through the middle of the contact, 1.34 in the middle of a cell; one
+ * mean is used. Below a force whose contact is a twentieth of a cell wide the dent is linear, so that its
+ * slope stays finite.
+ */
+class HertzDent
+{
+public:
+  /// No dent.
+  HertzDent() = default;
+  /// @param modulus E/(1 - ν²) [Pa]
+  HertzDent(const double modulus, const double radius, const double cell_size);
+
+  /// δ for a force, not negative [m].
+  double operator()(double force) const;
+  /// dδ/dF [m/N]
+  double slope(double force) const;
+  /// Work of a force on the way to it [J]; below zero when the contact is wide, for δ falls again.
+  double energy(double force) const;
+
+private:
+  double modulus = 0., radius = 0., cell_size = 0., smallest = 0., of_smallest = 0.;
+};
+} // namespace softgrain::mpm
+
+#endif
