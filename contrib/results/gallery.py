@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 import sys
 
+import sphere_between_plates
 from running import PARAMETERS, RunFailed, run
 
 # How a scene is drawn, where `softgrain render` does not choose it well by itself.
@@ -24,6 +25,9 @@ DRAWING = {
 def draw(program, folder, picture):
     """The picture of one run, small enough for a page."""
     picture.parent.mkdir(parents=True, exist_ok=True)
+    if picture.stem == "sphere_between_plates":  # `softgrain render` draws the plane alone
+        sphere_between_plates.draw(folder, picture)
+        return
     subprocess.run([program, "render", folder, "--output", picture, "--width", "4.5", "--dpi", "110",
                     *DRAWING.get(picture.stem, [])], check=True, stdout=subprocess.DEVNULL)
 

@@ -97,8 +97,8 @@ def usual_columns(curves):
     common = [name for name in tables[0] if all(name in table for table in tables)]
     if "bottom_force_N_per_m" in common:
         return ["bottom_force_N_per_m"]
-    columns = [name for name in common if re.search(r"(?<!normal)_force_N_per_m$", name)]
-    columns = columns or [name for name in common if name.endswith("_energy_J_per_m")]
+    columns = [name for name in common if re.search(r"(?<!normal)_force_N(_per_m)?$", name)]
+    columns = columns or [name for name in common if name.endswith(("_energy_J_per_m", "_energy_J"))]
     if not columns:
         raise InputError("the runs have neither a wall's force nor an energy in common: choose with --y among " +
                          (", ".join(common) or "their columns, of which they share none"))

@@ -171,6 +171,8 @@ class Run:
 
     def for_pictures(self):
         """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
+        if os.path.exists(self.path("parameters.prm")) and str(self.parameters.get("Dimension", "2")) == "3":
+            raise InputError(f"{self.directory} has a scene in space ('Dimension' = '3'), which is not drawn: open its fields.pvd in ParaView")
         if self.source == "snapshots" and os.path.exists(self.path("fields.pvd")) and len(self.fields):
             return self.fields
         if self.source is None:

@@ -5,9 +5,16 @@
 
 namespace softgrain
 {
-double wall_position(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal)
+template <int dim>
+double wall_position(const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &normal)
 {
-  const unsigned int axis = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
-  return std::abs(normal[axis]) > 1. - 1e-12 ? point[axis] : (point - dealii::Point<2>()) * normal;
+  unsigned int axis = dim - 1;
+  for (unsigned int d = dim - 1; d-- > 0;)
+    if (std::abs(normal[d]) > std::abs(normal[axis]))
+      axis = d;
+  return std::abs(normal[axis]) > 1. - 1e-12 ? point[axis] : (point - dealii::Point<dim>()) * normal;
 }
+
+template double wall_position<2>(const dealii::Point<2> &, const dealii::Tensor<1, 2> &);
+template double wall_position<3>(const dealii::Point<3> &, const dealii::Tensor<1, 3> &);
 } // namespace softgrain

@@ -28,6 +28,24 @@ std::string interval_in_words(const double interval, const double end_time)
   return text;
 }
 
+template <int dim>
+std::vector<std::string> walls_of(const Scene<dim> &scene)
+{
+  std::vector<std::string> names;
+  for (const WallDescription<dim> &wall : scene.walls)
+    names.push_back(wall.name);
+  return names;
+}
+
+template <int dim>
+std::vector<std::string> materials_of(const Scene<dim> &scene)
+{
+  std::vector<std::string> names;
+  for (const MaterialDescription &material : scene.materials)
+    names.push_back(material.name + " (" + material.law + ")");
+  return names;
+}
+
 /// [bytes]
 double memory_of_machine()
 {
@@ -87,18 +105,17 @@ void print_check_report(std::ostream &out,
                         const Input &input,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
-                        const Model<2> *model,
+                        const AnyModel *model,
                         const Trial *trial,
                         const unsigned int n_ranks)
 {
   const Scene<2> &scene = input.scene();
   const RunParameters &run = input.run();
-  std::vector<std::string> walls;
-  for (const WallDescription<2> &wall : scene.walls)
-    walls.push_back(wall.name);
-  std::vector<std::string> materials;
-  for (const MaterialDescription &material : scene.materials)
-    materials.push_back(material.name + " (" + material.law + ")");
+  const bool in_space = input.dimension() == 3;
+  const std::vector<std::string> walls = in_space ? walls_of(input.scene_in<3>()) : walls_of(scene),
+                                 materials =
+                                     in_space ? materials_of(input.scene_in<3>()) : materials_of(scene);
+  const double end_time = in_space ? input.scene_in<3>().end_time : scene.end_time;
 
   SizeReport report = {
       {"model", run.model},
@@ -106,8 +123,8 @@ void print_check_report(std::ostream &out,
       {"walls", join(walls)},
       {"ends at", input.stop().empty() ? "the end of the last stage" : input.stop().in_words()},
       {"results in", run.output_directory},
-      {"pictures", interval_in_words(run.fields_every, scene.end_time)},
-      {"snapshots", interval_in_words(run.snapshots_every, scene.end_time)}};
+      {"pictures", interval_in_words(run.fields_every, end_time)},
+      {"snapshots", interval_in_words(run.snapshots_every, end_time)}};
   for (std::size_t n = 0; n < input.stages().size(); ++n)
     report.emplace_back("stage " + input.stages()[n].name,
                         input.stages()[n].stop.empty() ? "until the run ends"

@@ -224,8 +224,12 @@ int CommandLine::execute()
 namespace
 {
 /// @throw InputError for a model that one rank alone can run
-void check_works_on_ranks(const std::string &model, const unsigned int n_ranks)
+void check_works_on_ranks(const Input &input, const unsigned int n_ranks)
 {
+  const std::string model = input.run().model;
+  if (input.dimension() == 3)
+    throw InputError("'Dimension' = '3' runs on one rank, not on " + std::to_string(n_ranks) +
+                     ": leave mpirun out and choose the number of threads with --threads");
   if (!Registry<ModelFactory>::instance().create(model)->works_on_ranks())
     throw InputError("'Model' = '" + model + "' runs on one rank, not on " + std::to_string(n_ranks) +
                      ": leave mpirun out and choose the number of threads with --threads");
@@ -242,13 +246,26 @@ std::unique_ptr<Input> CommandLine::read_input() const
         input = std::make_unique<Input>(parameter_file, assignments,
                                         no_libraries ? Input::Libraries::leave_out : Input::Libraries::load);
         if (!ranks.alone())
-          check_works_on_ranks(input->run().model, ranks.number());
+          check_works_on_ranks(*input, ranks.number());
       });
   // With several ranks deal.II has shared the cores of a machine out already.
   if (ranks.alone() || input->run().threads != 0)
     set_n_threads(input->run().threads);
   return input;
 }
+
+namespace
+{
+/// A model is driven to its end. @return whether it came there
+template <int dim, class Prepare>
+bool drive(const Input &input, Model<dim> &model, const RunLock &lock, const Prepare &prepare)
+{
+  std::ostream silence(nullptr);
+  Simulation<dim> simulation(input, model, lock, Ranks().first() ? std::cout : silence);
+  prepare(simulation);
+  return simulation.run() == "completed";
+}
+} // namespace
 
 bool CommandLine::run() const
 {
@@ -293,25 +310,27 @@ bool CommandLine::run() const
   // A run that goes on has written its packing when it began.
   if (!restart)
     ranks.at_first([&]() { input.save_packing(overwrite); });
-  const std::unique_ptr<Model<2>> created = input.create_model(state.get());
-  std::ostream silence(nullptr);
-  Simulation simulation(input, *created, lock, ranks.first() ? std::cout : silence);
-  if (forecast)
+  const auto prepare = [&](auto &simulation)
   {
-    SizeReport expected = {{"friction", friction_in_words(input.scene())}};
-    const SizeReport cost = cost_report(*outline, *forecast, slowness_of_machine());
-    expected.insert(expected.end(), cost.begin(), cost.end());
-    for (const std::string &warning : forecast->warnings)
-      expected.emplace_back("warning", warning);
-    simulation.expect(expected);
-  }
-  if (outline)
-    simulation.expect_stages(outline->stages);
-  if (goes_on)
-    simulation.restart(*state, state_file, changes);
-  else if (restart)
-    simulation.say("there is no checkpoint in " + folder + " yet: the run begins again at its start");
-  return simulation.run() == "completed";
+    if (forecast)
+    {
+      SizeReport expected = {{"friction", friction_in_words(input.scene())}};
+      const SizeReport cost = cost_report(*outline, *forecast, slowness_of_machine());
+      expected.insert(expected.end(), cost.begin(), cost.end());
+      for (const std::string &warning : forecast->warnings)
+        expected.emplace_back("warning", warning);
+      simulation.expect(expected);
+    }
+    if (outline)
+      simulation.expect_stages(outline->stages);
+    if (goes_on)
+      simulation.restart(*state, state_file, changes);
+    else if (restart)
+      simulation.say("there is no checkpoint in " + folder + " yet: the run begins again at its start");
+  };
+  if (input.dimension() == 3)
+    return drive(input, *input.create_model_in_space(), lock, prepare);
+  return drive(input, *input.create_model(state.get()), lock, prepare);
 }
 
 void CommandLine::check() const
@@ -320,7 +339,7 @@ void CommandLine::check() const
   const std::unique_ptr<Input> read = read_input();
   Input &input = *read;
   if (n_ranks > 1)
-    check_works_on_ranks(input.run().model, n_ranks);
+    check_works_on_ranks(input, n_ranks);
   if (!input.unknown_names().empty())
   {
     if (Ranks().first())
@@ -330,13 +349,18 @@ void CommandLine::check() const
   std::optional<RunOutline> outline = outline_of(input);
   std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
   std::optional<Trial> trial;
+  if (trial_seconds > 0. && input.dimension() == 3)
+    throw InputError(
+        "'--try' is not allowed with 'Dimension' = '3': what a run takes is foretold in the plane");
   if (trial_seconds > 0. && !Ranks().alone())
     throw InputError("'--try' works on one rank: leave mpirun out");
   if (trial_seconds > 0.)
     trial = try_out(input, outline, forecast, trial_seconds);
-  std::unique_ptr<Model<2>> model;
+  std::unique_ptr<AnyModel> model;
   // What is built in a moment is built: that finds more mistakes.
-  if (build || !forecast || forecast->is_soon_built())
+  if (input.dimension() == 3)
+    model = input.create_model_in_space();
+  else if (build || !forecast || forecast->is_soon_built())
     model = input.model_to_look_at();
   if (Ranks().first())
     print_check_report(std::cout, input, outline, forecast, model.get(), trial ? &*trial : nullptr, n_ranks);

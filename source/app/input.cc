@@ -12,6 +12,7 @@
 #include <softgrain/scene/material_parameters.h>
 #include <softgrain/scene/packing_parameters.h>
 #include <softgrain/scene/scene_checks.h>
+#include <softgrain/scene/space_checks.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -57,6 +58,16 @@ const std::vector<std::string> &path_parameters()
   return list;
 }
 
+/// Where the bodies are: what else the file may contain depends on it, too.
+unsigned int dimension_of(const ParameterFile &file)
+{
+  const std::string dimension = file.value({}, "Dimension", "2");
+  if (dimension != "2" && dimension != "3")
+    throw InputError(file.where({}, "Dimension") + ": 'Dimension' = '" + dimension +
+                     "' is not allowed: it must be 2 or 3");
+  return dimension == "3" ? 3 : 2;
+}
+
 /// The lists that say what else the file may contain; without them nothing more can be read.
 SceneNames names_of(const ParameterFile &file, Mistakes &mistakes)
 {
@@ -91,6 +102,7 @@ Input::Input(const std::string &file_name,
   const std::vector<std::string> named =
       dealii::Utilities::split_string_list(file.value({}, "Additional shared libraries", ""));
   std::string model;
+  unsigned int dimension = 2;
   SceneNames names;
   const bool known = mistakes.attempt(
       [&]()
@@ -101,10 +113,13 @@ Input::Input(const std::string &file_name,
           libraries_left_out = named;
         names = names_of(file, mistakes);
         model = model_of(file);
+        dimension = dimension_of(file);
       });
   if (!known)
     mistakes.end();
-  declare_all_parameters(prm, model, names);
+  declare_all_parameters(prm, model, names, dimension);
+  if (dimension == 3)
+    space.emplace();
   file.apply(prm, mistakes, libraries_left_out.empty() ? nullptr : &unknown);
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
   parse_sections(names, *factory, mistakes);
@@ -116,7 +131,15 @@ Input::Input(const std::string &file_name,
 void Input::parse_sections(const SceneNames &names, const ModelFactory &factory, Mistakes &mistakes)
 {
   Mistakes found;
-  found.attempt([&]() { described_scene = SceneParameters(names, factory.laws()).parse_parameters(prm); });
+  found.attempt(
+      [&]()
+      {
+        const SceneParameters parameters(names, factory.laws(), dimension());
+        if (space)
+          space = parameters.parse_parameters_in_space(prm);
+        else
+          described_scene = parameters.parse_parameters(prm);
+      });
   // A file with other mistakes need not have got as far as its end.
   const bool may_have_no_end = !names.stages.empty() || !mistakes.empty() || !found.empty();
   const bool ends =
@@ -124,6 +147,8 @@ void Input::parse_sections(const SceneNames &names, const ModelFactory &factory,
       found.attempt([&]()
                     { described_stages.parse_parameters(prm, names.stages, names.walls, stop_conditions); });
   described_scene.end_time = end_time();
+  if (space)
+    space->end_time = end_time();
   // Without an end because of another mistake: any time will do, so that there is no complaint about it.
   const double end = ends ? described_scene.end_time : 1.;
   found.attempt([&]() { run_parameters.parse_parameters(prm, file.file_name(), end); });
@@ -137,6 +162,15 @@ void Input::check_all(const ModelFactory &factory)
   try
   {
     Mistakes mistakes;
+    if (space)
+    {
+      mistakes.attempt([&]() { check_scene_in_space(*space, parameter_tree(prm)); });
+      mistakes.attempt([&]() { stop_conditions.check_in_space(); });
+      mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
+      mistakes.end();
+      factory.check_in_space(*space, prm);
+      return;
+    }
     mistakes.attempt([&]() { check_scene(described_scene); });
     mistakes.attempt([&]() { check_history_columns(described_scene); });
     mistakes.attempt([&]() { stop_conditions.check(described_scene); });
@@ -260,7 +294,7 @@ double Input::end_time() const
 
 void Input::complete_scene()
 {
-  if (is_complete)
+  if (is_complete || space)
     return;
   try
   {
@@ -287,6 +321,18 @@ std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
         Registry<ModelFactory>::instance().create(run_parameters.model);
     return state == nullptr ? factory->create(described_scene, prm)
                             : factory->create_again(described_scene, prm, *state);
+  }
+  catch (const InputError &error)
+  {
+    throw_located(error);
+  }
+}
+
+std::unique_ptr<Model<3>> Input::create_model_in_space()
+{
+  try
+  {
+    return Registry<ModelFactory>::instance().create(run_parameters.model)->create_in_space(*space, prm);
   }
   catch (const InputError &error)
   {
@@ -331,7 +377,8 @@ std::vector<std::string> Input::check_restart(const StateReader &checkpoint,
     changeable.push_back(pattern);
   try
   {
-    return check_description(checkpoint, effective_parameters(), described_scene, changeable);
+    return space ? check_description(checkpoint, effective_parameters(), *space, changeable)
+                 : check_description(checkpoint, effective_parameters(), described_scene, changeable);
   }
   catch (const InputError &error)
   {
@@ -377,11 +424,14 @@ std::string Input::effective_parameters() const
   return text.str();
 }
 
-void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &model, const SceneNames &names)
+void declare_all_parameters(dealii::ParameterHandler &prm,
+                            const std::string &model,
+                            const SceneNames &names,
+                            const unsigned int dimension)
 {
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
   RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
-  SceneParameters(names, factory->laws()).declare_parameters(prm);
+  SceneParameters(names, factory->laws(), dimension).declare_parameters(prm);
   StopConditions::declare_parameters(prm);
   Stages::declare_parameters(prm, names.stages, names.walls);
   factory->declare_parameters(prm);

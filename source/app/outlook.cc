@@ -127,6 +127,8 @@ bool go(WallsAlone &model, const double longest, const Part &part)
 
 std::optional<RunOutline> outline_of(Input &input)
 {
+  if (input.dimension() == 3)
+    return std::nullopt; // costs are known of the plane alone
   std::optional<Crowd> crowd = input.crowd();
   if (!crowd)
     return std::nullopt;
@@ -135,7 +137,7 @@ std::optional<RunOutline> outline_of(Input &input)
   outline.to_pack = input.scene().packing.method != nullptr;
   WallsAlone model(input.scene(), input.solid_area(outline.crowd));
   const std::vector<WallState<2>> start = model.walls();
-  StagePath path(input.stages(), model, input.scene().gravity);
+  StagePath<2> path(input.stages(), model, input.scene().gravity);
   path.begin();
   bool known = true;
   const StopConditions &stop = input.stop();

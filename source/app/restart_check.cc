@@ -2,7 +2,7 @@
 #include <softgrain/app/restart_check.h>
 #include <softgrain/app/stage_path.h>
 #include <softgrain/base/exceptions.h>
-#include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/scene/wall_drive.h>
@@ -108,19 +108,23 @@ changeable_stages(const std::size_t n_begun, const Parameters &before, const Par
 }
 
 /// Every number that places or shapes a body, in a row, and how many they are.
-std::vector<double> numbers_of(const BodyDescription<2> &body)
+template <int dim>
+std::vector<double> numbers_of(const BodyDescription<dim> &body)
 {
   const std::vector<double> shape = body.shape->numbers();
-  std::vector<double> numbers = {static_cast<double>(body.material), body.center[0], body.center[1],
-                                 static_cast<double>(shape.size())};
+  std::vector<double> numbers = {static_cast<double>(body.material)};
+  for (unsigned int d = 0; d < dim; ++d)
+    numbers.push_back(body.center[d]);
+  numbers.push_back(static_cast<double>(shape.size()));
   numbers.insert(numbers.end(), shape.begin(), shape.end());
   return numbers;
 }
 
-std::vector<double> numbers_of(const std::vector<BodyDescription<2>> &bodies)
+template <int dim>
+std::vector<double> numbers_of(const std::vector<BodyDescription<dim>> &bodies)
 {
   std::vector<double> numbers;
-  for (const BodyDescription<2> &body : bodies)
+  for (const BodyDescription<dim> &body : bodies)
   {
     const std::vector<double> more = numbers_of(body);
     numbers.insert(numbers.end(), more.begin(), more.end());
@@ -128,15 +132,17 @@ std::vector<double> numbers_of(const std::vector<BodyDescription<2>> &bodies)
   return numbers;
 }
 
-std::string names_of(const std::vector<BodyDescription<2>> &bodies)
+template <int dim>
+std::string names_of(const std::vector<BodyDescription<dim>> &bodies)
 {
   std::string names;
-  for (const BodyDescription<2> &body : bodies)
+  for (const BodyDescription<dim> &body : bodies)
     names += body.name + "\n";
   return names;
 }
 
-void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2>> &bodies)
+template <int dim>
+void check_bodies(const StateReader &reader, const std::vector<BodyDescription<dim>> &bodies)
 {
   const std::string names = reader.read_text(names_name);
   const std::size_t n_old = std::count(names.begin(), names.end(), '\n');
@@ -148,7 +154,7 @@ void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2
     throw InputError("the bodies have other names than those of the checkpoint; see 'Bodies/Names'");
   const std::vector<double> numbers = reader.read_doubles(bodies_name, ListSize::rows_of(1));
   std::size_t at = 0;
-  for (const BodyDescription<2> &body : bodies)
+  for (const BodyDescription<dim> &body : bodies)
     for (const double number : numbers_of(body))
       if (at >= numbers.size() || numbers[at++] != number)
         throw InputError("body '" + body.name +
@@ -159,7 +165,8 @@ void check_bodies(const StateReader &reader, const std::vector<BodyDescription<2
 }
 } // namespace
 
-void save_description(StateWriter &writer, const std::string &effective_parameters, const Scene<2> &scene)
+template <int dim>
+void save_description(StateWriter &writer, const std::string &effective_parameters, const Scene<dim> &scene)
 {
   writer.write(parameters_name, effective_parameters);
   writer.write(names_name, names_of(scene.bodies));
@@ -190,14 +197,15 @@ std::vector<std::string> changeable_in_every_model()
   return patterns;
 }
 
+template <int dim>
 std::vector<std::string> check_description(const StateReader &reader,
                                            const std::string &effective_parameters,
-                                           const Scene<2> &scene,
+                                           const Scene<dim> &scene,
                                            std::vector<std::string> changeable)
 {
   const Parameters before = parameters_of(reader.read_text(parameters_name)),
                    now = parameters_of(effective_parameters);
-  for (const std::string &pattern : changeable_stages(StagePath::number_begun(reader), before, now))
+  for (const std::string &pattern : changeable_stages(number_of_stages_begun(reader), before, now))
     changeable.push_back(pattern);
   Parameters all = before;
   all.insert(now.begin(), now.end());
@@ -230,4 +238,11 @@ std::vector<std::string> check_description(const StateReader &reader,
   check_bodies(reader, scene.bodies);
   return changes;
 }
+
+template void save_description<2>(StateWriter &, const std::string &, const Scene<2> &);
+template void save_description<3>(StateWriter &, const std::string &, const Scene<3> &);
+template std::vector<std::string>
+check_description<2>(const StateReader &, const std::string &, const Scene<2> &, std::vector<std::string>);
+template std::vector<std::string>
+check_description<3>(const StateReader &, const std::string &, const Scene<3> &, std::vector<std::string>);
 } // namespace softgrain

@@ -62,6 +62,10 @@ void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std:
   prm.declare_entry("Model", has_mpm || models.empty() ? (models.empty() ? "" : "mpm") : models.front(),
                     Selection(choice),
                     "How the bodies are computed: mpm, material points; bpm, bonded particles. Units: none.");
+  prm.declare_entry(
+      "Dimension", "2", Integer(2, 3),
+      "2: bodies lie in the plane, and all is per metre of thickness; 3: they are in space, where "
+      "few scenes can be computed so far (doc/three-dimensions.md). Units: none.");
   prm.declare_entry("Fidelity", "standard", Selection("draft|standard|reference"),
                     "What the parameters on which accuracy and cost depend most are set to where this file "
                     "does not set them: cells and steps (doc/results/trade.md). Units: none.");

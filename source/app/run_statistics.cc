@@ -19,7 +19,7 @@ namespace
 const char *const state_name = "driver/statistics", *const processor_name = "driver/processor_seconds";
 } // namespace
 
-RunStatistics::RunStatistics(const Model<2> &model) : begin(std::chrono::steady_clock::now())
+RunStatistics::RunStatistics(const AnyModel &model) : begin(std::chrono::steady_clock::now())
 {
   const Energies energies = model.energies();
   energy_at_start = energies.kinetic + energies.elastic;
@@ -66,7 +66,7 @@ double RunStatistics::processor_time() const
   return earlier_processor_seconds + processor_seconds();
 }
 
-Summary RunStatistics::summary(const std::string &status, const Model<2> &model) const
+Summary RunStatistics::summary(const std::string &status, const AnyModel &model) const
 {
   Summary summary;
   summary.status = status;

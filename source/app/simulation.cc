@@ -21,14 +21,28 @@ namespace softgrain
 {
 namespace
 {
+/// What measures need to know, which are taken in the plane alone.
+std::optional<double> friction_of(const Scene<2> &scene)
+{
+  return uniform_friction(scene);
+}
+std::optional<double> friction_of(const Scene<3> &)
+{
+  return std::nullopt;
+}
+
 double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 } // namespace
 
-Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &terminal)
-    : scene(input.scene())
+template <int dim>
+Simulation<dim>::Simulation(const Input &input,
+                            Model<dim> &model,
+                            const RunLock &lock,
+                            std::ostream &terminal)
+    : scene(input.scene_in<dim>())
     , stop(input.stop())
     , model(model)
     , parameters(input.run())
@@ -41,7 +55,7 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
     , history(parameters.output_directory)
     , fields(parameters.output_directory, parameters.fields)
     , snapshots(parameters.output_directory, parameters.snapshots)
-    , measures(parameters.measures, uniform_friction(scene))
+    , measures(parameters.measures, friction_of(scene))
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
@@ -50,9 +64,10 @@ Simulation::Simulation(const Input &input, Model<2> &model, const RunLock &lock,
 {
 }
 
-void Simulation::restart(CheckpointReader &checkpoint,
-                         const std::string &file_name,
-                         const std::vector<std::string> &changes)
+template <int dim>
+void Simulation<dim>::restart(CheckpointReader &checkpoint,
+                              const std::string &file_name,
+                              const std::vector<std::string> &changes)
 {
   path.load(checkpoint);
   model.load(checkpoint);
@@ -61,7 +76,7 @@ void Simulation::restart(CheckpointReader &checkpoint,
   field_schedule.skip_to(model.time(), planner.slack());
   snapshot_schedule.skip_to(model.time(), planner.slack());
   seen = load_stop_memory(checkpoint, stop_seen_name);
-  ranks.together([&]() { waiting = WaitingOutput::load(checkpoint, ranks.first()); });
+  ranks.together([&]() { waiting = WaitingOutput<dim>::load(checkpoint, ranks.first()); });
   step_of_start = model.step();
   ranks.at_first([this]() { resume_files(); });
   restarted = true;
@@ -70,7 +85,8 @@ void Simulation::restart(CheckpointReader &checkpoint,
   log.both() << "going on from " << file_name << ", step " << model.step() << '\n';
 }
 
-void Simulation::resume_files()
+template <int dim>
+void Simulation<dim>::resume_files()
 {
   // What has been written of this state and is not due at it gives way to what comes.
   const double time = model.time(), before = std::nextafter(time, -std::numeric_limits<double>::infinity());
@@ -82,14 +98,16 @@ void Simulation::resume_files()
   {
     measure_table.resume(model.step(), measure_columns(measures.measures()), waiting.written.measures);
     remember_snapshots(measures, parameters.output_directory, until);
-    if (waiting.snapshot && waiting.parts.snapshots)
-      measures.remember(*waiting.snapshot);
+    if constexpr (dim == 2)
+      if (waiting.snapshot && waiting.parts.snapshots)
+        measures.remember(*waiting.snapshot);
   }
   remove_unfinished_files(parameters.output_directory);
   log.open(parameters.output_directory, true);
 }
 
-std::string Simulation::run()
+template <int dim>
+std::string Simulation<dim>::run()
 {
   const InterruptGuard interrupt;
   try
@@ -126,7 +144,8 @@ std::string Simulation::run()
   }
 }
 
-std::string Simulation::cause_of(const ComputationError &error) const
+template <int dim>
+std::string Simulation<dim>::cause_of(const ComputationError &error) const
 {
   // A folder may be lost between any two of its files. Whichever file missed it first, this is what happened.
   try
@@ -140,7 +159,8 @@ std::string Simulation::cause_of(const ComputationError &error) const
   }
 }
 
-std::string Simulation::save_after_failure(const std::string &message)
+template <int dim>
+std::string Simulation<dim>::save_after_failure(const std::string &message)
 {
   std::string text;
   try
@@ -171,7 +191,8 @@ std::string Simulation::save_after_failure(const std::string &message)
   return text;
 }
 
-void Simulation::note_failure()
+template <int dim>
+void Simulation<dim>::note_failure()
 {
   if (!ranks.first() || !has_begun)
     return;
@@ -187,7 +208,8 @@ void Simulation::note_failure()
   }
 }
 
-void Simulation::start_files()
+template <int dim>
+void Simulation<dim>::start_files()
 {
   const std::filesystem::path folder = parameters.output_directory;
   ranks.at_first(
@@ -213,7 +235,8 @@ void Simulation::start_files()
   write_waiting();
 }
 
-std::string Simulation::loop()
+template <int dim>
+std::string Simulation<dim>::loop()
 {
   progress.start();
   if (path.was_at_end_of_stage() && !finished() && next_stage_is_due())
@@ -248,7 +271,8 @@ std::string Simulation::loop()
   return finished() ? "completed" : "interrupted";
 }
 
-StepReport Simulation::take_step()
+template <int dim>
+StepReport Simulation<dim>::take_step()
 {
   const StepPlanner planner_before = planner;
   const StopMemory seen_before = seen, seen_in_stage = path.memory();
@@ -273,24 +297,28 @@ StepReport Simulation::take_step()
   }
 }
 
-double Simulation::next_target() const
+template <int dim>
+double Simulation<dim>::next_target() const
 {
   const double end = stop.end_time() > 0 ? stop.end_time() : std::numeric_limits<double>::infinity();
   const double end_of_stage = path.end_time() > 0 ? path.end_time() : std::numeric_limits<double>::infinity();
   return std::min({end, end_of_stage, field_schedule.next(), snapshot_schedule.next()});
 }
 
-bool Simulation::finished(const double of_run) const
+template <int dim>
+bool Simulation<dim>::finished(const double of_run) const
 {
   return of_run >= 1. || (!path.empty() && path.is_last() && path.stage_is_done(planner.slack()));
 }
 
-double Simulation::run_done() const
+template <int dim>
+double Simulation<dim>::run_done() const
 {
   return stop.fraction_done(run_state(), seen);
 }
 
-double Simulation::fraction_done() const
+template <int dim>
+double Simulation<dim>::fraction_done() const
 {
   const double of_run = run_done();
   if (finished(of_run))
@@ -298,24 +326,28 @@ double Simulation::fraction_done() const
   return path.empty() ? of_run : path.fraction_done(planner.slack(), of_run);
 }
 
-RunState Simulation::run_state() const
+template <int dim>
+RunStateIn<dim> Simulation<dim>::run_state() const
 {
   return {model, walls_at_start, planner.slack(), 0., scene.gravity, nullptr, stop.end_time() > 0.};
 }
 
-void Simulation::settle_if_written(StepReport &report)
+template <int dim>
+void Simulation<dim>::settle_if_written(StepReport &report)
 {
   if (model.step() % parameters.history_every == 0 || field_schedule.due(model.time(), planner.slack()) ||
       snapshot_schedule.due(model.time(), planner.slack()) || finished() || next_stage_is_due())
     model.settle(report);
 }
 
-bool Simulation::next_stage_is_due() const
+template <int dim>
+bool Simulation<dim>::next_stage_is_due() const
 {
   return !path.is_last() && path.stage_is_done(planner.slack());
 }
 
-void Simulation::end_stage()
+template <int dim>
+void Simulation<dim>::end_stage()
 {
   if (waiting.parts.stage)
   {
@@ -333,7 +365,8 @@ void Simulation::end_stage()
   begin_next_stage();
 }
 
-void Simulation::begin_next_stage()
+template <int dim>
+void Simulation<dim>::begin_next_stage()
 {
   const std::string ended = path.name();
   path.next(run_done());
@@ -342,4 +375,7 @@ void Simulation::begin_next_stage()
              << " begins\n";
   write_checkpoint();
 }
+
+template class Simulation<2>;
+template class Simulation<3>;
 } // namespace softgrain

@@ -20,9 +20,26 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
+
+void add_to_row(const std::vector<ObstacleState<2>> &obstacles, HistoryRow &row)
+{
+  for (const ObstacleState<2> &obstacle : obstacles)
+  {
+    row.emplace_back(obstacle.name + "_x_m", obstacle.pivot[0]);
+    row.emplace_back(obstacle.name + "_y_m", obstacle.pivot[1]);
+    row.emplace_back(obstacle.name + "_angle_rad", obstacle.angle);
+    row.emplace_back(obstacle.name + "_force_x_N_per_m", obstacle.force[0]);
+    row.emplace_back(obstacle.name + "_force_y_N_per_m", obstacle.force[1]);
+    row.emplace_back(obstacle.name + "_torque_N", obstacle.torque);
+  }
+}
+
+/// Obstacles are lines of the plane.
+void add_to_row(const std::vector<ObstacleState<3>> &, HistoryRow &) {}
 } // namespace
 
-OutputParts Simulation::all_parts() const
+template <int dim>
+OutputParts Simulation<dim>::all_parts() const
 {
   OutputParts parts;
   parts.history = true;
@@ -32,7 +49,8 @@ OutputParts Simulation::all_parts() const
   return parts;
 }
 
-void Simulation::write_due_output()
+template <int dim>
+void Simulation<dim>::write_due_output()
 {
   waiting = {}; // of the state before
   const bool stage_ends = next_stage_is_due();
@@ -53,7 +71,8 @@ void Simulation::write_due_output()
   write_waiting();
 }
 
-void Simulation::write_last_state()
+template <int dim>
+void Simulation<dim>::write_last_state()
 {
   // A run that has made no step has found this state in its folder, or written it at its start.
   if (model.step() == step_of_start || last_state_tried)
@@ -77,50 +96,48 @@ void Simulation::write_last_state()
   }
   catch (...)
   {
-    waiting = WaitingOutput(); // it was not due
+    waiting = WaitingOutput<dim>(); // it was not due
     waiting.written = there;
     throw;
   }
 }
 
-Energies Simulation::note_energies()
+template <int dim>
+Energies Simulation<dim>::note_energies()
 {
   const Energies energies = model.energies();
   statistics.add_energies(energies, model.energy_of_rounding());
   return energies;
 }
 
-HistoryRow Simulation::history_row(const Energies &energies) const
+template <int dim>
+HistoryRow Simulation<dim>::history_row(const Energies &energies) const
 {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<WallState<2>> walls = model.walls();
+  const std::string per_metre = dim == 2 ? "_per_m" : "";
+  const std::vector<WallState<dim>> walls = model.walls();
   HistoryRow row = {
       {"time_s", model.time()}, {"step", static_cast<double>(model.step())}, {"dt_s", last_report.dt}};
-  for (const WallState<2> &wall : walls)
+  for (const WallState<dim> &wall : walls)
   {
     row.emplace_back(wall.name + "_position_m", wall.position);
-    row.emplace_back(wall.name + "_force_N_per_m", wall.normal_force);
+    row.emplace_back(wall.name + "_force_N" + per_metre, wall.normal_force);
   }
-  for (const ObstacleState<2> &obstacle : model.obstacles())
-  {
-    row.emplace_back(obstacle.name + "_x_m", obstacle.pivot[0]);
-    row.emplace_back(obstacle.name + "_y_m", obstacle.pivot[1]);
-    row.emplace_back(obstacle.name + "_angle_rad", obstacle.angle);
-    row.emplace_back(obstacle.name + "_force_x_N_per_m", obstacle.force[0]);
-    row.emplace_back(obstacle.name + "_force_y_N_per_m", obstacle.force[1]);
-    row.emplace_back(obstacle.name + "_torque_N", obstacle.torque);
-  }
+  add_to_row(model.obstacles(), row);
   if (!path.empty())
     row.emplace_back("stage", path.number() + 1.);
-  row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
-  // Where there is no box to be filled, nobody need know what fills it.
-  row.emplace_back("packing_fraction",
-                   box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
+  if constexpr (dim == 2)
+  {
+    row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
+    // Where there is no box to be filled, nobody need know what fills it.
+    row.emplace_back("packing_fraction",
+                     box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
+  }
   row.emplace_back("coordination", step_given_up ? nothing : model.coordination());
-  row.emplace_back("kinetic_energy_J_per_m", energies.kinetic);
-  row.emplace_back("elastic_energy_J_per_m", energies.elastic);
-  row.emplace_back("dissipated_energy_J_per_m", energies.dissipated);
-  row.emplace_back("external_work_J_per_m", energies.external_work);
+  row.emplace_back("kinetic_energy_J" + per_metre, energies.kinetic);
+  row.emplace_back("elastic_energy_J" + per_metre, energies.elastic);
+  row.emplace_back("dissipated_energy_J" + per_metre, energies.dissipated);
+  row.emplace_back("external_work_J" + per_metre, energies.external_work);
   const HistoryRow works = model.works();
   row.insert(row.end(), works.begin(), works.end());
   row.emplace_back("contact_residual", last_report.contact_residual);
@@ -132,7 +149,8 @@ HistoryRow Simulation::history_row(const Energies &energies) const
   return row;
 }
 
-void Simulation::prepare_output(const OutputParts &parts, const Energies &energies)
+template <int dim>
+void Simulation<dim>::prepare_output(const OutputParts &parts, const Energies &energies)
 {
   const auto begin = std::chrono::steady_clock::now();
   waiting.parts = parts;
@@ -140,17 +158,21 @@ void Simulation::prepare_output(const OutputParts &parts, const Energies &energi
     waiting.history = line_of(history_row(energies));
   if (parts.fields || parts.snapshots)
     waiting.snapshot = model.snapshot();
-  if (parts.measures)
-    ranks.at_first([this]() { waiting.measures = line_of(measure_row(measures, *waiting.snapshot)); });
+  if constexpr (dim == 2)
+    if (parts.measures)
+      ranks.at_first([this]() { waiting.measures = line_of(measure_row(measures, *waiting.snapshot)); });
   statistics.add_output_seconds(seconds_since(begin));
 }
 
-void Simulation::write_waiting()
+template <int dim>
+void Simulation<dim>::write_waiting()
 {
   OutputParts &parts = waiting.parts, &written = waiting.written;
   if (!(parts.history || parts.fields || parts.snapshots || parts.measures))
     return;
   const auto begin = std::chrono::steady_clock::now();
+  if (parts.fields && dim == 3 && !waiting.snapshot)
+    waiting.snapshot = model.snapshot(); // of a state that was loaded
   // A part is noted as soon as it is on the disk; the others follow the first rank when all are.
   const auto done = [](bool &waits, bool &is_there)
   {
@@ -167,8 +189,9 @@ void Simulation::write_waiting()
         if (parts.fields)
           fields.write(*waiting.snapshot);
         done(parts.fields, written.fields);
-        if (parts.snapshots)
-          snapshots.append(*waiting.snapshot);
+        if constexpr (dim == 2)
+          if (parts.snapshots)
+            snapshots.append(*waiting.snapshot);
         done(parts.snapshots, written.snapshots);
         if (parts.measures)
           measure_table.write_line(waiting.measures);
@@ -182,7 +205,8 @@ void Simulation::write_waiting()
   statistics.add_output_seconds(seconds_since(begin));
 }
 
-void Simulation::write_state(const std::string &file)
+template <int dim>
+void Simulation<dim>::write_state(const std::string &file)
 {
   std::unique_ptr<CheckpointWriter> writer;
   ranks.at_first([&]() { writer = std::make_unique<CheckpointWriter>(file); });
@@ -206,7 +230,8 @@ void Simulation::write_state(const std::string &file)
       });
 }
 
-void Simulation::write_checkpoint()
+template <int dim>
+void Simulation<dim>::write_checkpoint()
 {
   const auto begin = std::chrono::steady_clock::now();
   ranks.at_first([this]() { lock.check_folder(); });
@@ -221,9 +246,13 @@ void Simulation::write_checkpoint()
   statistics.add_output_seconds(seconds_since(begin));
 }
 
-void Simulation::write_summary(const std::string &status)
+template <int dim>
+void Simulation<dim>::write_summary(const std::string &status)
 {
   ranks.at_first(
       [&]() { softgrain::write_summary(parameters.output_directory, statistics.summary(status, model)); });
 }
+
+template class Simulation<2>;
+template class Simulation<3>;
 } // namespace softgrain

@@ -14,7 +14,8 @@
 
 namespace softgrain
 {
-void Simulation::print_head()
+template <int dim>
+void Simulation<dim>::print_head()
 {
   log.both() << first_lines << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION
              << ", " << (ranks.alone() ? "" : std::to_string(ranks.number()) + " ranks, each with ")
@@ -26,7 +27,8 @@ void Simulation::print_head()
   log.both() << std::flush;
 }
 
-void Simulation::print_end(const std::string &status)
+template <int dim>
+void Simulation<dim>::print_end(const std::string &status)
 {
   const Summary summary = statistics.summary(status, model);
   log.both() << status << " at t = " << model.time() << " s after " << model.step() << " steps and "
@@ -60,7 +62,8 @@ void Simulation::print_end(const std::string &status)
   log.both() << std::flush;
 }
 
-void Simulation::print_ranks()
+template <int dim>
+void Simulation<dim>::print_ranks()
 {
   if (ranks.alone())
     return;
@@ -94,4 +97,7 @@ void print_size_report(std::ostream &out, const SizeReport &report)
   for (const auto &[name, value] : report)
     out << "  " << name << std::string(width - name.size() + 2, ' ') << value << '\n';
 }
+
+template class Simulation<2>;
+template class Simulation<3>;
 } // namespace softgrain

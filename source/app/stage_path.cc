@@ -17,7 +17,8 @@ const char *const state_name = "driver/stage", *const seen_name = "driver/stage_
                   *const run_done_name = "driver/run_done_at_stage", *const ended_name = "driver/stage_ended";
 }
 
-StagePath::StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity)
+template <int dim>
+StagePath<dim>::StagePath(const Stages &stages, Model<dim> &model, const dealii::Tensor<1, dim> &gravity)
     : stages(stages)
     , model(model)
     , gravity(gravity)
@@ -26,13 +27,15 @@ StagePath::StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor
 {
 }
 
-void StagePath::begin()
+template <int dim>
+void StagePath<dim>::begin()
 {
   if (!stages.empty())
     model.take_drives(stages[0].drives);
 }
 
-void StagePath::expect(const std::vector<double> &durations)
+template <int dim>
+void StagePath<dim>::expect(const std::vector<double> &durations)
 {
   if (durations.empty())
     return;
@@ -41,7 +44,8 @@ void StagePath::expect(const std::vector<double> &durations)
     expected = durations;
 }
 
-void StagePath::next(const double run_done)
+template <int dim>
+void StagePath<dim>::next(const double run_done)
 {
   ++current;
   begin_time = model.time();
@@ -51,23 +55,27 @@ void StagePath::next(const double run_done)
   model.take_drives(stages[current].drives);
 }
 
-RunState StagePath::state(const double slack) const
+template <int dim>
+RunStateIn<dim> StagePath<dim>::state(const double slack) const
 {
   return {model, walls_at_begin, slack, begin_time, gravity};
 }
 
-void StagePath::note(const double slack)
+template <int dim>
+void StagePath<dim>::note(const double slack)
 {
   if (!stages.empty())
     stages[current].stop.note(state(slack), seen);
 }
 
-double StagePath::fraction_of_stage(const double slack) const
+template <int dim>
+double StagePath<dim>::fraction_of_stage(const double slack) const
 {
   return stages.empty() ? 0. : stages[current].stop.fraction_done(state(slack), seen);
 }
 
-double StagePath::fraction_done(const double slack, const double run_done) const
+template <int dim>
+double StagePath<dim>::fraction_done(const double slack, const double run_done) const
 {
   const double of_run =
       run_done_at_begin < 1. ? (run_done - run_done_at_begin) / (1. - run_done_at_begin) : 1.;
@@ -77,26 +85,29 @@ double StagePath::fraction_done(const double slack, const double run_done) const
          std::accumulate(expected.begin(), expected.end(), 0.);
 }
 
-double StagePath::end_time() const
+template <int dim>
+double StagePath<dim>::end_time() const
 {
   const double length = stages.empty() ? 0. : stages[current].stop.end_time();
   return length > 0. ? begin_time + length : 0.;
 }
 
-void StagePath::save(StateWriter &writer, const bool ends) const
+template <int dim>
+void StagePath<dim>::save(StateWriter &writer, const bool ends) const
 {
   if (stages.empty())
     return;
   std::vector<double> numbers = {static_cast<double>(current), begin_time};
-  for (const WallState<2> &wall : walls_at_begin)
-    numbers.insert(numbers.end(), {wall.point[0], wall.point[1]});
+  for (const WallState<dim> &wall : walls_at_begin)
+    for (unsigned int d = 0; d < dim; ++d)
+      numbers.push_back(wall.point[d]);
   writer.write(state_name, numbers);
   softgrain::save(writer, seen_name, seen);
   writer.write(run_done_name, std::vector<double>{run_done_at_begin});
   writer.write(ended_name, std::vector<std::uint64_t>{ends});
 }
 
-std::size_t StagePath::number_begun(const StateReader &reader)
+std::size_t number_of_stages_begun(const StateReader &reader)
 {
   if (!reader.contains(state_name))
     return 0;
@@ -106,11 +117,12 @@ std::size_t StagePath::number_begun(const StateReader &reader)
   return static_cast<std::size_t>(numbers[0]) + 1;
 }
 
-void StagePath::load(const StateReader &reader)
+template <int dim>
+void StagePath<dim>::load(const StateReader &reader)
 {
   if (stages.empty())
     return;
-  const std::vector<double> numbers = reader.read_doubles(state_name, 2 + 2 * walls_at_begin.size());
+  const std::vector<double> numbers = reader.read_doubles(state_name, 2 + dim * walls_at_begin.size());
   if (!(numbers[0] >= 0. && numbers[0] < stages.size()) || numbers[0] != std::floor(numbers[0]))
     reader.refuse(state_name, "the run has " + std::to_string(stages.size()) + " stages");
   current = static_cast<unsigned int>(numbers[0]);
@@ -119,8 +131,12 @@ void StagePath::load(const StateReader &reader)
   run_done_at_begin = reader.read_doubles(run_done_name, 1)[0];
   loaded_at_end = reader.read_integers(ended_name, 1, 2)[0] != 0;
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
-    walls_at_begin[w].point = dealii::Point<2>(numbers[2 + 2 * w], numbers[3 + 2 * w]);
+    for (unsigned int d = 0; d < dim; ++d)
+      walls_at_begin[w].point[d] = numbers[2 + dim * w + d];
   for (unsigned int n = 0; n <= current; ++n)
     model.take_drives(stages[n].drives);
 }
+
+template class StagePath<2>;
+template class StagePath<3>;
 } // namespace softgrain

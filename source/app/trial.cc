@@ -138,7 +138,7 @@ private:
   const std::vector<WallState<2>> walls_at_start;
   OutputSchedule fields, snapshots;
   StepPlanner planner;
-  StagePath path;
+  StagePath<2> path;
   StopMemory seen;
 };
 

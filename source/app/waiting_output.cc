@@ -40,7 +40,8 @@ HistoryLine line_in(const StateReader &reader, const std::string &name)
 }
 } // namespace
 
-void WaitingOutput::save(CheckpointWriter &writer) const
+template <int dim>
+void WaitingOutput<dim>::save(CheckpointWriter &writer) const
 {
   StateWriter &lists = writer;
   lists.write(written_name, flags_of(written));
@@ -49,11 +50,13 @@ void WaitingOutput::save(CheckpointWriter &writer) const
     save_line(writer, history_name, history);
   if (parts.measures)
     save_line(writer, measures_name, measures);
-  if ((parts.fields || parts.snapshots) && snapshot)
-    writer.write_snapshot(snapshot_name, *snapshot);
+  if constexpr (dim == 2)
+    if ((parts.fields || parts.snapshots) && snapshot)
+      writer.write_snapshot(snapshot_name, *snapshot);
 }
 
-WaitingOutput WaitingOutput::load(const CheckpointReader &reader, const bool content)
+template <int dim>
+WaitingOutput<dim> WaitingOutput<dim>::load(const CheckpointReader &reader, const bool content)
 {
   WaitingOutput output;
   output.written = parts_of(reader, written_name);
@@ -64,8 +67,12 @@ WaitingOutput WaitingOutput::load(const CheckpointReader &reader, const bool con
     output.history = line_in(reader, history_name);
   if (output.parts.measures)
     output.measures = line_in(reader, measures_name);
-  if (output.parts.fields || output.parts.snapshots)
-    output.snapshot = reader.read_snapshot(snapshot_name);
+  if constexpr (dim == 2)
+    if (output.parts.fields || output.parts.snapshots)
+      output.snapshot = reader.read_snapshot(snapshot_name);
   return output;
 }
+
+template struct WaitingOutput<2>;
+template struct WaitingOutput<3>;
 } // namespace softgrain

@@ -65,6 +65,24 @@ void StopConditions::check(const Scene<2> &scene) const
     one.condition->check(scene, one.limit);
 }
 
+void StopConditions::check_in_space() const
+{
+  for (const Asked &one : asked)
+    if (!one.condition->works_in_space())
+      throw InputError(
+          "'Stop/" + one.condition->key() +
+          "' is not allowed with 'Dimension' = '3', where 'Stop/End time' alone ends a run: leave "
+          "it at 0");
+}
+
+double StopConditions::fraction_done(const RunStateIn<3> &state, const StopMemory &) const
+{
+  double fraction = 0.;
+  for (const Asked &one : asked)
+    fraction = std::max(fraction, one.condition->fraction_done_in_space(state, one.limit));
+  return fraction;
+}
+
 void StopConditions::check_start(const Scene<2> &scene) const
 {
   for (const Asked &one : asked)

@@ -3,6 +3,7 @@
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/field_writer.h>
 #include <softgrain/output/series.h>
+#include <softgrain/output/space_fields.h>
 #include <softgrain/output/vtu_file.h>
 
 #include <boost/property_tree/xml_parser.hpp>
@@ -283,9 +284,9 @@ void FieldWriter::resume(const double time)
     frames.pop_back();
 }
 
-void FieldWriter::write(const Snapshot<2> &snapshot)
+std::string FieldWriter::begin_frame(const double time)
 {
-  while (!frames.empty() && frames.back().time >= snapshot.time)
+  while (!frames.empty() && frames.back().time >= time)
     frames.pop_back();
   if (!stale_files_removed)
   {
@@ -294,29 +295,60 @@ void FieldWriter::write(const Snapshot<2> &snapshot)
     remove_stale_files();
     stale_files_removed = true;
   }
+  return series_number(frames.size());
+}
+
+template <class Fill>
+void FieldWriter::put(Frame &frame,
+                      const std::string &number,
+                      const std::string &part,
+                      const std::uint64_t step,
+                      const Fill &fill) const
+{
+  VtuFile file(options.compression_level);
+  file.add_global("TimeValue", frame.time);
+  file.add_global("step", static_cast<double>(step));
+  fill(file);
+  const std::string name = "fields/" + part + "-" + number + suffix;
+  write_file_atomically(directory + "/" + name, file.text());
+  frame.parts.emplace_back(part, name);
+}
+
+void FieldWriter::write(const Snapshot<2> &snapshot)
+{
+  const std::string number = begin_frame(snapshot.time);
   Frame frame;
   frame.time = snapshot.time;
-  const std::string number = series_number(frames.size());
-  const auto put = [&](const std::string &part, const auto &fill)
-  {
-    VtuFile file(options.compression_level);
-    file.add_global("TimeValue", snapshot.time);
-    file.add_global("step", static_cast<double>(snapshot.step));
-    fill(file);
-    const std::string name = "fields/" + part + "-" + number + suffix;
-    write_file_atomically(directory + "/" + name, file.text());
-    frame.parts.emplace_back(part, name);
-  };
+  const auto put_part = [&](const std::string &part, const auto &fill)
+  { put(frame, number, part, snapshot.step, fill); };
   if (options.points)
-    put("points", [&](VtuFile &file) { fill_points(file, snapshot.points, options); });
+    put_part("points", [&](VtuFile &file) { fill_points(file, snapshot.points, options); });
   if (options.outlines)
-    put("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
+    put_part("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
   if (options.contacts)
-    put("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
+    put_part("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
   if (options.walls)
-    put("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
+    put_part("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
   if (options.walls && !snapshot.obstacles.empty())
-    put("obstacles", [&](VtuFile &file) { fill_obstacles(file, snapshot.obstacles); });
+    put_part("obstacles", [&](VtuFile &file) { fill_obstacles(file, snapshot.obstacles); });
+  frames.push_back(frame);
+  write_index();
+}
+
+void FieldWriter::write(const Snapshot<3> &snapshot)
+{
+  const std::string number = begin_frame(snapshot.time);
+  Frame frame;
+  frame.time = snapshot.time;
+  const auto put_part = [&](const std::string &part, const auto &fill)
+  { put(frame, number, part, snapshot.step, fill); };
+  if (options.points)
+    put_part("points", [&](VtuFile &file)
+             { space_fields::fill_points(file, snapshot.points, options.deformation_gradient); });
+  if (options.outlines)
+    put_part("outlines", [&](VtuFile &file) { space_fields::fill_surfaces(file, snapshot.bodies); });
+  if (options.contacts)
+    put_part("contacts", [&](VtuFile &file) { space_fields::fill_contacts(file, snapshot.contacts); });
   frames.push_back(frame);
   write_index();
 }

@@ -51,22 +51,51 @@ void append(std::string &bytes, const std::uint64_t number)
 
 VtuFile::VtuFile(const unsigned int compression_level) : compression_level(compression_level) {}
 
-void VtuFile::add_cell(const Cell type, const std::vector<dealii::Point<2>> &vertices)
+template <int dim>
+void VtuFile::add_point(const dealii::Point<dim> &point)
 {
-  for (const dealii::Point<2> &vertex : vertices)
+  for (unsigned int d = 0; d < 3; ++d)
+    coordinates.push_back(d < dim ? point[d] : 0.);
+}
+
+template <int dim>
+void VtuFile::add_cell(const Cell type, const std::vector<dealii::Point<dim>> &vertices)
+{
+  for (const dealii::Point<dim> &vertex : vertices)
   {
     connectivity.push_back(static_cast<std::int64_t>(coordinates.size() / 3));
-    coordinates.insert(coordinates.end(), {vertex[0], vertex[1], 0.});
+    add_point(vertex);
   }
   offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   types.push_back(static_cast<std::uint8_t>(type));
 }
 
-void VtuFile::add_vertices(const std::vector<dealii::Point<2>> &points)
+template <int dim>
+void VtuFile::add_vertices(const std::vector<dealii::Point<dim>> &points)
 {
-  for (const dealii::Point<2> &point : points)
-    add_cell(Cell::vertex, {point});
+  for (const dealii::Point<dim> &point : points)
+    add_cell<dim>(Cell::vertex, {point});
 }
+
+void VtuFile::add_triangles(const std::vector<dealii::Point<3>> &points,
+                            const std::vector<std::array<unsigned int, 3>> &triangles)
+{
+  const std::int64_t first = static_cast<std::int64_t>(coordinates.size() / 3);
+  for (const dealii::Point<3> &point : points)
+    add_point(point);
+  for (const auto &triangle : triangles)
+  {
+    for (const unsigned int vertex : triangle)
+      connectivity.push_back(first + vertex);
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    types.push_back(static_cast<std::uint8_t>(Cell::triangle));
+  }
+}
+
+template void VtuFile::add_cell<2>(Cell, const std::vector<dealii::Point<2>> &);
+template void VtuFile::add_cell<3>(Cell, const std::vector<dealii::Point<3>> &);
+template void VtuFile::add_vertices<2>(const std::vector<dealii::Point<2>> &);
+template void VtuFile::add_vertices<3>(const std::vector<dealii::Point<3>> &);
 
 template <typename Number>
 VtuFile::Array VtuFile::make_array(const std::string &name,

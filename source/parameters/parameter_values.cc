@@ -5,14 +5,20 @@
 
 namespace softgrain
 {
-dealii::Tensor<1, 2> pair_of_numbers(const std::string &text)
+template <int dim>
+dealii::Tensor<1, dim> vector_of_numbers(const std::string &text)
 {
   const std::vector<double> numbers =
       dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(text, ","));
-  dealii::Tensor<1, 2> pair;
-  for (unsigned int d = 0; d < 2; ++d)
-    pair[d] = numbers.at(d);
-  return pair;
+  dealii::Tensor<1, dim> vector;
+  for (unsigned int d = 0; d < dim; ++d)
+    vector[d] = numbers.at(d);
+  return vector;
+}
+
+dealii::Tensor<1, 2> pair_of_numbers(const std::string &text)
+{
+  return vector_of_numbers<2>(text);
 }
 
 std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text)
@@ -22,4 +28,7 @@ std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text)
     pairs.push_back(pair_of_numbers(part));
   return pairs;
 }
+
+template dealii::Tensor<1, 2> vector_of_numbers<2>(const std::string &);
+template dealii::Tensor<1, 3> vector_of_numbers<3>(const std::string &);
 } // namespace softgrain

@@ -3,7 +3,7 @@
 #include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/geometry/polygon.h>
-#include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/body_parameters.h>
@@ -16,6 +16,18 @@ namespace softgrain
 {
 namespace
 {
+void declare_shape_in_space(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  const Registry<Shape<3>> &shapes = Registry<Shape<3>>::instance();
+  prm.declare_entry("Shape", "sphere", Selection(shapes.choice()),
+                    "Shape at rest, with its parameters; " + shapes.choice_in_words());
+  prm.declare_entry("Center", "0, 0, 0", List(Double(), 3, 3, ","),
+                    "Center of the body, \"x, y, z\". Units: m.");
+  for (const std::string &shape : shapes.names())
+    shapes.create(shape)->declare_parameters(prm);
+}
+
 void declare_shape(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -47,17 +59,19 @@ void declare_motion(dealii::ParameterHandler &prm)
       "and passes through walls, obstacles and other driven bodies.");
 }
 
-BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler &prm)
+template <int dim>
+BodyDescription<dim> parse_body(const std::string &name, dealii::ParameterHandler &prm)
 {
-  BodyDescription<2> body;
+  BodyDescription<dim> body;
   body.name = name;
-  body.center = dealii::Point<2>(pair_of_numbers(prm.get("Center")));
-  std::shared_ptr<Shape<2>> shape = Registry<Shape<2>>::instance().create(prm.get("Shape"));
+  body.center = dealii::Point<dim>(vector_of_numbers<dim>(prm.get("Center")));
+  std::shared_ptr<Shape<dim>> shape = Registry<Shape<dim>>::instance().create(prm.get("Shape"));
   shape->parse_parameters(prm, body.center);
   body.shape = shape;
   // A polygon says where it is by its corners alone; it turns about its middle as other shapes do.
-  if (const Polygon corners = shape->corners(); prm.get("Shape") == "polygon" && corners.size() > 2)
-    body.center = area_and_centroid(corners).second;
+  if constexpr (dim == 2)
+    if (const Polygon corners = shape->corners(); prm.get("Shape") == "polygon" && corners.size() > 2)
+      body.center = area_and_centroid(corners).second;
   body.velocity = prm.get("Velocity");
   body.angular_velocity = prm.get_double("Angular velocity");
   body.body_force = prm.get("Body force");
@@ -66,7 +80,10 @@ BodyDescription<2> parse_body(const std::string &name, dealii::ParameterHandler 
 }
 } // namespace
 
-BodyParameters::BodyParameters(const std::vector<std::string> &names) : names(names) {}
+BodyParameters::BodyParameters(const std::vector<std::string> &names, const unsigned int dimension)
+    : names(names), dimension(dimension)
+{
+}
 
 void BodyParameters::declare_parameters(dealii::ParameterHandler &prm) const
 {
@@ -79,14 +96,18 @@ void BodyParameters::declare_parameters(dealii::ParameterHandler &prm) const
     prm.declare_entry(
         "Material", "", Anything(),
         "Material of the body, one of Materials/Names; may be left out when there is only one.");
-    declare_shape(prm);
+    if (dimension == 3)
+      declare_shape_in_space(prm);
+    else
+      declare_shape(prm);
     declare_motion(prm);
     prm.leave_subsection();
   }
   prm.leave_subsection();
 }
 
-std::vector<BodyDescription<2>>
+template <int dim>
+std::vector<BodyDescription<dim>>
 BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
                                  const std::vector<MaterialDescription> &materials) const
 {
@@ -94,11 +115,11 @@ BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
   for (const MaterialDescription &material : materials)
     material_names.push_back(material.name);
 
-  std::vector<BodyDescription<2>> bodies;
+  std::vector<BodyDescription<dim>> bodies;
   const auto parse_one = [&](const std::string &name)
   {
     const WithinSection section(prm, name);
-    bodies.push_back(parse_body(name, prm));
+    bodies.push_back(parse_body<dim>(name, prm));
     const std::string material = prm.get("Material");
     if (material.empty() && materials.size() == 1)
       return;
@@ -119,4 +140,11 @@ BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
   mistakes.end();
   return bodies;
 }
+
+template std::vector<BodyDescription<2>>
+BodyParameters::parse_parameters<2>(dealii::ParameterHandler &,
+                                    const std::vector<MaterialDescription> &) const;
+template std::vector<BodyDescription<3>>
+BodyParameters::parse_parameters<3>(dealii::ParameterHandler &,
+                                    const std::vector<MaterialDescription> &) const;
 } // namespace softgrain

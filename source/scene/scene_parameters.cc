@@ -11,11 +11,14 @@
 
 namespace softgrain
 {
-SceneParameters::SceneParameters(const SceneNames &names, const LawCatalogue &laws)
+SceneParameters::SceneParameters(const SceneNames &names,
+                                 const LawCatalogue &laws,
+                                 const unsigned int dimension)
     : names(names)
+    , dimension(dimension)
     , materials(names.materials, laws)
-    , bodies(names.bodies)
-    , walls(names.walls)
+    , bodies(names.bodies, dimension)
+    , walls(names.walls, dimension)
     , obstacles(names.obstacles)
 {
 }
@@ -52,8 +55,9 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   prm.declare_entry("Adhesion of pairs", "", Anything(), table + " Units: those of 'Adhesion'.");
   prm.leave_subsection();
   prm.enter_subsection("Loads");
-  prm.declare_entry("Gravity", "0, 0", List(Double(), 2, 2, ","),
-                    "Acceleration of gravity, \"gx, gy\". Units: m/s^2.");
+  prm.declare_entry("Gravity", dimension == 3 ? "0, 0, 0" : "0, 0", List(Double(), dimension, dimension, ","),
+                    std::string("Acceleration of gravity, ") +
+                        (dimension == 3 ? "\"gx, gy, gz\"" : "\"gx, gy\"") + ". Units: m/s^2.");
   prm.leave_subsection();
 }
 
@@ -98,14 +102,26 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   Scene<2> scene;
   scene.materials = materials.parse_parameters(prm);
   Mistakes mistakes;
-  mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<2>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters(prm, scene.materials); });
-  mistakes.attempt([&]() { scene.walls = walls.parse_parameters(prm); });
+  mistakes.attempt([&]() { scene.walls = walls.parse_parameters<2>(prm); });
   mistakes.attempt([&]() { parse_contact(prm, scene); });
   mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
   mistakes.attempt([&]() { rub_at_walls(prm, scene); });
   mistakes.end();
   scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
+  return scene;
+}
+
+Scene<3> SceneParameters::parse_parameters_in_space(dealii::ParameterHandler &prm) const
+{
+  Scene<3> scene;
+  scene.materials = materials.parse_parameters(prm);
+  Mistakes mistakes;
+  mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<3>(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.walls = walls.parse_parameters<3>(prm); });
+  mistakes.end();
+  scene.gravity = vector_of_numbers<3>(prm.get({"Loads"}, "Gravity"));
   return scene;
 }
 } // namespace softgrain

@@ -21,8 +21,16 @@ const char *const sliding = "Tangential velocity";
 const char *const shearing = "Shear stress";
 
 /// Inward normal of a wall of the usual box.
-std::string usual_normal(const std::string &name)
+std::string usual_normal(const std::string &name, const unsigned int dimension)
 {
+  if (dimension == 3)
+    return name == "bottom"  ? "0, 0, 1"
+           : name == "top"   ? "0, 0, -1"
+           : name == "left"  ? "1, 0, 0"
+           : name == "right" ? "-1, 0, 0"
+           : name == "front" ? "0, 1, 0"
+           : name == "back"  ? "0, -1, 0"
+                             : "";
   return name == "bottom"  ? "0, 1"
          : name == "top"   ? "0, -1"
          : name == "left"  ? "1, 0"
@@ -39,7 +47,10 @@ std::vector<ParameterEntry> parameters_of(const std::string &drive)
 }
 } // namespace
 
-WallParameters::WallParameters(const std::vector<std::string> &names) : names(names) {}
+WallParameters::WallParameters(const std::vector<std::string> &names, const unsigned int dimension)
+    : names(names), dimension(dimension)
+{
+}
 
 void WallParameters::declare_drive(dealii::ParameterHandler &prm, const bool as_before)
 {
@@ -120,11 +131,13 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
                       "with the wall that faces it a pair of sides of a cell that repeats. Bodies go through "
                       "it; it is driven "
                       "as other walls are, and the cell deforms with all that is in it.");
-    prm.declare_entry("Point", "0, 0", List(Double(), 2, 2, ","),
+    prm.declare_entry("Point", dimension == 3 ? "0, 0, 0" : "0, 0", List(Double(), dimension, dimension, ","),
                       "A point of the plane at the start. Units: m.");
-    prm.declare_entry("Normal", usual_normal(name), List(Double(), 0, 2, ","),
-                      "Normal that points to the bodies, of any length; may be left out for bottom, top, "
-                      "left and right. Units: none.");
+    prm.declare_entry(
+        "Normal", usual_normal(name, dimension), List(Double(), 0, dimension, ","),
+        std::string("Normal that points to the bodies, of any length; may be left out for bottom, "
+                    "top, left") +
+            (dimension == 3 ? ", right, front and back" : " and right") + ". Units: none.");
     declare_drive(prm, false);
     prm.declare_entry("Friction", "0", Double(0),
                       "Coefficient of friction between the wall and bodies; see 'Contact/Friction at walls', "
@@ -134,28 +147,29 @@ void WallParameters::declare_parameters(dealii::ParameterHandler &prm) const
   prm.leave_subsection();
 }
 
-std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::ParameterHandler &prm) const
+template <int dim>
+std::vector<WallDescription<dim>> WallParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
-  std::vector<WallDescription<2>> walls;
+  std::vector<WallDescription<dim>> walls;
   const auto parse_one = [&](const std::string &name)
   {
     const WithinSection section(prm, name);
-    WallDescription<2> wall;
+    WallDescription<dim> wall;
     wall.name = name;
     const std::string type = prm.get("Type");
-    wall.type = type == "plane"      ? WallDescription<2>::Type::plane
-                : type == "periodic" ? WallDescription<2>::Type::periodic
-                                     : WallDescription<2>::Type::material_points;
-    wall.point = dealii::Point<2>(pair_of_numbers(prm.get("Point")));
+    wall.type = type == "plane"      ? WallDescription<dim>::Type::plane
+                : type == "periodic" ? WallDescription<dim>::Type::periodic
+                                     : WallDescription<dim>::Type::material_points;
+    wall.point = dealii::Point<dim>(vector_of_numbers<dim>(prm.get("Point")));
     const std::string written = prm.get("Normal");
-    const std::string normal = written.empty() ? usual_normal(name) : written;
+    const std::string normal = written.empty() ? usual_normal(name, dim) : written;
     if (normal.empty())
-      throw InputError("'Walls/" + name +
-                       "/Normal' is missing; only bottom, top, left and right know theirs");
-    if (normal.find(',') == std::string::npos)
-      throw InputError("'Walls/" + name + "/Normal' = '" + normal +
-                       "' is not allowed: it must be two numbers \"x, y\"");
-    wall.normal = pair_of_numbers(normal);
+      throw InputError("'Walls/" + name + "/Normal' is missing; only bottom, top, left" +
+                       (dim == 3 ? ", right, front and back" : " and right") + " know theirs");
+    if (std::count(normal.begin(), normal.end(), ',') != dim - 1)
+      throw InputError("'Walls/" + name + "/Normal' = '" + normal + "' is not allowed: it must be " +
+                       (dim == 3 ? "three numbers \"x, y, z\"" : "two numbers \"x, y\""));
+    wall.normal = vector_of_numbers<dim>(normal);
     if (wall.normal.norm() == 0)
       throw InputError("'Walls/" + name + "/Normal' = '" + normal + "' is not allowed: it must not be zero");
     wall.normal /= wall.normal.norm();
@@ -171,4 +185,9 @@ std::vector<WallDescription<2>> WallParameters::parse_parameters(dealii::Paramet
   mistakes.end();
   return walls;
 }
+
+template std::vector<WallDescription<2>>
+WallParameters::parse_parameters<2>(dealii::ParameterHandler &) const;
+template std::vector<WallDescription<3>>
+WallParameters::parse_parameters<3>(dealii::ParameterHandler &) const;
 } // namespace softgrain

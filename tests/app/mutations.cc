@@ -105,7 +105,8 @@ void read_parameters(const std::string &path)
   const std::vector<std::string> models = Registry<ModelFactory>::instance().names();
   const std::string model = file.value({}, "Model", "mpm");
   dealii::ParameterHandler prm;
-  declare_all_parameters(prm, std::count(models.begin(), models.end(), model) > 0 ? model : "mpm", names);
+  declare_all_parameters(prm, std::count(models.begin(), models.end(), model) > 0 ? model : "mpm", names,
+                         file.value({}, "Dimension", "2") == "3" ? 3 : 2);
   file.apply(prm);
 }
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -41,9 +42,11 @@ struct BodyState
 {
   std::string name;
   std::vector<std::vector<dealii::Point<dim>>>
-      outline;                     ///< closed polylines, the outer one first, counter-clockwise [m]
-  double area = 0;                 ///< current area enclosed by the outline [m^2]
-  double reference_area = 0;       ///< area at rest [m^2]
+      outline; ///< closed polylines, the outer one first, counter-clockwise [m]
+  /// In space the surface, of whose vertices the first outline is a list: counter-clockwise from outside.
+  std::vector<std::array<unsigned int, 3>> triangles;
+  double area = 0;                 ///< current area enclosed by the outline, in space volume [m^dim]
+  double reference_area = 0;       ///< the same at rest [m^dim]
   double mass = 0;                 ///< [kg/m in 2D]
   dealii::Point<dim> center;       ///< centre of mass [m]
   dealii::Tensor<1, dim> velocity; ///< of the centre of mass [m/s]

@@ -13,7 +13,8 @@ namespace softgrain
  * A wall that is square to an axis has its coordinate on that axis; an inclined one its distance from the
  * origin along its normal, which is negative when the origin lies on the side of the bodies.
  */
-double wall_position(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal);
+template <int dim>
+double wall_position(const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &normal);
 } // namespace softgrain
 
 #endif

@@ -25,7 +25,7 @@ void print_check_report(std::ostream &out,
                         const Input &input,
                         const std::optional<RunOutline> &outline,
                         const std::optional<Forecast> &forecast,
-                        const Model<2> *model,
+                        const AnyModel *model,
                         const Trial *trial = nullptr,
                         unsigned int n_ranks = 0);
 

@@ -54,8 +54,19 @@ public:
   const std::vector<std::string> &unknown_names() const { return unknown; }
 
   const RunParameters &run() const { return run_parameters; }
-  /// As described; with the bodies of its packing after complete_scene().
+  /// 2 or 3.
+  unsigned int dimension() const { return space ? 3 : 2; }
+  /// As described; with the bodies of its packing after complete_scene(). Of the plane, and empty in space.
   const Scene<2> &scene() const { return described_scene; }
+  /// The same where the dimension is @p dim.
+  template <int dim>
+  const Scene<dim> &scene_in() const
+  {
+    if constexpr (dim == 2)
+      return described_scene;
+    else
+      return *space;
+  }
   const StopConditions &stop() const { return stop_conditions; }
   const Stages &stages() const { return described_stages; }
 
@@ -83,6 +94,8 @@ public:
   /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
   /// @param state that it is going to load; null: it starts at time zero
   std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
+  /// The same in space.
+  std::unique_ptr<Model<3>> create_model_in_space();
 
   /// The same to look at: no file is written.
   /// @param changes of parameters of the model, for this one alone
@@ -119,6 +132,7 @@ private:
   dealii::ParameterHandler prm;
   RunParameters run_parameters;
   Scene<2> described_scene;
+  std::optional<Scene<3>> space; ///< where 'Dimension' is 3
   StopConditions stop_conditions;
   Stages described_stages;
   Packing<2> packing; ///< once it is made
@@ -128,7 +142,10 @@ private:
 
 /// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these
 /// names.
-void declare_all_parameters(dealii::ParameterHandler &prm, const std::string &model, const SceneNames &names);
+void declare_all_parameters(dealii::ParameterHandler &prm,
+                            const std::string &model,
+                            const SceneNames &names,
+                            unsigned int dimension = 2);
 } // namespace softgrain
 
 #endif

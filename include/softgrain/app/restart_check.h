@@ -14,7 +14,8 @@ class StateWriter;
 
 /// Keeps in a checkpoint what the run was told: its parameters, and its bodies, which may come from another
 /// file.
-void save_description(StateWriter &writer, const std::string &effective_parameters, const Scene<2> &scene);
+template <int dim>
+void save_description(StateWriter &writer, const std::string &effective_parameters, const Scene<dim> &scene);
 
 /// What may be another in a run that goes on, whatever the model: "Section/Key", "Section/" with all that is
 /// in it,
@@ -29,9 +30,10 @@ std::vector<std::string> changeable_in_every_model();
  * @return a line for each parameter that is another and may be: "'Stop/End time': 1 -> 2"
  * @throw InputError that names those that may not be, with the old and the new value
  */
+template <int dim>
 std::vector<std::string> check_description(const StateReader &reader,
                                            const std::string &effective_parameters,
-                                           const Scene<2> &scene,
+                                           const Scene<dim> &scene,
                                            std::vector<std::string> changeable);
 } // namespace softgrain
 

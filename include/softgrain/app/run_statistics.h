@@ -19,7 +19,7 @@ class RunStatistics
 {
 public:
   /// Takes the energies of the start from @p model.
-  explicit RunStatistics(const Model<2> &model);
+  explicit RunStatistics(const AnyModel &model);
 
   void add_step(const StepReport &report);
   /// Of a recorded step, and what rounding alone can make of energies then [J/m].
@@ -38,7 +38,7 @@ public:
   /// [s].
   double processor_time() const;
 
-  Summary summary(const std::string &status, const Model<2> &model) const;
+  Summary summary(const std::string &status, const AnyModel &model) const;
 
   void save(StateWriter &writer) const;
   void load(const StateReader &reader);

@@ -30,10 +30,11 @@ class CheckpointReader;
  *
  * All ranks drive their part of the model through the same steps; the first one writes.
  */
+template <int dim>
 class Simulation
 {
 public:
-  Simulation(const Input &input, Model<2> &model, const RunLock &lock, std::ostream &terminal);
+  Simulation(const Input &input, Model<dim> &model, const RunLock &lock, std::ostream &terminal);
 
   /// What the run is expected to take, to be printed at its start.
   void expect(const SizeReport &report) { expected = report; }
@@ -94,7 +95,7 @@ private:
   /// Lets the model settle after a step of whose state something is written.
   void settle_if_written(StepReport &report);
   /// What stop conditions of the whole run look at.
-  RunState run_state() const;
+  RunStateIn<dim> run_state() const;
   /// What is due of the state, by the intervals and because a stage or the run ends.
   void write_due_output();
   /// Of the state, for the balance in the summary.
@@ -118,16 +119,16 @@ private:
   void write_summary(const std::string &status);
   void print_end(const std::string &status);
 
-  const Scene<2> &scene;
+  const Scene<dim> &scene;
   const StopConditions &stop;
-  Model<2> &model;
+  Model<dim> &model;
   const RunParameters &parameters;
   const std::string effective_parameters;
   const RunLock &lock;
   const Ranks ranks; ///< the first one writes
   RunLog log;
 
-  const std::vector<WallState<2>> walls_at_start;
+  const std::vector<WallState<dim>> walls_at_start;
   RunStatistics statistics;
   Progress progress;
   HistoryWriter history;
@@ -139,10 +140,10 @@ private:
   OutputSchedule snapshot_schedule;
   bool restarted = false;
   StepPlanner planner;
-  StagePath path;
+  StagePath<dim> path;
   StopMemory seen;        ///< by the stop conditions of the whole run
   StepReport last_report; ///< of the step that led to the state
-  WaitingOutput waiting;
+  WaitingOutput<dim> waiting;
   std::uint64_t step_of_start = 0; ///< of the run, or where it goes on
   bool step_given_up = false;      ///< the model has begun a step after that of the state
   bool has_begun = false;          ///< the folder says that it belongs to this run

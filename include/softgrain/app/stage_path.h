@@ -16,10 +16,11 @@ class StateWriter;
 /**
  * @brief Where a run is on its path of stages: which one it is in, and when and with which walls that began.
  */
+template <int dim>
 class StagePath
 {
 public:
-  StagePath(const Stages &stages, Model<2> &model, const dealii::Tensor<1, 2> &gravity);
+  StagePath(const Stages &stages, Model<dim> &model, const dealii::Tensor<1, dim> &gravity);
 
   bool empty() const { return stages.empty(); }
   unsigned int number() const { return current; } ///< from 0
@@ -58,23 +59,24 @@ public:
   /// Whether the loaded state was written as the end of its stage, after its row of the history. The next
   /// stage then begins before the first step.
   bool was_at_end_of_stage() const { return loaded_at_end; }
-  /// How many stages had begun in the state of a checkpoint; the parameters of the others may still change.
-  static std::size_t number_begun(const StateReader &reader);
 
 private:
-  RunState state(double slack) const;
+  RunStateIn<dim> state(double slack) const;
 
   const Stages &stages;
-  Model<2> &model;
-  const dealii::Tensor<1, 2> gravity; ///< [m/s^2]
+  Model<dim> &model;
+  const dealii::Tensor<1, dim> gravity; ///< [m/s^2]
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
   double run_done_at_begin = 0.;
   bool loaded_at_end = false;
   std::vector<double> expected; ///< durations of all stages
-  std::vector<WallState<2>> walls_at_begin;
+  std::vector<WallState<dim>> walls_at_begin;
   StopMemory seen; ///< by the stop conditions of the present stage
 };
+
+/// How many stages had begun in the state of a checkpoint; the parameters of the others may still change.
+std::size_t number_of_stages_begun(const StateReader &reader);
 } // namespace softgrain
 
 #endif

@@ -28,15 +28,17 @@ struct OutputParts
  *
  * A state counts as saved when all that is due at it is on the disk. When the disk refuses some of it, the
  * rest goes into the checkpoint of that state as it was to be written: not all of it can be made again from
- * the state, for that has no memory of the step that led to it. The run that goes on writes it first.
+ * the state, for that has no memory of the step that led to it. The run that goes on writes it first. In
+ * space the state keeps the forces of contacts, and pictures are made again from it.
  */
+template <int dim>
 struct WaitingOutput
 {
   OutputParts parts;   ///< what waits, on all ranks
   OutputParts written; ///< what of the present state is on the disk and stays there
   HistoryLine history; ///< only the first rank has this and the following
   HistoryLine measures;
-  std::optional<Snapshot<2>> snapshot; ///< of pictures and snapshots
+  std::optional<Snapshot<dim>> snapshot; ///< of pictures and snapshots
 
   void save(CheckpointWriter &writer) const;
   /// @param content whether lines and snapshot are read too

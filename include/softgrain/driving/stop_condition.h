@@ -22,16 +22,18 @@ class StateReader;
 class StateWriter;
 
 /// What a stop condition looks at.
-struct RunState
+template <int dim>
+struct RunStateIn
 {
-  const Model<2> &model;
-  const std::vector<WallState<2>> &walls_at_start;
+  const Model<dim> &model;
+  const std::vector<WallState<dim>> &walls_at_start;
   double time_slack = 0;                       ///< what counts as having arrived [s]
   double begin = 0;                            ///< from when times count [s]
-  dealii::Tensor<1, 2> gravity = {};           ///< [m/s^2]
+  dealii::Tensor<1, dim> gravity = {};         ///< [m/s^2]
   const std::vector<double> *memory = nullptr; ///< what note() has kept; of this condition alone
   bool ends_anyway = false;                    ///< whether the run ends at some time, whatever happens
 };
+using RunState = RunStateIn<2>;
 
 /**
  * @brief One reason to end a run: a parameter of section `Stop`, and how far the run is from it.
@@ -70,6 +72,11 @@ public:
 
   /// Part of the way to @p limit that the run has made; 1 or more: it ends.
   virtual double fraction_done(const RunState &state, double limit) const = 0;
+
+  /// Whether it can be measured where 'Dimension' is 3.
+  virtual bool works_in_space() const { return false; }
+  /// The same part there, of conditions that work there.
+  virtual double fraction_done_in_space(const RunStateIn<3> &, double) const { return 0.; }
 };
 
 template <>
@@ -94,6 +101,8 @@ public:
   bool empty() const { return asked.empty(); }
 
   void check(const Scene<2> &scene) const;
+  /// @throw InputError for conditions that do not work in space
+  void check_in_space() const;
   void check_start(const Scene<2> &scene) const;
 
   /// The earliest end that is known beforehand [s]; 0: none.
@@ -103,6 +112,9 @@ public:
   /// After every step. @p memory of all conditions, empty at the start
   void note(const RunState &now, StopMemory &memory) const;
   double fraction_done(const RunState &state, const StopMemory &memory) const;
+  /// The same in space, where no condition looks back.
+  void note(const RunStateIn<3> &, StopMemory &) const {}
+  double fraction_done(const RunStateIn<3> &state, const StopMemory &) const;
   /// "t = 1 s, axial strain 0.3".
   std::string in_words() const;
 

@@ -36,13 +36,13 @@ struct StepReport
 using SizeReport = std::vector<std::pair<std::string, std::string>>;
 
 /**
- * @brief A way to compute a scene: what the driver, the writers and the command line see of MPM and BPM.
+ * @brief A way to compute a scene: what the driver and the command line see of it that is the same in the
+ * plane and in space. Units are those of space; in the plane all is per metre of thickness.
  */
-template <int dim>
-class Model
+class AnyModel
 {
 public:
-  virtual ~Model() = default;
+  virtual ~AnyModel() = default;
 
   /// "mpm" or "bpm".
   virtual std::string name() const = 0;
@@ -93,14 +93,6 @@ public:
   /// What working with other ranks has taken so far.
   virtual RankTimes rank_times() const { return {}; }
 
-  /// The neutral state: what pictures and measures are made of. Costs a pass over the points. With several
-  /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
-  virtual Snapshot<dim> snapshot() const = 0;
-
-  /// Walls alone, cheap enough for every step.
-  virtual std::vector<WallState<dim>> walls() const = 0;
-  /// Obstacles alone, as cheap.
-  virtual std::vector<ObstacleState<dim>> obstacles() const { return {}; }
   /// Largest |force on a wall - its load| over its load, of the walls that are free to move; 0 without any.
   virtual double unbalanced_walls() const { return 0.; }
   /// May cost a pass over the points.
@@ -108,7 +100,8 @@ public:
   /// What rounding alone can make of energies [J/m]; no balance is formed of energies that are not above it.
   virtual double energy_of_rounding() const { return 0.; }
 
-  /// Sum of the areas that the outlines of the bodies enclose now [m^2], for the packing fraction.
+  /// Sum of the areas, in space of the volumes, that the bodies enclose now [m^dim], for the packing
+  /// fraction.
   virtual double solid_area() const = 0;
   /// Mean number of bodies and walls a body touches.
   virtual double coordination() const = 0;
@@ -133,6 +126,23 @@ public:
   /// the first rank writes, and all read the same.
   virtual void save(StateWriter &) const = 0;
   virtual void load(StateReader &) = 0;
+};
+
+/**
+ * @brief A model with what is seen of its state: what writers and measures work on.
+ */
+template <int dim>
+class Model : public AnyModel
+{
+public:
+  /// The neutral state: what pictures and measures are made of. Costs a pass over the points. With several
+  /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
+  virtual Snapshot<dim> snapshot() const = 0;
+
+  /// Walls alone, cheap enough for every step.
+  virtual std::vector<WallState<dim>> walls() const = 0;
+  /// Obstacles alone, as cheap.
+  virtual std::vector<ObstacleState<dim>> obstacles() const { return {}; }
 };
 } // namespace softgrain
 

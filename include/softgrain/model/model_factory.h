@@ -114,12 +114,29 @@ public:
     return create(scene, prm);
   }
 
+  /// @name The same in space; a model need not know it.
+  ///@{
+  virtual void check_in_space(const Scene<3> & /*scene*/, dealii::ParameterHandler &prm) const
+  {
+    refuse_space(prm);
+  }
+  virtual std::unique_ptr<Model<3>> create_in_space(const Scene<3> & /*scene*/,
+                                                    dealii::ParameterHandler &prm) const
+  {
+    refuse_space(prm);
+  }
+  ///@}
+
   /// The model of @p scene that is going to load @p state, from which it may take what is dear to make anew.
   virtual std::unique_ptr<Model<2>>
   create_again(const Scene<2> &scene, dealii::ParameterHandler &prm, const StateReader & /*state*/) const
   {
     return create(scene, prm);
   }
+
+private:
+  /// @throw InputError
+  [[noreturn]] static void refuse_space(const dealii::ParameterHandler &prm);
 };
 
 template <>

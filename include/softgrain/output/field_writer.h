@@ -4,6 +4,7 @@
 
 #include <softgrain/analysis/snapshot.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,9 @@ public:
   /// Adds one frame; frames at this time or later are replaced by it. @throw ComputationError when the disk
   /// refuses.
   void write(const Snapshot<2> &snapshot);
+  /// The same in space, where outlines are surfaces of triangles, with places that carry force in a file of
+  /// their own; walls are not drawn.
+  void write(const Snapshot<3> &snapshot);
 
   /// Frames in `fields.pvd`.
   std::size_t n_frames() const { return frames.size(); }
@@ -59,6 +63,15 @@ private:
     std::vector<std::pair<std::string, std::string>> parts; ///< name; file, relative to the folder
   };
 
+  /// Begins a frame. @return its number, for the names of its files
+  std::string begin_frame(double time);
+  /// Writes a file of the frame.
+  template <class Fill>
+  void put(Frame &frame,
+           const std::string &number,
+           const std::string &part,
+           std::uint64_t step,
+           const Fill &fill) const;
   void write_index() const;
   void remove_stale_files() const;
 

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ public:
     vertex = 1,
     line = 3,
     poly_line = 4,
+    triangle = 5,
     polygon = 7
   };
 
@@ -32,9 +34,14 @@ public:
   explicit VtuFile(unsigned int compression_level);
 
   /// Adds a cell over new points of its own.
-  void add_cell(Cell type, const std::vector<dealii::Point<2>> &vertices);
+  template <int dim>
+  void add_cell(Cell type, const std::vector<dealii::Point<dim>> &vertices);
   /// Every point a cell.
-  void add_vertices(const std::vector<dealii::Point<2>> &points);
+  template <int dim>
+  void add_vertices(const std::vector<dealii::Point<dim>> &points);
+  /// Triangles over new points, which they share. @param triangles numbers of points, three each
+  void add_triangles(const std::vector<dealii::Point<3>> &points,
+                     const std::vector<std::array<unsigned int, 3>> &triangles);
 
   /// @name Data: one tuple of @p n_components per point or per cell, stored one after the other.
   ///@{
@@ -58,6 +65,8 @@ private:
     std::string bytes;
   };
 
+  template <int dim>
+  void add_point(const dealii::Point<dim> &point);
   template <typename Number>
   static Array
   make_array(const std::string &name, unsigned int n_components, const std::vector<Number> &values);

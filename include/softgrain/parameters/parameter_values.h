@@ -9,6 +9,10 @@
 
 namespace softgrain
 {
+/// "a, b" or "a, b, c" as numbers; the pattern of the parameter has checked the form.
+template <int dim>
+dealii::Tensor<1, dim> vector_of_numbers(const std::string &text);
+
 /// "a, b" as numbers; the pattern of the parameter has checked the form.
 dealii::Tensor<1, 2> pair_of_numbers(const std::string &text);
 

@@ -18,16 +18,18 @@ namespace softgrain
 class BodyParameters
 {
 public:
-  explicit BodyParameters(const std::vector<std::string> &names);
+  explicit BodyParameters(const std::vector<std::string> &names, unsigned int dimension = 2);
 
   void declare_parameters(dealii::ParameterHandler &prm) const;
 
   /// @throw InputError when a body names a material that is not among @p materials.
-  std::vector<BodyDescription<2>> parse_parameters(dealii::ParameterHandler &prm,
-                                                   const std::vector<MaterialDescription> &materials) const;
+  template <int dim>
+  std::vector<BodyDescription<dim>> parse_parameters(dealii::ParameterHandler &prm,
+                                                     const std::vector<MaterialDescription> &materials) const;
 
 private:
   const std::vector<std::string> names;
+  const unsigned int dimension;
 };
 } // namespace softgrain
 

@@ -22,6 +22,8 @@ template <int dim>
 class Shape;
 template <>
 class Shape<2>;
+template <>
+class Shape<3>;
 class WallDrive;
 
 /// A material as the scene names it; the law itself is created by the model from `law` and the law's own

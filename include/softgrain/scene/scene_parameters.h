@@ -31,13 +31,15 @@ struct SceneNames
 class SceneParameters
 {
 public:
-  SceneParameters(const SceneNames &names, const LawCatalogue &laws);
+  SceneParameters(const SceneNames &names, const LawCatalogue &laws, unsigned int dimension = 2);
 
   void declare_parameters(dealii::ParameterHandler &prm) const;
 
   /// The scene, not yet checked as a whole; see check_scene().
   /// @throw InputError naming section, value and what is allowed.
   Scene<2> parse_parameters(dealii::ParameterHandler &prm) const;
+  /// The same in space: what is in no Scene<3> yet is looked for by check_scene_in_space().
+  Scene<3> parse_parameters_in_space(dealii::ParameterHandler &prm) const;
 
 private:
   void parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const;
@@ -45,6 +47,7 @@ private:
   void rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scene) const;
 
   const SceneNames names;
+  const unsigned int dimension;
   const MaterialParameters materials;
   const BodyParameters bodies;
   const WallParameters walls;

@@ -19,12 +19,13 @@ namespace softgrain
 class WallParameters
 {
 public:
-  explicit WallParameters(const std::vector<std::string> &names);
+  explicit WallParameters(const std::vector<std::string> &names, unsigned int dimension = 2);
 
   void declare_parameters(dealii::ParameterHandler &prm) const;
 
   /// @throw InputError when a normal is missing or zero.
-  std::vector<WallDescription<2>> parse_parameters(dealii::ParameterHandler &prm) const;
+  template <int dim>
+  std::vector<WallDescription<dim>> parse_parameters(dealii::ParameterHandler &prm) const;
 
   /// Declares 'Drive' and what belongs to every drive, where the handler stands.
   /// @param as_before whether the drive may be left as it was, which is then the default
@@ -37,6 +38,7 @@ public:
 
 private:
   const std::vector<std::string> names;
+  const unsigned int dimension;
 };
 } // namespace softgrain
 

@@ -24,6 +24,19 @@ public:
 
   double fraction_done(const RunState &state, const double limit) const override
   {
+    return fraction(state, limit);
+  }
+
+  bool works_in_space() const override { return true; }
+  double fraction_done_in_space(const RunStateIn<3> &state, const double limit) const override
+  {
+    return fraction(state, limit);
+  }
+
+private:
+  template <int dim>
+  static double fraction(const RunStateIn<dim> &state, const double limit)
+  {
     const double elapsed = state.model.time() - state.begin;
     return elapsed >= limit - state.time_slack ? 1. : elapsed / limit;
   }

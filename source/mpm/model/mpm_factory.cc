@@ -10,6 +10,8 @@
 #include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/model/space_model.h>
+#include <softgrain/parameters/within_section.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -97,7 +99,60 @@ public:
     return std::make_unique<MpmModel>(scene, settings, std::move(laws));
   }
 
+  void check_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm) const override
+  {
+    read_in_space(scene, prm);
+  }
+
+  std::unique_ptr<Model<3>> create_in_space(const Scene<3> &scene,
+                                            dealii::ParameterHandler &prm) const override
+  {
+    auto [settings, law] = read_in_space(scene, prm);
+    return std::make_unique<SpaceModel>(scene, settings, std::move(law));
+  }
+
 private:
+  using SpaceLaw = std::shared_ptr<const constitutive::Law<3>>;
+
+  /// Settings and the law of the one body.
+  static std::pair<Settings, SpaceLaw> read_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm)
+  {
+    Settings settings;
+    settings.parse_parameters(prm, 3);
+    if (settings.scheme.name != "quasi_static")
+      throw InputError("'Time/Scheme' = '" + settings.scheme.name +
+                       "' is not allowed with 'Dimension' = '3': it must be 'quasi_static'");
+    if (settings.step.time_step == 0. && settings.wall_way == 0.)
+      throw InputError(
+          "'Time/Time step' = '0' is not allowed with 'Dimension' = '3': set it, or 'Time/Wall way', "
+          "greater than 0");
+    const MaterialDescription &material = scene.materials[scene.bodies.front().material];
+    SpaceLaw law = law_of<3>(material, prm);
+    if (law->n_history() > 0)
+      throw InputError(
+          "'Materials/" + material.name + "/Law' = '" + material.law +
+          "' is not allowed with 'Dimension' = '3': it must be an elastic law, which keeps no history");
+    if (!law->symmetric_tangent())
+      throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
+                       "' is not allowed with 'Dimension' = '3': its tangent must be symmetric");
+    return {settings, law};
+  }
+
+  template <int dim>
+  static std::shared_ptr<const constitutive::Law<dim>> law_of(const MaterialDescription &material,
+                                                              dealii::ParameterHandler &prm)
+  {
+    const WithinSection materials(prm, "Materials"), own(prm, material.name);
+    try
+    {
+      return constitutive::create_law<dim>(material.law, prm);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError("'Materials/" + material.name + "': " + error.what());
+    }
+  }
+
   /// @throw InputError when walls have what a scheme without inertia would ignore
   static void check_wall_inertia(const Scene<2> &scene, const Settings &settings)
   {
@@ -185,18 +240,7 @@ private:
     Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
-      prm.enter_subsection("Materials");
-      prm.enter_subsection(material.name);
-      try
-      {
-        laws.push_back(constitutive::create_law<2>(material.law, prm));
-      }
-      catch (const InputError &error)
-      {
-        throw InputError("'Materials/" + material.name + "': " + error.what());
-      }
-      prm.leave_subsection();
-      prm.leave_subsection();
+      laws.push_back(law_of<2>(material, prm));
       if (settings.scheme.implicit && !laws.back()->symmetric_tangent())
         throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
                          "' is not allowed with 'Time/Scheme' = '" + settings.scheme.name +

@@ -39,11 +39,12 @@ void declare_discretisation(dealii::ParameterHandler &prm)
   in_section(prm, "Mesh",
              [&]
              {
-               prm.declare_entry("Lower", "0, 0", List(Double(), 2, 2),
-                                 "Lower left corner of the background mesh. Units: m.");
-               prm.declare_entry(
-                   "Upper", "1, 1", List(Double(), 2, 2),
-                   "Upper right corner; the mesh ends at the first cell face beyond it. Units: m.");
+               prm.declare_entry("Lower", "0, 0", List(Double(), 2, 3),
+                                 "Corner of the background mesh with the smallest coordinates, as many as "
+                                 "'Dimension' says. Units: m.");
+               prm.declare_entry("Upper", "1, 1", List(Double(), 2, 3),
+                                 "Corner with the greatest coordinates; the mesh ends at the first cell face "
+                                 "beyond it. Units: m.");
                prm.declare_entry("Cell size", "0", Double(0.),
                                  "Edge of the square cells. 0: a share of the width of the smallest body, as "
                                  "'Fidelity' says. Units: m.");
@@ -272,35 +273,51 @@ void Settings::declare_parameters(dealii::ParameterHandler &prm)
   declare_contact(prm);
 }
 
-void Settings::parse_parameters(dealii::ParameterHandler &prm)
+void Settings::parse_mesh(const dealii::ParameterHandler &prm, const unsigned int dimension)
 {
-  in_section(
-      prm, "Mesh",
-      [&]
-      {
-        mesh_lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
-        mesh_upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
-        cell_size = prm.get_double("Cell size");
-        refine_near_contact = prm.get_integer("Refine near contact");
-        if (cell_size < tiny)
-          throw InputError(
-              "'Mesh/Cell size' = '" + prm.get("Cell size") +
-              "' is not allowed here: there is no body whose width is known beforehand, so it must "
-              "be greater than 0");
-        for (unsigned int d = 0; d < 2; ++d)
-          if (!(mesh_upper[d] > mesh_lower[d]))
-            throw InputError("'Mesh/Upper' = '" + prm.get("Upper") +
-                             "' is not allowed: both numbers must be greater than those of 'Mesh/Lower' = '" +
-                             prm.get("Lower") + "'");
-        if ((mesh_upper[0] - mesh_lower[0]) / finest_cell() *
-                ((mesh_upper[1] - mesh_lower[1]) / finest_cell()) >
-            1e8)
-          throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") + "' is not allowed" +
-                           (refine_near_contact > 0
-                                ? " with 'Refine near contact' = '" + prm.get("Refine near contact") + "'"
-                                : "") +
-                           ": the mesh would have more than 1e8 cells");
-      });
+  for (const std::string key : {"Lower", "Upper"})
+    if (const std::string text = prm.get(key);
+        std::count(text.begin(), text.end(), ',') != static_cast<int>(dimension) - 1)
+      throw InputError("'Mesh/" + key + "' = '" + text + "' is not allowed: with 'Dimension' = '" +
+                       std::to_string(dimension) + "' it must be " +
+                       (dimension == 2 ? "two numbers \"x, y\"" : "three numbers \"x, y, z\""));
+  if (dimension == 2)
+  {
+    mesh_lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
+    mesh_upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
+  }
+  else
+  {
+    space_lower = dealii::Point<3>(vector_of_numbers<3>(prm.get("Lower")));
+    space_upper = dealii::Point<3>(vector_of_numbers<3>(prm.get("Upper")));
+  }
+  cell_size = prm.get_double("Cell size");
+  refine_near_contact = prm.get_integer("Refine near contact");
+  if (cell_size < tiny)
+    throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") +
+                     "' is not allowed here: there is no body whose width is known beforehand, so it must "
+                     "be greater than 0");
+  double cells = 1.;
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    const double width = dimension == 2 ? mesh_upper[d] - mesh_lower[d] : space_upper[d] - space_lower[d];
+    if (!(width > 0.))
+      throw InputError("'Mesh/Upper' = '" + prm.get("Upper") +
+                       "' is not allowed: " + (dimension == 2 ? "both" : "all") +
+                       " numbers must be greater than those of 'Mesh/Lower' = '" + prm.get("Lower") + "'");
+    cells *= width / finest_cell();
+  }
+  if (cells > 1e8)
+    throw InputError("'Mesh/Cell size' = '" + prm.get("Cell size") + "' is not allowed" +
+                     (refine_near_contact > 0
+                          ? " with 'Refine near contact' = '" + prm.get("Refine near contact") + "'"
+                          : "") +
+                     ": the mesh would have more than 1e8 cells");
+}
+
+void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned int dimension)
+{
+  in_section(prm, "Mesh", [&] { parse_mesh(prm, dimension); });
   in_section(
       prm, "Material points",
       [&]

@@ -38,9 +38,10 @@ enum class ContactCoupling
 /// Everything that says how MPM solves a scene, as read from a parameter file.
 struct Settings
 {
-  dealii::Point<2> mesh_lower, mesh_upper; ///< [m]
-  double cell_size = 0;                    ///< of the largest cells [m]
-  unsigned int refine_near_contact = 0;    ///< levels of smaller cells there
+  dealii::Point<2> mesh_lower, mesh_upper;   ///< [m]
+  dealii::Point<3> space_lower, space_upper; ///< the same where the dimension is 3 [m]
+  double cell_size = 0;                      ///< of the largest cells [m]
+  unsigned int refine_near_contact = 0;      ///< levels of smaller cells there
 
   std::string shape = "bspline";
   unsigned int points_per_direction = 2;
@@ -120,8 +121,13 @@ struct Settings
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);
+  /// @param dimension 2 or 3
   /// @throw InputError for values that do not fit together
-  void parse_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm, unsigned int dimension = 2);
+
+private:
+  /// The handler stands in section Mesh.
+  void parse_mesh(const dealii::ParameterHandler &prm, unsigned int dimension);
 };
 } // namespace softgrain::mpm
 

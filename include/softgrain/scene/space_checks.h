@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_scene_space_checks_h
+#define softgrain_scene_space_checks_h
+
+#include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/scene/scene.h>
+
+namespace softgrain
+{
+/**
+ * @brief Looks at a scene in space before anything is computed.
+ *
+ * Few scenes can be computed there so far: one body between flat walls that are told how to move, without
+ * friction and loads. Every parameter that would ask for more, and every one that would have no effect, must
+ * stand at its default.
+ *
+ * @param parameters all of the file
+ * @throw InputErrors with a line for each that does not, and for what does not fit together
+ */
+void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters);
+} // namespace softgrain
+
+#endif

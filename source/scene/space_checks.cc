@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/mistakes.h>
+#include <softgrain/geometry/solid.h>
+#include <softgrain/scene/space_checks.h>
+#include <softgrain/scene/wall_drive.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace softgrain
+{
+namespace
+{
+/// Parameters that are known in space: "Section/Key", "*" for any name, and all of a section with a slash at
+/// the end.
+const std::vector<std::string> known = {"Dimension",
+                                        "Model",
+                                        "Output directory",
+                                        "Additional shared libraries",
+                                        "Threads",
+                                        "Output/Fields every",
+                                        "Output/Number of field outputs",
+                                        "Output/Field parts",
+                                        "Output/Compression level",
+                                        "Output/History every",
+                                        "Output/Checkpoint every",
+                                        "Output/Checkpoints kept",
+                                        "Materials/",
+                                        "Bodies/Names",
+                                        "Bodies/*/Material",
+                                        "Bodies/*/Shape",
+                                        "Bodies/*/Center",
+                                        "Bodies/*/Radius",
+                                        "Walls/Names",
+                                        "Walls/*/Type",
+                                        "Walls/*/Point",
+                                        "Walls/*/Normal",
+                                        "Walls/*/Drive",
+                                        "Walls/*/Velocity",
+                                        "Walls/*/Position",
+                                        "Mesh/Lower",
+                                        "Mesh/Upper",
+                                        "Mesh/Cell size",
+                                        "Material points/Points per direction",
+                                        "Material points/Fill limit",
+                                        "Material points/F-bar",
+                                        "Time/Scheme",
+                                        "Time/Time step",
+                                        "Time/Wall way",
+                                        "Time/Smallest step",
+                                        "Newton/Residual tolerance",
+                                        "Newton/Maximum iterations",
+                                        "Newton/Largest strain",
+                                        "Linear solver/Type",
+                                        "Quasi-static/Regularisation",
+                                        "Contact/Sub-grid compliance",
+                                        "Stop/"};
+
+bool matches(const std::vector<std::string> &path, const std::string &pattern)
+{
+  const std::vector<std::string> wanted = dealii::Utilities::split_string_list(pattern, "/");
+  const bool whole = pattern.back() == '/';
+  // A list that ends with its separator has no empty part at its end.
+  if (whole ? path.size() <= wanted.size() : path.size() != wanted.size())
+    return false;
+  return std::equal(wanted.begin(), wanted.end(), path.begin(),
+                    [](const std::string &w, const std::string &name) { return w == "*" || w == name; });
+}
+
+void check_section(const ParameterSection &section, std::vector<std::string> &path, Mistakes &mistakes)
+{
+  for (const ParameterEntry &entry : section.entries)
+  {
+    if (entry.value == entry.default_value)
+      continue;
+    path.push_back(entry.name);
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const std::string &pattern) { return matches(path, pattern); }))
+    {
+      std::string name;
+      for (const std::string &part : path)
+        name += (name.empty() ? "" : "/") + part;
+      mistakes.add(
+          InputError("'" + name + "' = '" + entry.value +
+                     "' is not allowed with 'Dimension' = '3', where it is not there yet: it must be '" +
+                     entry.default_value + "'"));
+    }
+    path.pop_back();
+  }
+  for (const ParameterSection &part : section.sections)
+  {
+    path.push_back(part.name);
+    check_section(part, path, mistakes);
+    path.pop_back();
+  }
+}
+
+void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
+{
+  std::vector<std::string> names;
+  for (const BodyDescription<3> &body : scene.bodies)
+  {
+    names.push_back(body.name);
+    mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); });
+  }
+  if (names.size() != 1)
+    mistakes.add(
+        InputError("'Bodies/Names' = '" + join(names) +
+                   "' is not allowed with 'Dimension' = '3': it must name one body, since contact between "
+                   "bodies is not there yet"));
+}
+
+void check_walls(const Scene<3> &scene, Mistakes &mistakes)
+{
+  for (const WallDescription<3> &wall : scene.walls)
+  {
+    const std::string section = "'Walls/" + wall.name;
+    if (wall.type != WallDescription<3>::Type::plane)
+      mistakes.add(InputError(section + "/Type' is not allowed with 'Dimension' = '3': it must be 'plane'"));
+    if (!wall.drive->prescribed())
+      mistakes.add(
+          InputError(section + "/Drive' = '" + wall.drive_name +
+                     "' is not allowed with 'Dimension' = '3': it must be one that says how the wall "
+                     "moves, 'velocity' or 'position'"));
+    for (const BodyDescription<3> &body : scene.bodies)
+    {
+      const auto [nearest, farthest] = body.shape->distances_from_plane(wall.point, wall.normal);
+      if (nearest < -1e-9 * (farthest - nearest))
+      {
+        std::ostringstream text;
+        text << "'Bodies/" << body.name << "' reaches " << -nearest << " m behind wall '" << wall.name
+             << "': it must lie on its inner side at the start";
+        mistakes.add(InputError(text.str()));
+      }
+    }
+  }
+}
+} // namespace
+
+void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
+{
+  Mistakes mistakes;
+  std::vector<std::string> path;
+  check_section(parameters, path, mistakes);
+  check_bodies(scene, mistakes);
+  check_walls(scene, mistakes);
+  mistakes.end();
+}
+} // namespace softgrain
