@@ -14,6 +14,10 @@ NOT_TRIED = {
     "Stop/Equilibrium energy": "beside Equilibrium", "Stop/Steady window": "beside Steady state",
     "Materials/NAME/Yeoh/Third coefficient": "keeps its default", "Materials/NAME/Growth/Largest growth": "a limit",
     "Materials/NAME/Viscoplastic/Largest increment": "a limit", "Packing/Until jammed": "takes seconds",
+    "Packing/Classes": "classes of grains have tests of their own", "Packing/Class table": "the same", "Packing/Shares of": "the same",
+    "Packing/Mean diameter": "of sizes that have tests of their own", "Packing/Standard deviation": "the same", "Packing/Exponent": "the same",
+    "Primaries/Mean diameter": "as of packings", "Primaries/Standard deviation": "the same", "Primaries/Exponent": "the same",
+    "Contact/Friction at walls": "every wall of a scene says its own", "Dimension": "scenes in space have tests of their own",
     "Packing/Method": "automatic is one of the others", "Packing/Periodic": "packings of cells have tests of their own",
     "Stages/NAME/Stop/Equilibrium energy": "as Stop", "Stages/NAME/Stop/Steady window": "as Stop",
 }

@@ -33,6 +33,8 @@ RULES = [
     ("Packing/Lower", "box corner", "m"), ("Packing/Upper", "box corner", "m"),
     ("Packing/Smallest diameter", "numbers", "m"), ("Packing/Largest diameter", "numbers", "m"),
     ("Primaries/Smallest diameter", "numbers", "m"), ("Primaries/Largest diameter", "numbers", "m"),
+    ("Packing/Mean diameter", "numbers", "m"), ("Packing/Standard deviation", "numbers", "m"), ("Packing/Classes", "classes", "m"),
+    ("Primaries/Mean diameter", "numbers", "m"), ("Primaries/Standard deviation", "numbers", "m"),
     ("Materials/*/Density", "numbers", "kg/m^3"), ("Materials/*/Growth/Rate", "formula", "1/s"),
     ("Materials/*/Growth/Along", "line angle", ""),
     ("Materials/*/Power law/Force at contact", "numbers", "N/m"),
