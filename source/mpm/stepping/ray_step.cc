@@ -248,6 +248,9 @@ std::string RayStep::find()
   outcome.contact_sweeps = system.passes;
   if (inertia && walls_are_on_their_way(work))
     return "a wall under a load would go further than 'Wall motion' allows";
+  heed_laws(state.bodies, equations.stress_outcome(), outcome);
+  if (outcome.law_asks)
+    return outcome.reason;
   hand_over_rows();
   if (const std::string given = why_contact_would_give(); !given.empty())
   {
