@@ -38,10 +38,20 @@ def loads_of(state) -> Table:
                   "force_N_per_m": np.stack([total(force[:, 0]), total(force[:, 1])], axis=1), "torque_N": total(torque)}, "loads")
 
 
+def body_names(state):
+    """Of all bodies by their numbers; a body without a name has its number."""
+    numbers = state.bodies["body"].astype(int).tolist()
+    return dict(zip(numbers, state.bodies["name"].tolist() if "name" in state.bodies else map(str, numbers)))
+
+
+def wall_names(state):
+    """Of walls and, behind them, obstacles."""
+    return [*state.run.parameters.names("Walls"), *state.run.parameters.names("Obstacles")]
+
+
 def names_of(state, partner, wall):
     """Names of partners; a body without a name has its number."""
-    bodies = dict(zip(state.bodies["body"].tolist(), state.bodies["name"].tolist())) if "name" in state.bodies else {}
-    walls = [*state.run.parameters.names("Walls"), *state.run.parameters.names("Obstacles")]
+    bodies, walls = body_names(state), wall_names(state)
     return np.array([(walls[w] if w < len(walls) else f"wall {w}") if w != NONE else bodies.get(p, str(p))
                      for p, w in zip(partner.tolist(), wall.tolist())], dtype=str)
 

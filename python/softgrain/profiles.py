@@ -5,6 +5,7 @@ import numpy as np
 
 from .contacts import NONE
 from .errors import InputError
+from .loads import body_names, wall_names
 from .tables import Table
 
 
@@ -73,18 +74,6 @@ def rows_of(state, body, partner):
     first, second = (a == own) & (b == other), (a == other) & (b == own)
     rows = np.flatnonzero(first | second)
     return rows, np.where(first[rows], 1., -1.)
-
-
-def body_names(state):
-    """Of all bodies by their numbers; a body without a name has its number."""
-    bodies = state.bodies
-    names = bodies["name"].tolist() if "name" in bodies else bodies["body"].astype(int).astype(str).tolist()
-    return dict(zip(bodies["body"].astype(int).tolist(), names))
-
-
-def wall_names(state):
-    """Of walls and, behind them, obstacles."""
-    return [*state.run.parameters.names("Walls"), *state.run.parameters.names("Obstacles")]
 
 
 def number_of(state, body, may_fail=False):

@@ -314,43 +314,49 @@ void FieldWriter::put(Frame &frame,
   frame.parts.emplace_back(part, name);
 }
 
-void FieldWriter::write(const Snapshot<2> &snapshot)
+template <int dim, class Parts>
+void FieldWriter::write_frame(const Snapshot<dim> &snapshot, const Parts &parts)
 {
   const std::string number = begin_frame(snapshot.time);
   Frame frame;
   frame.time = snapshot.time;
-  const auto put_part = [&](const std::string &part, const auto &fill)
-  { put(frame, number, part, snapshot.step, fill); };
-  if (options.points)
-    put_part("points", [&](VtuFile &file) { fill_points(file, snapshot.points, options); });
-  if (options.outlines)
-    put_part("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
-  if (options.contacts)
-    put_part("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
-  if (options.walls)
-    put_part("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
-  if (options.walls && !snapshot.obstacles.empty())
-    put_part("obstacles", [&](VtuFile &file) { fill_obstacles(file, snapshot.obstacles); });
+  parts([&](const std::string &part, const auto &fill) { put(frame, number, part, snapshot.step, fill); });
   frames.push_back(frame);
   write_index();
 }
 
+void FieldWriter::write(const Snapshot<2> &snapshot)
+{
+  write_frame(snapshot,
+              [&](const auto &put_part)
+              {
+                if (options.points)
+                  put_part("points", [&](VtuFile &file) { fill_points(file, snapshot.points, options); });
+                if (options.outlines)
+                  put_part("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
+                if (options.contacts)
+                  put_part("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
+                if (options.walls)
+                  put_part("walls", [&](VtuFile &file) { fill_walls(file, snapshot); });
+                if (options.walls && !snapshot.obstacles.empty())
+                  put_part("obstacles", [&](VtuFile &file) { fill_obstacles(file, snapshot.obstacles); });
+              });
+}
+
 void FieldWriter::write(const Snapshot<3> &snapshot)
 {
-  const std::string number = begin_frame(snapshot.time);
-  Frame frame;
-  frame.time = snapshot.time;
-  const auto put_part = [&](const std::string &part, const auto &fill)
-  { put(frame, number, part, snapshot.step, fill); };
-  if (options.points)
-    put_part("points", [&](VtuFile &file)
-             { space_fields::fill_points(file, snapshot.points, options.deformation_gradient); });
-  if (options.outlines)
-    put_part("outlines", [&](VtuFile &file) { space_fields::fill_surfaces(file, snapshot.bodies); });
-  if (options.contacts)
-    put_part("contacts", [&](VtuFile &file) { space_fields::fill_contacts(file, snapshot.contacts); });
-  frames.push_back(frame);
-  write_index();
+  write_frame(
+      snapshot,
+      [&](const auto &put_part)
+      {
+        if (options.points)
+          put_part("points", [&](VtuFile &file)
+                   { space_fields::fill_points(file, snapshot.points, options.deformation_gradient); });
+        if (options.outlines)
+          put_part("outlines", [&](VtuFile &file) { space_fields::fill_surfaces(file, snapshot.bodies); });
+        if (options.contacts)
+          put_part("contacts", [&](VtuFile &file) { space_fields::fill_contacts(file, snapshot.contacts); });
+      });
 }
 
 void FieldWriter::write_index() const

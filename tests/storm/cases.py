@@ -36,7 +36,7 @@ class Case:
             self.controls[which] = self.run(nudged(with_library(self.scene), which), f"control{which}")
         return self.controls[which]
 
-    def library(self):
+    def aggregates(self):
         """The aggregates that the base has made."""
         path = self.base.folder / "library.csv"
         return path.read_text() if path.exists() else None

@@ -46,9 +46,9 @@ class InFrame(Relation):
         cell = spacing_of(case.scene)
         change = dataclasses.replace(self.change, shift=tuple(cell * n for n in self.change.shift))
         scene = case.scene
-        if case.library() is not None:
+        if case.aggregates() is not None:
             scene = with_library(scene).copy()
-            scene.files["library.csv"] = case.library()
+            scene.files["library.csv"] = case.aggregates()
         return near(case, self.name, case.run(changes.change_scene(scene, change), self.name), change)
 
 
@@ -99,8 +99,8 @@ class Order(Relation):
 
     def ask(self, case):
         scene, renamed = with_library(case.scene).copy(), {}
-        if case.library() is not None:
-            scene.files["library.csv"] = case.library()
+        if case.aggregates() is not None:
+            scene.files["library.csv"] = case.aggregates()
         if scene.names("Bodies"):
             scene.set("Bodies/Names", ", ".join(reversed(scene.names("Bodies"))))
         else:

@@ -32,11 +32,11 @@ public:
   };
   Foot foot(const Place &p) const;
 
-  /// How it runs at some place.
+  /// Place, direction and curvature at some length along the curve.
   struct Course
   {
     Place place;      ///< [m]
-    Vector direction; ///< unit, on
+    Vector direction; ///< unit, towards the end
     double bend = 0;  ///< by which it turns to the left [1/m]
   };
   /// @param along from the beginning, within its length [m]

@@ -72,6 +72,9 @@ private:
            const std::string &part,
            std::uint64_t step,
            const Fill &fill) const;
+  /// Writes the files of a frame, for which @p parts calls put_part(name, fill) each.
+  template <int dim, class Parts>
+  void write_frame(const Snapshot<dim> &snapshot, const Parts &parts);
   void write_index() const;
   void remove_stale_files() const;
 

@@ -22,14 +22,18 @@ using Point = dealii::Point<2>;
 
 constexpr double spacing_in_cells = 0.5;
 constexpr double keeps_direction = 0.98163;
-/// Finds the stretches of a pair.
-void look(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples, FrameTask &task)
+/// Finds the stretches of a pair. @param lines samples of the obstacles
+void look(const FrameScene &scene,
+          const std::vector<SampledSurface<2>> &samples,
+          const std::vector<SampledSurface<2>> &lines,
+          FrameTask &task)
 {
   const SampledSurface<2> &body = samples[task.named.body];
-  if (const ObstacleLine *line = scene.line_of(task.named))
+  if (scene.line_of(task.named) != nullptr)
   {
     // Long lines have but a part near a body.
-    task.image = std::make_unique<SampledSurface<2>>(line->samples_in(task.near, 0.5 * scene.cell_size));
+    task.image =
+        std::make_unique<SampledSurface<2>>(part_in(task.near, lines[task.named.wall - scene.walls.size()]));
     task.partner = task.image.get();
     if (!task.partner->samples.empty())
       task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
@@ -141,12 +145,15 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
                  for (std::size_t b = begin; b < end; ++b)
                    samples[b] = sample_outline(scene.bodies[b], scene.outlines[b]);
                });
+  std::vector<SampledSurface<2>> lines;
+  for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
+    lines.push_back((*scene.lines)[o].samples(0.5 * scene.cell_size));
   std::vector<FrameTask> tasks = find_frame_tasks(scene, samples);
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t i = begin; i < end; ++i)
-                   look(scene, samples, tasks[i]);
+                   look(scene, samples, lines, tasks[i]);
                });
   for (FrameTask &task : tasks)
     for (const FrameStretch &stretch : task.stretches)

@@ -39,9 +39,9 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
   double sum = 0.;
   for (const auto &ray : frame.rays)
     sum += ray.force;
+  dent_at_start = subgrid(dent, sum) * sum;
   if (met_at < 1.)
   {
-    dent_at_start = subgrid(dent, sum) * sum;
     opens = share_that_opens(scene);
     softness *= opens; // in short steps masses yield much less than matter
   }
@@ -108,7 +108,7 @@ RaySide<2> FrameState::meet_surface(const FrameScene &scene,
                    : meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], guess);
 }
 
-/// A place of the material, or of an obstacle, is where it is.
+/// A corner is a place of the material, or of an obstacle: no ray need be followed to it.
 void FrameState::meet_corner(const FrameScene &scene,
                              const std::vector<Eigen::VectorXd> &displacement,
                              const unsigned int k)
@@ -162,14 +162,14 @@ bool FrameState::meet_ray(const FrameScene &scene,
   return true;
 }
 
-/// Of an overlap with which a step with inertia begins: what is found late is pushed out without a velocity,
-/// see Opening.
+/// Share of an overlap at the start that a step with inertia opens, see Opening: what is found late is pushed
+/// out without a velocity.
 double FrameState::share_that_opens(const FrameScene &scene) const
 {
   return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
 }
 
-/// From the gap halfway that at the end.
+/// Replaces the gap halfway through the step by the gap at its end.
 void FrameState::draw_on(const unsigned int k, const bool begins)
 {
   RayHere &here = rays[k];
@@ -199,10 +199,9 @@ void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, c
     if (const unsigned int b = body(side); b != none)
     {
       apart_by += sign(side) * carried[side];
+      here.hold[side] = scene.bodies[b].field.functions_at(here.start[side].position);
       if (unknown(side) != none)
-        apart_by +=
-            sign(side) * scene.dt *
-            scene.bodies[b].field.functions_at(here.start[side].position).at(scene.bodies[b].velocity);
+        apart_by += sign(side) * scene.dt * here.hold[side].at(scene.bodies[b].velocity);
     }
   here.known_slide = (1. - theta) * (apart_by * here.e);
 }
@@ -278,10 +277,7 @@ bool FrameState::evaluate(const FrameScene &scene,
 
 void FrameState::keep_dent()
 {
-  double sum = 0.;
-  for (const auto &ray : frame.rays)
-    sum += ray.force;
-  dent_depth = subgrid(dent, sum) * sum;
+  dent_depth = dent_at_start;
   by_force = 0.;
   keeps_dent = true;
 }

@@ -155,4 +155,21 @@ void add_corners(const SampledSurface<2> *partner,
   for (auto &[at, corner] : corners)
     stretches.push_back(std::move(corner));
 }
+
+SampledSurface<2> part_in(const dealii::BoundingBox<2> &box, const SampledSurface<2> &surface)
+{
+  SampledSurface<2> part;
+  part.spacing = surface.spacing;
+  std::vector<unsigned int> here(surface.samples.size(), Frame::none); // number in the part
+  for (unsigned int i = 0; i < here.size(); ++i)
+    if (box.point_inside(surface.samples[i].position))
+    {
+      here[i] = part.samples.size();
+      part.samples.push_back(surface.samples[i]);
+    }
+  for (const auto &[i, j] : surface.neighbours)
+    if (here[i] != Frame::none && here[j] != Frame::none)
+      part.neighbours.emplace_back(here[i], here[j]);
+  return part;
+}
 } // namespace softgrain::mpm

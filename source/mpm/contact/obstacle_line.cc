@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -10,7 +11,7 @@ namespace
 {
 using Vector = dealii::Tensor<1, 2>;
 
-/// A sample at the end of the surface's piece before @p piece, which has a corner there.
+/// Gives a sample where @p piece begins in a corner the normal and the angle of the corner.
 void make_corner(const LineSurface &surface,
                  const unsigned int piece,
                  const Pose &pose,
@@ -52,41 +53,36 @@ double ObstacleLine::largest_way() const
   return largest;
 }
 
-SampledSurface<2> ObstacleLine::samples_in(const dealii::BoundingBox<2> &box, const double spacing) const
+SampledSurface<2> ObstacleLine::samples(const double spacing) const
 {
   SampledSurface<2> result;
-  const Pose &pose = way.start;
-  unsigned int before = static_cast<unsigned int>(-1);
-  const auto add = [&](const unsigned int piece, const double along)
-  {
-    SampledSurface<2>::Sample sample;
-    sample.place = surface.at(piece, along);
-    sample.position = pose.placed(sample.place.position);
-    if (!box.point_inside(sample.position))
-    {
-      before = static_cast<unsigned int>(-1);
-      return;
-    }
-    sample.normal = pose.turned(sample.place.normal, pose.angle);
-    if (along == 0. && surface.corner_before(piece))
-      make_corner(surface, piece, pose, sample);
-    const unsigned int here = result.samples.size();
-    if (before != static_cast<unsigned int>(-1))
-      result.neighbours.emplace_back(before, here);
-    before = here;
-    result.samples.push_back(sample);
-  };
   result.spacing = spacing;
+  const Pose &pose = way.start;
   const unsigned int n = surface.n_pieces() / 2;
+  std::vector<unsigned int> first(2 * n), last(2 * n); // samples of every piece
   for (unsigned int step = 0; step < 2 * n; ++step)
   {
     // On along the right side and back along the left one.
     const unsigned int piece = step < n ? step : 3 * n - 1 - step;
     const double length = surface.length(piece);
     const unsigned int parts = std::max(1., std::ceil(length / spacing));
+    first[piece] = result.samples.size();
+    last[piece] = first[piece] + parts - 1;
     for (unsigned int i = 0; i < parts; ++i)
-      add(piece, i * length / parts);
+    {
+      SampledSurface<2>::Sample sample;
+      sample.place = surface.at(piece, i * length / parts);
+      sample.position = pose.placed(sample.place.position);
+      sample.normal = pose.turned(sample.place.normal, pose.angle);
+      if (i == 0 && surface.corner_before(piece))
+        make_corner(surface, piece, pose, sample);
+      else if (i > 0)
+        result.neighbours.emplace_back(first[piece] + i - 1, first[piece] + i);
+      result.samples.push_back(sample);
+    }
   }
+  for (unsigned int piece = 0; piece < 2 * n; ++piece)
+    result.neighbours.emplace_back(last[surface.previous(piece)], first[piece]);
   return result;
 }
 

@@ -81,10 +81,11 @@ void derive(const Ray<dim> &ray,
       side.sliding_twice += (side.normal * second) * outer_product(side.way[i], side.way[j]);
     }
 }
+
 /// Where the field has kinks at the sides of cells, there is no direction in which a force at a kink acts,
 /// and Newton's method goes from one side to the other. So slope and bending of the surface are those of a
-/// short piece of it, between places @p rounded on both sides: both change without jumps while the place
-/// slides.
+/// short piece of it, which reaches as far to one side of the place as to the other: both change without
+/// jumps while the place slides.
 void round_off(const Ray<2> &ray, const RestSurface<2> &surface, FieldNear<2> &near, RaySide<2> &side)
 {
   const double rounded = half_piece * near.cell_size();

@@ -140,4 +140,19 @@ std::string why_contact_gives(const Problem &problem,
        << short_number(row.gap / problem.lattice->cell_size()) << " cells at the start of the step";
   return text.str();
 }
+
+std::string why_contact_gives(const Problem &problem,
+                              const State &state,
+                              const Workspace &work,
+                              const double dt,
+                              const std::vector<WallMotion<2>> &motion,
+                              const std::vector<Eigen::VectorXd> &increment)
+{
+  std::vector<Eigen::VectorXd> rate(increment.size());
+  for (unsigned int b = 0; b < rate.size(); ++b)
+    if (work.share.mine(b))
+      rate[b] = increment[b] / dt;
+  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, dt, rate, motion),
+                           increment);
+}
 } // namespace softgrain::mpm

@@ -95,7 +95,6 @@ private:
   std::string iterate();
   std::string at_end(bool settled);
   std::string too_deep();
-  std::string why_contact_would_give();
 
   const Problem &problem;
   const State &state;
@@ -247,19 +246,10 @@ std::string ImplicitStep::at_end(const bool settled)
            equations.worst_body();
   // What contact gives with newmark is a property of that scheme, not of a step (doc/theory.md).
   const bool judged = problem.settings.scheme.inertia && !problem.settings.scheme.stored_acceleration;
-  const std::string given = judged ? why_contact_would_give() : "";
+  const std::string given =
+      judged ? why_contact_gives(problem, state, work, plan.dt, motion, equations.increment) : "";
   return given.empty() ? judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome)
                        : given;
-}
-
-std::string ImplicitStep::why_contact_would_give()
-{
-  Vectors rate(trial.size());
-  for (unsigned int b = 0; b < trial.size(); ++b)
-    if (work.share.mine(b))
-      rate[b] = equations.increment[b] / plan.dt;
-  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, plan.dt, rate, motion),
-                           equations.increment);
 }
 
 // Why the step may not end: bodies are deeper in each other than is allowed, and than they were; or empty.

@@ -49,7 +49,6 @@ private:
   }
   bool begin();
   void hand_over_rows();
-  std::string why_contact_would_give();
   std::string find_forces();
   bool resist_more();
   bool keep_dents();
@@ -95,13 +94,13 @@ std::string RayStep::find_forces()
       if (system.solve(y, h, *negative) && system.wrong_inertia(*negative) == 0)
         return "";
     }
-    if (attempt == most_rises || (inertia && !factors_serve))
-      return "no forces of contacts are found";
     if (factors_serve)
     {
       factors_serve = false;
       continue;
     }
+    if (inertia || attempt == most_rises)
+      return "no forces of contacts are found";
     if (!resist_more())
       return why_not();
   }
@@ -199,10 +198,11 @@ std::string RayStep::iterate()
     if (halving >= halvings_with_all_rays && leave_unmet_rays() && evaluate(way))
       break;
   }
-  const double before_it = residual;
+  const double residual_before = residual;
   measure();
   // Masses make most of the matrix: near the end it need not be the latest.
-  factors_serve = inertia && residual < old_factors_below && (!factors_serve || residual < 0.1 * before_it);
+  factors_serve =
+      inertia && residual < old_factors_below && (!factors_serve || residual < 0.1 * residual_before);
   return "";
 }
 
@@ -252,7 +252,9 @@ std::string RayStep::find()
   if (outcome.law_asks)
     return outcome.reason;
   hand_over_rows();
-  if (const std::string given = why_contact_would_give(); !given.empty())
+  const std::string given =
+      inertia ? why_contact_gives(problem, state, work, plan.dt, motion, equations.increment) : "";
+  if (!given.empty())
   {
     outcome.gives_energy = true;
     return given;
@@ -268,17 +270,6 @@ void RayStep::hand_over_rows()
   std::vector<ContactRow<2>> rows = rows_of_frames(scene, frames, force, rubbing, memory);
   work.contact.held = false; // dents are those of the frames
   work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
-}
-
-std::string RayStep::why_contact_would_give()
-{
-  if (!inertia)
-    return "";
-  Vectors rate(way.size());
-  for (unsigned int b = 0; b < way.size(); ++b)
-    rate[b] = way[b] / plan.dt;
-  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, plan.dt, rate, motion),
-                           equations.increment);
 }
 
 void RayStep::accept(State &state_to_change)

@@ -3,6 +3,7 @@
 #include <softgrain/linear/dense_kernels.h>
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/field/cell_slopes.h>
+#include <softgrain/mpm/stepping/slope_columns.h>
 #include <softgrain/mpm/stepping/space_cell.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
@@ -194,7 +195,7 @@ public:
     const unsigned int n_points = body.field.first_point(cell + 1) - first;
     const int m = body.field.cell_independent(cell).size(), n_rows = DenseKernels::filled(m),
               n_columns = DenseKernels::filled(3 * m);
-    const DenseKernels::Out slopes = find_slopes(body, s, cell, n_rows);
+    const DenseKernels::Out slopes = slope_columns.find(body, s, cell, n_rows);
     const DenseKernels::Out response = of_response.sized(n_columns, 2 * n_points);
     const DenseKernels::Out blocks = of_blocks.sized(n_rows, n_columns);
     for (unsigned int q = 0; q < n_points; ++q)
@@ -224,22 +225,6 @@ public:
   }
 
 private:
-  /// Memory of a matrix whose size changes from cell to cell.
-  class Memory
-  {
-  public:
-    DenseKernels::Out sized(const int n_rows, const int n_columns)
-    {
-      const std::size_t size = static_cast<std::size_t>(n_rows) * n_columns;
-      if (values.size() < size)
-        values.resize(size);
-      return {values.data(), n_rows};
-    }
-
-  private:
-    std::vector<double, Eigen::aligned_allocator<double>> values;
-  };
-
   static void combine(
       const int m, const double *const x, const double a, const double *const y, const double b, double *out)
   {
@@ -247,44 +232,8 @@ private:
       out[k] = a * x[k] + b * y[k];
   }
 
-  /// Derivatives along x and y of the independent nodes' functions, two columns per point.
-  DenseKernels::Out
-  find_slopes(const Body<2> &body, const StepState<2> &s, const unsigned int cell, const int n_rows)
-  {
-    const Eigen::MatrixXd &spread = body.field.cell_spread(cell);
-    const bool extended = spread.size() > 0;
-    const unsigned int first = body.field.first_point(cell), n = body.field.nodes_per_cell();
-    const int n_columns = 2 * (body.field.first_point(cell + 1) - first),
-              n_filled = extended ? DenseKernels::filled(n_columns) : n_columns;
-    const DenseKernels::Out slopes = of_slopes.sized(n_rows, n_filled);
-    // A column for every node where they are still to be extended, else one for every derivative.
-    const DenseKernels::Out nodal = extended ? of_nodes.sized(n_filled, n) : slopes;
-    const std::ptrdiff_t to_node = extended ? nodal.stride : 1, to_derivative = extended ? 1 : nodal.stride;
-    for (int q = 0; 2 * q < n_columns; ++q)
-    {
-      const dealii::Tensor<1, 2> *const slope = body.field.slopes(first + q);
-      const dealii::Tensor<2, 2> inverse = body.small_strain() ? dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}})
-                                                               : invert(s.grid_gradient[first + q]);
-      double *const x = nodal.data + 2 * q * to_derivative, *const y = x + to_derivative;
-      for (unsigned int k = 0; k < n; ++k)
-      {
-        x[k * to_node] = slope[k][0] * inverse[0][0] + slope[k][1] * inverse[1][0];
-        y[k * to_node] = slope[k][0] * inverse[0][1] + slope[k][1] * inverse[1][1];
-      }
-    }
-    if (!extended)
-    {
-      for (int j = 0; j < n_columns; ++j)
-        std::fill(slopes.at(n, j), slopes.at(n_rows, j), 0.);
-      return slopes;
-    }
-    for (unsigned int k = 0; k < n; ++k)
-      std::fill(nodal.at(n_columns, k), nodal.at(n_filled, k), 0.);
-    DenseKernels::set_product(n_rows, n_filled, n, {spread.data(), spread.outerStride()}, nodal, slopes);
-    return slopes;
-  }
-
-  Memory of_nodes, of_slopes, of_response, of_blocks;
+  SlopeColumns<2> slope_columns;
+  CellMemory of_response, of_blocks;
 };
 
 /// Adds the cells by PlaneCell.

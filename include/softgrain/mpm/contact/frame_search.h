@@ -35,7 +35,8 @@ struct FrameScene
   /// balance; 1/2: with inertia, so that forces between rest places do no work.
   double met_at = 1.;
   double theta = 1.; ///< of TimeScheme
-  /// Of the outline of every body over the step as it moves now; empty: without inertia [m].
+  /// How far the outline of every body would go in the step at its present velocity; empty: without
+  /// inertia [m].
   std::vector<double> own_way = {};
   const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
 

@@ -147,7 +147,7 @@ public:
     for (const auto &[i, weight] : mean[side])
       add(i, factor * weight * frame.across[0]);
   }
-  /// Of second derivatives of a height, that those of its gap have.
+  /// Factor from second derivatives of heights to those of gaps.
   double bend() const { return met_at; }
   /// The same for sum_k P_k d^2 g_k/du dv, where a side moves by @p v. @param force of all rays [N/m]
   template <class F>
@@ -218,7 +218,7 @@ private:
   }
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
-  /// Of places of the partner that no body has, over the step.
+  /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
   Vector way_of_partner(const Vector &wall_way, const SurfacePlace<2> &place) const
   {
     return line != nullptr ? line->way_of(place) : frame.partner == none ? wall_way : Vector();

@@ -8,6 +8,8 @@
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/near_stretches.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <array>
 #include <vector>
 
@@ -38,6 +40,9 @@ stretches_between(const SampledSurface<2> &partner, const SampledSurface<2> &bod
 void add_corners(const SampledSurface<2> *partner,
                  const SampledSurface<2> &body,
                  std::vector<FrameStretch> &stretches);
+
+/// The samples of a surface that lie in a box.
+SampledSurface<2> part_in(const dealii::BoundingBox<2> &box, const SampledSurface<2> &surface);
 } // namespace softgrain::mpm
 
 #endif

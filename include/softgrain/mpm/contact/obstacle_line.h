@@ -7,8 +7,6 @@
 #include <softgrain/mpm/contact/near_stretches.h>
 #include <softgrain/mpm/contact/ray.h>
 
-#include <deal.II/base/bounding_box.h>
-
 namespace softgrain::mpm
 {
 /// The line of an obstacle, as rays meet it in the step that is planned for it.
@@ -17,8 +15,8 @@ class ObstacleLine
 public:
   explicit ObstacleLine(const Obstacle &obstacle);
 
-  /// Of both sides, where they are at the start of the step, what lies in a box; about @p spacing apart [m].
-  SampledSurface<2> samples_in(const dealii::BoundingBox<2> &box, double spacing) const;
+  /// Both sides, where they are at the start of the step. @param spacing of the samples, at most [m]
+  SampledSurface<2> samples(double spacing) const;
 
   /// Where a ray meets it @p share of the step after its start. Places are those of the drawn line.
   RaySide<2> meet(const Ray<2> &ray, double share, const SurfacePlace<2> &guess) const;

@@ -67,6 +67,13 @@ std::string why_contact_gives(const Problem &problem,
                               const Workspace &work,
                               const ContactWork &contact,
                               const std::vector<Eigen::VectorXd> &increment);
+/// The same of the present rows, whose bodies have moved by @p increment in @p dt [m], [s].
+std::string why_contact_gives(const Problem &problem,
+                              const State &state,
+                              const Workspace &work,
+                              double dt,
+                              const std::vector<WallMotion<2>> &motion,
+                              const std::vector<Eigen::VectorXd> &increment);
 } // namespace softgrain::mpm
 
 #endif

@@ -66,7 +66,7 @@ protected:
   std::vector<WallMotion<2>> &motion;
   const double h;
   const bool inertia;
-  const double theta; ///< velocity at the end of the step times theta dt is unknown way
+  const double theta; ///< of TimeScheme: a change of the end velocity times theta dt is one of the way
   std::optional<CellMotion> cell;
   std::vector<ObstacleLine> lines;
   StepEquations equations;

@@ -7,8 +7,9 @@
 namespace softgrain::mpm
 {
 /**
- * @brief One step of `quasi_static` with rays: a minimum of the energy of the bodies, and of what resists
- * their motion, in which no ray overlaps. See doc/results/contact-geometry.md.
+ * @brief One step of `quasi_static` or `moreau_jean` with rays: no ray overlaps at its end. Without inertia
+ * it is a minimum of the energy of the bodies and of what resists their motion. See
+ * doc/results/contact-geometry.md.
  * @param careful bodies resist so much that none goes further than rays have looked. That is for a step that
  * has failed, as under a load that nothing bears yet: it would take bodies into others that no ray has seen.
  */

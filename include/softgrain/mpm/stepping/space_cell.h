@@ -2,13 +2,7 @@
 #ifndef softgrain_mpm_stepping_space_cell_h
 #define softgrain_mpm_stepping_space_cell_h
 
-#include <softgrain/linear/dense_kernels.h>
-#include <softgrain/mpm/body/body.h>
-#include <softgrain/mpm/body/step_state.h>
-
-#include <Eigen/Core>
-
-#include <vector>
+#include <softgrain/mpm/stepping/slope_columns.h>
 
 namespace softgrain
 {
@@ -32,20 +26,8 @@ public:
   add(const Body<3> &body, const StepState<3> &s, unsigned int cell, double factor, SystemMatrix &matrix);
 
 private:
-  /// Memory of a matrix whose size changes from cell to cell.
-  class Memory
-  {
-  public:
-    DenseKernels::Out sized(int n_rows, int n_columns);
-
-  private:
-    std::vector<double, Eigen::aligned_allocator<double>> values;
-  };
-
-  /// Slopes of the independent nodes' functions, three columns per point.
-  DenseKernels::Out find_slopes(const Body<3> &body, const StepState<3> &s, unsigned int cell, int n_rows);
-
-  Memory of_nodes, of_slopes, of_response, of_blocks;
+  SlopeColumns<3> slope_columns;
+  CellMemory of_response, of_blocks;
 };
 } // namespace softgrain::mpm
 
