@@ -23,6 +23,7 @@ COARSE = "Mesh/Cell size=6.4e-4"
 THIRTY = ["gallery/thirty_grains_mpm.prm", COARSE, "Walls/top/Velocity=20", "Output/Fields every=5e-5",
           "Output/Snapshots every=2.5e-5", "Stop/End time=5e-5"]
 HELD = [COARSE, "Packing/Number=12", "Packing/Packing fraction=0.65"]
+RAYS = ["Contact/Geometry=rays", "Quasi-static/Regularisation=1e-6"]
 EQUAL = ["Packing/Smallest diameter=1.75e-3", "Packing/Largest diameter=1.75e-3", "Primaries/Variants=2"]
 BONDED = ["gallery/thirty_grains_bpm.prm", *EQUAL]
 # A few steps each: with friction, with history, with grids that are laid anew, with walls of points, in balance.
@@ -42,6 +43,13 @@ SCENES = {
     "periodic": ["gallery/simple_shear_periodic.prm", COARSE, "Packing/Number=16", "Packing/Packing fraction=0.7",
                  "Stages/compress/Stop/End time=6.4e-5",
                  "Stages/shear/Stop/End time=1.28e-4"],
+    # Rays need the field of the partner, wherever its points are.
+    "rays": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, *RAYS, "Contact/Friction=0.3", "Walls/top/Velocity=5",
+             "Output/Fields every=0", "Output/Snapshots every=3.2e-5", "Stop/End time=6.4e-5"],
+    "rays_cell": ["gallery/simple_shear_periodic.prm", COARSE, *RAYS, "Packing/Number=16", "Packing/Packing fraction=0.7",
+                  "Output/Fields every=0", "Stages/compress/Stop/End time=6.4e-5", "Stages/shear/Stop/End time=1.28e-4"],
+    "rays_hopper": ["gallery/hopper_mpm.prm", RAYS[0], "Contact/Friction=0.3", "Output/Fields every=0", "Packing/Number=12",
+                    "Packing/Upper=38e-3, 66e-3", "Material points/Grid update=every step"],
     # Where there are more than two thousand primaries, each rank has some of them.
     "bonded": [*BONDED, "Walls/top/Velocity=5", "Stop/End time=2e-5"],
     "bonded_friction": [*BONDED, "Walls/top/Velocity=5", "Contact/Friction=0.3", "Contact/Rolling resistance=0.05",
@@ -195,6 +203,12 @@ class SameBits(RankRuns):
     def test_periodic(self):
         self.check("periodic")
 
+    def test_rays(self):
+        self.check("rays", (2, 3))
+
+    def test_rays_cell(self):
+        self.check("rays_cell", (2,))
+
     def test_thesis_method(self):
         self.check("thesis_method")
 
@@ -268,6 +282,11 @@ class Restarts(RankRuns):
 
     def test_plastic(self):
         self.check("plastic", ("2e-5", "3e-5", "4e-5"))
+
+    def test_rays_hopper(self):
+        self.check("rays_hopper", ("0.06", "0.075", "0.09"))
+        with open(self.base / "way4" / "history.csv") as file:
+            self.assertGreater(max(abs(float(row["left_plate_force_x_N_per_m"])) for row in csv.DictReader(file)), 0)
 
     def test_bonded(self):
         self.check("bonded", ("5e-6", "1e-5", "2e-5"))

@@ -119,6 +119,17 @@ int main(int, char **argv)
            "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5", "Walls/top/Tangential velocity=-1.5",
            "Stop/End time=1"},
           5);
+  // Rays look at the field of partners, whose rank may have changed.
+  compare("rays, cells of two sizes", "gallery/two_disks.prm",
+          {"Mesh/Cell size=6e-4", "Mesh/Refine near contact=1", "Material points/Shape function=linear",
+           "Contact/Geometry=rays", "Contact/Friction=0.3"},
+          20);
+  compare("rays, cell that repeats", "gallery/simple_shear_periodic.prm",
+          {"Mesh/Cell size=6.4e-4", "Contact/Geometry=rays", "Packing/Number=16",
+           "Packing/Packing fraction=0.7", "Material points/Grid update=every step",
+           "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5", "Walls/right/Drive=pressure",
+           "Walls/right/Pressure=1e5", "Walls/top/Tangential velocity=-1.5", "Stop/End time=1"},
+          5);
   // Loads look at places at rest; of what is driven all ranks have the points.
   compare(
       "pushed", "gallery/two_disks.prm",

@@ -38,7 +38,7 @@ public:
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "rays",
-        "rays that stand in space during a step meet the surfaces, and Newton's method knows how (one rank, "
+        "rays that stand in space during a step meet the surfaces, and Newton's method knows how ("
         "quasi_static and moreau_jean, without adhesion)",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(

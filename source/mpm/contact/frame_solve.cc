@@ -254,18 +254,12 @@ bool FrameSystem::settle(const Eigen::VectorXd &right,
   return settled;
 }
 
-bool FrameSystem::solve(const std::vector<Eigen::VectorXd> &way_without,
-                        const double cell_size,
-                        const unsigned int negative_of_bodies)
+bool FrameSystem::solve(const double cell_size, const unsigned int negative_of_bodies)
 {
   Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
   for (unsigned int b = 0; b < of_body.size(); ++b)
-    if (!of_body[b].empty())
-    {
-      const Eigen::VectorXd moved = V[b].transpose() * way_without[b];
-      for (unsigned int i = 0; i < of_body[b].size(); ++i)
-        right[of_body[b][i]] -= moved[i];
-    }
+    for (unsigned int i = 0; i < of_body[b].size(); ++i)
+      right[of_body[b][i]] -= moved[b][i];
   by_threshold = false;
   bool settled = settle(right, cell_size, negative_of_bodies);
   if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)

@@ -22,6 +22,7 @@ FrameSystem::FrameSystem(const BodyShare &share,
     , of_body(bodies.size())
     , V(bodies.size())
     , W(bodies.size())
+    , moved(bodies.size())
 {
 }
 
@@ -221,7 +222,8 @@ void FrameSystem::condense(const FrameScene &scene,
                            const std::vector<FrameState> &frames,
                            const RayForces &force,
                            const RayForces &rubbing,
-                           const double within)
+                           const double within,
+                           const std::vector<Eigen::VectorXd> &way_without)
 {
   columns.clear();
   own.clear();
@@ -250,25 +252,37 @@ void FrameSystem::condense(const FrameScene &scene,
           list.push_back(w);
   z.setZero(gap.size());
   find_order();
-  share.for_mine(bodies,
-                 [&](const Body<2> &body)
-                 {
-                   const unsigned int b = body.index;
-                   const std::vector<unsigned int> &list = of_body[b];
-                   V[b].resize(body.field.n_dofs(), list.size());
-                   V[b].reserve(list.size() * 40);
-                   for (unsigned int i = 0; i < list.size(); ++i)
-                   {
-                     V[b].startVec(i);
-                     gather(scene, frames, columns[list[i]], b, force, i, V[b]);
-                   }
-                   V[b].finalize();
-                   if (!list.empty())
-                   {
-                     solvers[b]->condense(V[b], W[b]);
-                     W[b] *= scale;
-                   }
-                 });
+  share.for_mine(
+      bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        const std::vector<unsigned int> &list = of_body[b];
+        V[b].resize(body.field.n_dofs(), list.size());
+        V[b].reserve(list.size() * 40);
+        for (unsigned int i = 0; i < list.size(); ++i)
+        {
+          V[b].startVec(i);
+          gather(scene, frames, columns[list[i]], b, force, i, V[b]);
+        }
+        V[b].finalize();
+        if (!list.empty())
+        {
+          solvers[b]->condense(V[b], W[b]);
+          W[b] *= scale;
+          moved[b] = V[b].transpose() * way_without[b];
+        }
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int b = 0; b < of_body.size(); ++b)
+        {
+          W[b].resize(of_body[b].size(), of_body[b].size());
+          moved[b].resize(of_body[b].size());
+          message.add(b, W[b].data(), W[b].size());
+          message.add(b, moved[b].data(), moved[b].size());
+        }
+      });
 }
 
 Eigen::VectorXd FrameSystem::z_of(const unsigned int b) const

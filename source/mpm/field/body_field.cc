@@ -75,23 +75,32 @@ typename BodyField<dim>::Index BodyField<dim>::node_index(const Index &cell, con
 }
 
 template <int dim>
-void BodyField<dim>::build(const Lattice<dim> &the_lattice,
-                           const ShapeFunction &the_shape,
-                           const Places &places,
-                           const double fill_limit)
+void BodyField<dim>::stand_on(const Lattice<dim> &the_lattice,
+                              const ShapeFunction &the_shape,
+                              const CellLevels<dim> *the_levels)
 {
   lattice = &the_lattice;
   if (shape != &the_shape)
     functions = std::make_shared<const CellFunctions<dim>>(the_shape);
   shape = &the_shape;
   n_cell_nodes = functions->n();
-  levels = places.levels;
+  levels = the_levels;
+}
+
+template <int dim>
+void BodyField<dim>::build(const Lattice<dim> &the_lattice,
+                           const ShapeFunction &the_shape,
+                           const Places &places,
+                           const double fill_limit)
+{
+  stand_on(the_lattice, the_shape, places.levels);
   collect_cells(places);
   number_nodes();
   hang_nodes();
   evaluate_points(places);
   build_extension(places.volumes, fill_limit);
   build_cell_dependence();
+  transpose_cells();
   color_cells();
   marker_rows.clear();
   for (const dealii::Point<dim> &marker : places.markers)

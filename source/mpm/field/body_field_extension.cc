@@ -153,7 +153,6 @@ void BodyField<dim>::build_cell_dependence()
 {
   cell_dependence.assign(n_cells(), {});
   cell_matrix.assign(n_cells(), {});
-  cell_transpose.assign(n_cells(), {});
   for (unsigned int c = 0; c < n_cells(); ++c)
   {
     const unsigned int *nodes = &cell_nodes[c * n_cell_nodes];
@@ -173,11 +172,22 @@ void BodyField<dim>::build_cell_dependence()
         for_entries(
             nodes[k], [&](const unsigned int j, const double weight)
             { cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), j) - list.begin()) = weight; });
-      cell_transpose[c].setZero(DenseKernels::filled(list.size()), n_cell_nodes);
-      cell_transpose[c].topRows(list.size()) = cell_matrix[c].transpose();
     }
     cell_dependence[c] = std::move(list);
   }
+}
+
+/// What assembly multiplies by.
+template <int dim>
+void BodyField<dim>::transpose_cells()
+{
+  cell_transpose.assign(n_cells(), {});
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    if (const Eigen::MatrixXd &matrix = cell_matrix[c]; matrix.size() > 0)
+    {
+      cell_transpose[c].setZero(DenseKernels::filled(matrix.cols()), n_cell_nodes);
+      cell_transpose[c].topRows(matrix.cols()) = matrix.transpose();
+    }
 }
 
 template <int dim>
@@ -207,8 +217,10 @@ void BodyField<dim>::color_cells()
 
 template void BodyField<2>::build_extension(const std::vector<double> &, double);
 template void BodyField<2>::build_cell_dependence();
+template void BodyField<2>::transpose_cells();
 template void BodyField<2>::color_cells();
 template void BodyField<3>::build_extension(const std::vector<double> &, double);
 template void BodyField<3>::build_cell_dependence();
+template void BodyField<3>::transpose_cells();
 template void BodyField<3>::color_cells();
 } // namespace softgrain::mpm

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/ranks.h>
 #include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -25,8 +24,6 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
   if (const std::string &type = settings.linear_solver.type;
       type.compare(0, 2, "cg") == 0 || type.compare(0, 8, "trilinos") == 0)
     refuse("with 'Linear solver/Type' = '" + type + "', which cannot count negative pivots");
-  if (!Ranks().alone())
-    refuse("with several ranks");
   const ContactPairs pairs(scene);
   if (pairs.adhere())
     refuse("with adhesion");

@@ -6,9 +6,9 @@
 #include <softgrain/mpm/stepping/ray_equations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -101,9 +101,12 @@ std::vector<FrameState::Vector> RayEquations::ways_of_bodies() const
 std::vector<double> RayEquations::own_ways() const
 {
   std::vector<double> ways;
-  for (const Body<2> &body : state.bodies)
-    if (inertia)
-      ways.push_back(body.driven ? 0. : plan.dt * mpm::largest_way(body, body.velocity));
+  if (!inertia)
+    return ways;
+  for (const auto &way : work.share.numbers<1>(
+           state.bodies, [&](const Body<2> &body)
+           { return std::array<double, 1>{plan.dt * mpm::largest_way(body, body.velocity)}; }))
+    ways.push_back(way[0]);
   return ways;
 }
 
@@ -191,31 +194,27 @@ std::string RayEquations::why_not() const
   return text.str();
 }
 
-/// What rays do to the nodes of all bodies.
-RayEquations::Vectors RayEquations::contact_forces() const
+/// What rays do to the nodes of a body.
+Eigen::VectorXd RayEquations::contact_forces(const unsigned int b) const
 {
-  Vectors contact = at_rest;
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    for (unsigned int side = 0; side < 2; ++side)
+  Eigen::VectorXd contact = at_rest[b];
+  const auto add = [&](const unsigned int node, const FrameState::Vector &value)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      contact[2 * node + d] += value[d];
+  };
+  for (const auto &[f, side] : system.frames_of[b])
+  {
+    const FrameState &frame = frames[f];
+    for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
-      const FrameState &frame = frames[f];
-      const unsigned int b = frame.unknown(side);
-      if (b == FrameState::none)
-        continue;
-      const auto add = [&](const unsigned int node, const FrameState::Vector &value)
-      {
-        for (unsigned int d = 0; d < 2; ++d)
-          contact[b][2 * node + d] += value[d];
-      };
-      for (unsigned int k = 0; k < frame.n_rays(); ++k)
-      {
-        if (force[f][k] > 0.)
-          frame.for_gradient(k, side, force[f][k], add);
-        if (rubbing[f][k] != 0.)
-          frame.for_slide(k, side, rubbing[f][k], add);
-      }
-      frame.for_mean(side, -frame.tangential(force[f]), add);
+      if (force[f][k] > 0.)
+        frame.for_gradient(k, side, force[f][k], add);
+      if (rubbing[f][k] != 0.)
+        frame.for_slide(k, side, rubbing[f][k], add);
     }
+    frame.for_mean(side, -frame.tangential(force[f]), add);
+  }
   return contact;
 }
 
@@ -253,19 +252,26 @@ void RayEquations::measure()
 {
   double worst = 0., scale = 0., wrong_friction = 0.;
   deepest = 0.;
-  const Vectors contact = contact_forces();
   for (unsigned int f = 0; f < frames.size(); ++f)
     measure_frame(f, wrong_friction);
-  for (unsigned int b = 0; b < way.size(); ++b)
+  // Of every body what is unbalanced, and the largest force on it.
+  const auto measured = work.share.numbers<2>(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        const Eigen::VectorXd contact = contact_forces(b);
+        double largest =
+            std::max({contact.norm(), equations.internal[b].norm(), 1e-8 * body.law->wave_modulus() * h});
+        if (inertia)
+          largest =
+              std::max({largest, 1e-6 / plan.dt * momentum_of_nodes(body), equations.external[b].norm()});
+        return std::array<double, 2>{(equations.missing(b) / plan.dt + contact).norm(), largest};
+      });
+  for (const auto &[unbalanced, largest] : measured)
   {
-    if (state.bodies[b].driven)
-      continue;
-    worst = std::max(worst, (equations.missing(b) / plan.dt + contact[b]).norm());
-    scale = std::max({scale, contact[b].norm(), equations.internal[b].norm(),
-                      1e-8 * state.bodies[b].law->wave_modulus() * h});
-    if (inertia)
-      scale = std::max(
-          {scale, 1e-6 / plan.dt * momentum_of_nodes(state.bodies[b]), equations.external[b].norm()});
+    worst = std::max(worst, unbalanced);
+    scale = std::max(scale, largest);
   }
   for (const FreeWay &free : system.ways)
     scale = std::max(scale, std::abs(free.load));
@@ -274,14 +280,16 @@ void RayEquations::measure()
 
 bool RayEquations::at_rounding() const
 {
-  const Vectors contact = contact_forces();
-  return std::all_of(state.bodies.begin(), state.bodies.end(),
-                     [&](const Body<2> &body)
-                     {
-                       const unsigned int b = body.index;
-                       return body.driven || (equations.missing(b) + plan.dt * contact[b]).norm() <=
-                                                 equations.rounding(body, plan.dt * contact[b].norm());
-                     });
+  const auto beyond =
+      work.share.numbers<1>(state.bodies,
+                            [&](const Body<2> &body)
+                            {
+                              const unsigned int b = body.index;
+                              const Eigen::VectorXd contact = plan.dt * contact_forces(b);
+                              return std::array<double, 1>{(equations.missing(b) + contact).norm() -
+                                                           equations.rounding(body, contact.norm())};
+                            });
+  return std::all_of(beyond.begin(), beyond.end(), [](const auto &of_body) { return of_body[0] <= 0.; });
 }
 
 void RayEquations::assemble()
@@ -313,20 +321,25 @@ void RayEquations::assemble()
 std::optional<unsigned int> RayEquations::factorise()
 {
   dealii::TimerOutput::Scope section(*work.timer, "factorisation");
-  std::vector<unsigned int> negative(way.size(), 0);
-  std::vector<char> good(way.size(), 1);
-  work.share.for_mine(state.bodies,
-                      [&](const Body<2> &body)
-                      {
-                        RankOneSolver &solver = *work.solvers[body.index];
-                        solver.takes_indefinite = true;
-                        good[body.index] = solver.factorize(work.matrices[body.index]);
-                        if (good[body.index])
-                          negative[body.index] = solver.n_negative().value_or(0);
-                      });
-  if (std::find(good.begin(), good.end(), 0) != good.end())
-    return std::nullopt;
-  return std::accumulate(negative.begin(), negative.end(), 0u);
+  constexpr double not_factorised = -1.;
+  const auto told =
+      work.share.numbers<1>(state.bodies,
+                            [&](const Body<2> &body)
+                            {
+                              RankOneSolver &solver = *work.solvers[body.index];
+                              solver.takes_indefinite = true;
+                              return std::array<double, 1>{solver.factorize(work.matrices[body.index])
+                                                               ? solver.n_negative().value_or(0)
+                                                               : not_factorised};
+                            });
+  unsigned int sum = 0;
+  for (const auto &[negative] : told)
+  {
+    if (negative == not_factorised)
+      return std::nullopt;
+    sum += static_cast<unsigned int>(negative);
+  }
+  return sum;
 }
 
 /// Walls under loads become unknowns.

@@ -13,6 +13,7 @@
 #include <softgrain/mpm/stepping/refused_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -88,10 +89,10 @@ std::string RayStep::find_forces()
         dealii::TimerOutput::Scope section(*work.timer, "condensation");
         // In the first iteration walls have moved and bodies have not.
         system.condense(scene, frames, force, rubbing,
-                        candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.));
+                        candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.), y);
       }
       dealii::TimerOutput::Scope section(*work.timer, "contact solve");
-      if (system.solve(y, h, *negative) && system.wrong_inertia(*negative) == 0)
+      if (system.solve(h, *negative) && system.wrong_inertia(*negative) == 0)
         return "";
     }
     if (factors_serve)
@@ -138,17 +139,18 @@ bool RayStep::goes_too_far(const Vectors &direction) const
 void RayStep::find_direction(Vectors &direction)
 {
   dealii::TimerOutput::Scope section(*work.timer, "linear solves");
-  work.share.for_mine(state.bodies,
-                      [&](const Body<2> &body)
-                      {
-                        const unsigned int b = body.index;
-                        if (system.frames_of[b].empty())
-                          equations.solve_free(b, direction[b]);
-                        else
-                          work.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b),
-                                                 direction[b]);
-                        direction[b] *= theta * plan.dt;
-                      });
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        if (system.frames_of[b].empty())
+          equations.solve_free(b, direction[b]);
+        else
+          work.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b), direction[b]);
+        direction[b] *= theta * plan.dt;
+      },
+      [&](BodyShare::Message &message) { message.add(state.bodies, direction); });
 }
 
 std::string RayStep::iterate()
@@ -274,6 +276,24 @@ void RayStep::hand_over_rows()
 
 void RayStep::accept(State &state_to_change)
 {
+  // Of a body: what the scheme or what resists takes from it, and what resists it.
+  std::vector<std::array<double, 5>> told(way.size(), std::array<double, 5>{});
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        const FrameState::Vector resistance = equations.resistance(b);
+        told[b] = {equations.regularisation_work(b), equations.scheme_damping(b, trial[b]), resistance[0],
+                   resistance[1], inertia ? 0. : equations.held_back(b)};
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, equations.internal);
+        message.add(state.bodies, equations.increment);
+        for (unsigned int b = 0; b < told.size(); ++b)
+          message.add(b, told[b].data(), told[b].size());
+      });
   Vectors rate(way.size());
   FoundStep found{plan,
                   motion,
@@ -292,14 +312,12 @@ void RayStep::accept(State &state_to_change)
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     rate[b] = way[b] / plan.dt;
-    const bool driven = state.bodies[b].driven;
-    found.regularisation_work += driven ? 0. : equations.regularisation_work(b);
-    if (inertia)
-      found.scheme_damping[b] = driven ? 0. : equations.scheme_damping(b, trial[b]);
-    else
+    found.regularisation_work += told[b][0];
+    found.scheme_damping[b] = told[b][1];
+    if (!inertia)
     {
-      found.resistance.push_back(driven ? FrameState::Vector() : equations.resistance(b));
-      state_to_change.held_back[b] = driven ? 0. : equations.held_back(b);
+      found.resistance.push_back(FrameState::Vector({told[b][2], told[b][3]}));
+      state_to_change.held_back[b] = told[b][4];
     }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }

@@ -55,17 +55,17 @@ public:
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
   /// @param force   of the rays [N/m]
   /// @param rubbing friction of the rays [N/m]
+  /// @param way_without y above, of this rank's bodies [m]
   void condense(const FrameScene &scene,
                 const std::vector<FrameState> &frames,
                 const RayForces &force,
                 const RayForces &rubbing,
-                double within);
+                double within,
+                const std::vector<Eigen::VectorXd> &way_without);
 
-  /// Solves for forces. @param way_without of every body, y above [m]
-  /// @return whether no ray pulls or overlaps, none that sticks exceeds its friction, and all that slip rub
-  /// against their slide
-  bool
-  solve(const std::vector<Eigen::VectorXd> &way_without, double cell_size, unsigned int negative_of_bodies);
+  /// Solves for forces, alike on all ranks. @return whether no ray pulls or overlaps, none that sticks
+  /// exceeds its friction, and all that slip rub against their slide
+  bool solve(double cell_size, unsigned int negative_of_bodies);
 
   /// Of the last solve: negative pivots beyond those that constraints have, less those of bodies' factors: 0
   /// in a minimum.
@@ -75,7 +75,7 @@ public:
            static_cast<int>(n_free);
   }
 
-  /// V z of a body: force on its nodes [N/m].
+  /// V z of a body of this rank: force on its nodes [N/m].
   Eigen::VectorXd force_on(unsigned int b) const;
 
   /// Of every body, with the side of the frame that it is.
@@ -170,8 +170,9 @@ private:
   std::vector<unsigned int> order;
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
-  std::vector<LinearSolver::Rows> V;
+  std::vector<LinearSolver::Rows> V;              ///< of this rank's bodies
   std::vector<Eigen::MatrixXd> W;
+  std::vector<Eigen::VectorXd> moved;      ///< V^T y
   std::vector<Eigen::Triplet<double>> own; ///< Q
   std::vector<double> gap;
   std::vector<char> active;                       ///< a slide where its ray is

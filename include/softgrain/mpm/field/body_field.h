@@ -71,6 +71,19 @@ public:
    */
   void take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers);
 
+  /// Adds to @p numbers all that a rank without the points needs to know the field at any place.
+  void tell(std::vector<double> &numbers) const;
+  /**
+   * @brief Makes it the field that tell() has told: the same at any place, but without points, markers and
+   * what assembly needs.
+   * @param levels as in Places
+   * @return the place behind what it has read of @p numbers
+   */
+  const double *take(const Lattice<dim> &lattice,
+                     const ShapeFunction &shape,
+                     const CellLevels<dim> *levels,
+                     const double *numbers);
+
   /// Whether the field has slopes that do not jump.
   bool smooth() const { return shape->smooth(); }
   double cell_size() const { return lattice->cell_size(); }
@@ -154,6 +167,7 @@ private:
     unsigned int operator()(const Index &i) const;
   };
 
+  void stand_on(const Lattice<dim> &lattice, const ShapeFunction &shape, const CellLevels<dim> *levels);
   void collect_cells(const Places &places);
   void number_nodes();
   void evaluate_points(const Places &places);
@@ -162,6 +176,7 @@ private:
   using Entries = std::vector<std::pair<dealii::types::global_dof_index, double>>;
   Entries extend_node(unsigned int node, const Box &strong_cells) const;
   void build_cell_dependence();
+  void transpose_cells();
   void color_cells();
   Index first_node(const Index &cell) const;
   Index node_index(const Index &cell, unsigned int k) const;

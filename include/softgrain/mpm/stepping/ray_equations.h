@@ -91,7 +91,7 @@ private:
   void move_free_walls();
   void find_free_walls();
   double unbalanced_free_walls() const;
-  Vectors contact_forces() const;
+  Eigen::VectorXd contact_forces(unsigned int b) const;
   double momentum_of_nodes(const Body<2> &body) const;
   void measure_frame(unsigned int f, double &wrong_friction);
 
