@@ -11,20 +11,16 @@ namespace
 {
 constexpr unsigned int not_a_wall = static_cast<unsigned int>(-1);
 
-/// Value and gradient of a nodal vector at one point.
-std::pair<dealii::Tensor<1, 2>, dealii::Tensor<2, 2>>
-field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
+/// Value of a nodal vector at one point.
+dealii::Tensor<1, 2> field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
 {
   dealii::Tensor<1, 2> value;
-  dealii::Tensor<2, 2> gradient;
   for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
   {
     const unsigned int i = field.point_nodes(p)[k];
-    const dealii::Tensor<1, 2> u({nodal[2 * i], nodal[2 * i + 1]});
-    value += field.values(p)[k] * u;
-    gradient += outer_product(u, field.slopes(p)[k]);
+    value += field.values(p)[k] * dealii::Tensor<1, 2>({nodal[2 * i], nodal[2 * i + 1]});
   }
-  return {value, gradient};
+  return value;
 }
 
 /// Where the points of a body stand in the lists of a rank.
@@ -62,29 +58,28 @@ void resize(PointStates<2> &points, const std::size_t n)
   points.deformation_gradient.resize(n);
 }
 
-/// The points of a body in the order of their ids, which does not change when they are sorted by cell.
+/// The points of a body in the order of their ids, which does not change when they are sorted by cell. Size,
+/// stress and F belong together: all three are those of the volume that the law sees, so with F-bar that of
+/// the cell for the most part, and size times stress is what the point adds to the forces.
 void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
 {
   Eigen::VectorXd u, v;
   body.field.prolongate(body.displacement, u);
   if (body.velocity.size() > 0)
     body.field.prolongate(body.velocity, v);
-  const std::vector<double> out_of_plane =
-      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs())).out_of_plane_stress;
+  const PointMeasures<2> seen =
+      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs()));
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const auto point = body.points[p];
     const std::size_t at = begin + body.points.number(p);
-    auto [moved, gradient] = field_at(body.field, p, u);
-    gradient[0][0] += 1.;
-    gradient[1][1] += 1.;
-    const auto F = gradient * point.gradient();
+    const dealii::Tensor<2, 2> &F = seen.gradient[p];
     const double volume = determinant(F), J = body.small_strain() ? 1. : volume;
-    points.position[at] = point.position() + moved;
-    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v).first : body.drive;
+    points.position[at] = point.position() + field_at(body.field, p, u);
+    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v) : body.drive;
     points.size[at] = point.rest_volume() * volume;
     points.stress[at] = point.stress() / J;
-    points.out_of_plane_stress[at] = out_of_plane[p] / J;
+    points.out_of_plane_stress[at] = seen.out_of_plane_stress[p] / J;
     points.deformation_gradient[at] = F;
   }
 }

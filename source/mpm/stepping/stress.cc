@@ -78,7 +78,7 @@ private:
 struct Wishes
 {
   Trial trial;
-  bool measures = false; ///< energy and out-of-plane stress
+  bool measures = false; ///< energy, out-of-plane stress and, of laws of small strain, averaged gradients
 };
 
 /// Sizes a step state for the body's points; cheap when nothing changed.
@@ -152,24 +152,55 @@ void deform_cell(const Body<dim> &body,
   }
 }
 
-/// Replaces a share of the dilatation at the points of one cell by its mean over the cell (F-bar, de Souza
-/// Neto et al. 1996).
-template <int dim>
-void average_dilatation(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
+/// Mean of @p value over the points of one cell, weighted with the volume that multiplies the stress.
+template <int dim, typename Value>
+double
+mean_of_cell(const StepState<dim> &s, const unsigned int begin, const unsigned int end, const Value &value)
 {
-  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
   double sum = 0., weight = 0.;
   for (unsigned int p = begin; p < end; ++p)
   {
-    sum += s.volume[p] * (body.small_strain() ? trace(s.increment[p]) : determinant(s.gradient[p]));
+    sum += s.volume[p] * value(p);
     weight += s.volume[p];
   }
-  const double mean = sum / weight;
+  return sum / weight;
+}
+
+/// Replaces a share of the dilatation in F at the points of one cell by its mean over the cell (F-bar, de
+/// Souza Neto et al. 1996).
+template <int dim>
+void average_gradients(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
+{
+  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  const double mean =
+      mean_of_cell(s, begin, end, [&](const unsigned int p) { return determinant(s.gradient[p]); });
   for (unsigned int p = begin; p < end; ++p)
-    if (body.small_strain())
-      s.increment[p] += body.averaged * (mean - trace(s.increment[p])) / dim * identity<dim>();
-    else if (determinant(s.gradient[p]) > 0. && mean > 0.)
+    if (determinant(s.gradient[p]) > 0. && mean > 0.)
       s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), body.averaged / dim);
+}
+
+/// The same for laws of small strain, which get the strain over the step.
+template <int dim>
+void average_increments(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
+{
+  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  const double mean =
+      mean_of_cell(s, begin, end, [&](const unsigned int p) { return trace(s.increment[p]); });
+  for (unsigned int p = begin; p < end; ++p)
+    s.increment[p] += body.averaged * (mean - trace(s.increment[p])) / dim * identity<dim>();
+}
+
+/// What averaging leaves of the deformation of the points of one cell, as far as anybody asks for it.
+template <int dim>
+void average_dilatation(const Body<dim> &body,
+                        const unsigned int cell,
+                        const bool measures,
+                        StepState<dim> &s)
+{
+  if (body.small_strain())
+    average_increments(body, cell, s);
+  if (!body.small_strain() || measures)
+    average_gradients(body, cell, s);
 }
 
 /// Whether the strain of any of these points over the step, f^T f - I with the deformation f over the step,
@@ -228,7 +259,7 @@ StressOutcome evaluate(const Body<dim> &body,
     {
       deform_cell(body, c, half_dt, nodal_velocity, s);
       if (body.averaged > 0. && body.field.first_point(c) < body.field.first_point(c + 1))
-        average_dilatation(body, c, s);
+        average_dilatation(body, c, wishes.measures, s);
     }
     const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
     if (n == 0)
@@ -298,15 +329,16 @@ StressOutcome evaluate_stress(const Body<dim> &body,
 }
 
 template <int dim>
-PointMeasures
+PointMeasures<dim>
 measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment)
 {
   StepState<dim> s;
-  PointMeasures measures;
+  PointMeasures<dim> measures;
   evaluate(body, displacement, increment, {Trial(), true}, s);
   for (unsigned int p = 0; p < body.points.size(); ++p)
     measures.energy += s.energy[p] * s.volume[p];
   measures.out_of_plane_stress = std::move(s.out_of_plane_stress);
+  measures.gradient = std::move(s.gradient);
   return measures;
 }
 
@@ -358,8 +390,8 @@ void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &f
 #define INSTANTIATE(dim)                                                                                     \
   template StressOutcome evaluate_stress<dim>(const Body<dim> &, const Eigen::VectorXd &,                    \
                                               const Eigen::VectorXd &, const Trial &, StepState<dim> &);     \
-  template PointMeasures measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                     \
-                                             const Eigen::VectorXd &);                                       \
+  template PointMeasures<dim> measure_points<dim>(const Body<dim> &, const Eigen::VectorXd &,                \
+                                                  const Eigen::VectorXd &);                                  \
   template void internal_force<dim>(const Body<dim> &, StepState<dim> &, Eigen::VectorXd &);
 INSTANTIATE(2)
 INSTANTIATE(3)

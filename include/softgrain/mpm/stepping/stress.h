@@ -55,10 +55,13 @@ StressOutcome evaluate_stress(const Body<dim> &body,
                               StepState<dim> &s);
 
 /// What the state of a body tells beside its stress.
+template <int dim>
 struct PointMeasures
 {
   double energy = 0;                       ///< stored in all points [J/m]
   std::vector<double> out_of_plane_stress; ///< per point, as the law returns it [Pa]
+  /// Per point F as the stress sees it: with F-bar its dilatation is mostly that of the cell.
+  std::vector<dealii::Tensor<2, dim>> gradient;
 };
 
 /**
@@ -67,7 +70,7 @@ struct PointMeasures
  * state.
  */
 template <int dim>
-PointMeasures
+PointMeasures<dim>
 measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment);
 
 /// Internal force (3.11) on the independent nodes for the stress last evaluated [N].
