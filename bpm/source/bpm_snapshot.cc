@@ -187,8 +187,37 @@ void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &sn
   if (last_dt > 0.)
     add_stresses(seen, snapshot);
 
+  const std::optional<FoldedBodies> cell = add_contacts(seen, snapshot);
+  if (settings.inner_contacts_in_output && last_dt > 0.)
+    add_inner_forces(seen, snapshot, cell ? &*cell : nullptr);
+}
+
+Snapshot<2> BpmModel::touching_state() const
+{
+  Snapshot<2> snapshot;
+  snapshot.time = now;
+  snapshot.step = steps;
+  snapshot.walls = walls();
+  snapshot.obstacles = obstacles();
+  const LookedAt seen(*dynamics);
+  // Where ranks have primaries of their own, only the first one sees those of all.
+  if (dynamics->parted() != nullptr && !ranks.first())
+    return snapshot;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+  {
+    snapshot.bodies.emplace_back();
+    snapshot.bodies.back().name = scene.bodies[b].name;
+    snapshot.bodies.back().center = center_of(seen.disks(), b);
+  }
+  add_contacts(seen, snapshot);
+  return snapshot;
+}
+
+std::optional<FoldedBodies> BpmModel::add_contacts(const LookedAt &seen, Snapshot<2> &snapshot) const
+{
+  const Primaries &disks = seen.disks();
   const contact::DiskContacts &rows = seen.rows();
-  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
+  std::optional<FoldedBodies> cell = fold_bodies(snapshot);
   for (std::size_t row = 0; row < rows.a.size() && last_dt > 0.; ++row)
   {
     const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];
@@ -199,8 +228,19 @@ void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &sn
       cell->fold(snapshot.contacts.back(), {},
                  rows.b[row] < disks.size() ? seen.image_of_row(row) : PeriodicCell<2>::Image());
   }
-  if (settings.inner_contacts_in_output && last_dt > 0.)
-    add_inner_forces(seen, snapshot, cell ? &*cell : nullptr);
+  return cell;
+}
+
+dealii::Point<2> BpmModel::center_of(const Primaries &disks, const std::size_t body) const
+{
+  double mass = 0.;
+  dealii::Tensor<1, 2> moment;
+  for (std::size_t i = first_of_body[body]; i < first_of_body[body + 1]; ++i)
+  {
+    mass += disks.mass[i];
+    moment += disks.mass[i] * vector_of(disks.position[i]);
+  }
+  return dealii::Point<2>(moment / mass);
 }
 
 void BpmModel::show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const
@@ -213,14 +253,13 @@ void BpmModel::show_bodies(const Primaries &disks, const Outlines &loops, Snapsh
     for (const auto &loop : loops[b])
       state.area += signed_area(loop);
     state.reference_area = area_at_start[b];
-    dealii::Tensor<1, 2> moment, momentum;
+    dealii::Tensor<1, 2> momentum;
     for (std::size_t i = first_of_body[b]; i < first_of_body[b + 1]; ++i)
     {
       state.mass += disks.mass[i];
-      moment += disks.mass[i] * vector_of(disks.position[i]);
       momentum += disks.mass[i] * vector_of(disks.velocity[i]);
     }
-    state.center = dealii::Point<2>(moment / state.mass);
+    state.center = center_of(disks, b);
     state.velocity = momentum / state.mass;
     for (std::size_t i = first_of_body[b]; i < first_of_body[b + 1]; ++i)
     {

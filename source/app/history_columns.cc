@@ -48,4 +48,20 @@ void check_history_columns(const Scene<2> &scene)
     take("Obstacles", obstacle.name);
   mistakes.end();
 }
+
+ContactLoads contact_loads(const std::vector<LoadWish> &wishes, const Scene<2> &scene)
+{
+  std::vector<std::string> bodies, walls, obstacles;
+  std::vector<char> repeats;
+  for (const BodyDescription<2> &body : scene.bodies)
+    bodies.push_back(body.name);
+  for (const WallDescription<2> &wall : scene.walls)
+  {
+    walls.push_back(wall.name);
+    repeats.push_back(wall.type == WallDescription<2>::Type::periodic);
+  }
+  for (const ObstacleDescription<2> &obstacle : scene.obstacles)
+    obstacles.push_back(obstacle.name);
+  return ContactLoads(wishes, bodies, walls, obstacles, repeats);
+}
 } // namespace softgrain

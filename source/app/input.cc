@@ -173,6 +173,8 @@ void Input::check_all(const ModelFactory &factory)
     }
     mistakes.attempt([&]() { check_scene(described_scene); });
     mistakes.attempt([&]() { check_history_columns(described_scene); });
+    if (!described_scene.packing.method)
+      mistakes.attempt([&]() { contact_loads(run_parameters.loads, described_scene); });
     mistakes.attempt([&]() { stop_conditions.check(described_scene); });
     mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
     mistakes.end();
@@ -302,6 +304,7 @@ void Input::complete_scene()
     {
       packing = add_packing(described_scene);
       check_scene(described_scene);
+      contact_loads(run_parameters.loads, described_scene);
     }
     stop_conditions.check_start(described_scene);
   }

@@ -25,6 +25,9 @@ const char *const parameters_name = "driver/parameters", *const names_name = "dr
 /// More of them would hide the message.
 constexpr std::size_t max_changes_in_message = 4;
 
+/// Of those parameters that may change on the whole: the table that goes on has its columns.
+const std::string has_columns = "Output/Forces on";
+
 const std::string not_there = "(not there)", stage_names = "Stages/Names", all_stages = "Stages/";
 
 using Parameters = std::map<std::string, std::string>;
@@ -215,9 +218,11 @@ std::vector<std::string> check_description(const StateReader &reader,
   for (const auto &parameter : all)
   {
     const std::string &path = parameter.first, was = value_of(before, path), is = value_of(now, path);
-    if (same_value(was, is))
+    // A parameter that the checkpoint's program did not have is not set.
+    if (same_value(was, is) || (was == not_there && is.empty()))
       continue;
-    if (std::any_of(changeable.begin(), changeable.end(),
+    if (path != has_columns &&
+        std::any_of(changeable.begin(), changeable.end(),
                     [&path = path](const std::string &pattern) { return matches(path, pattern); }))
     {
       // A stage that is new or gone is seen in 'Stages/Names'; its many parameters would hide other changes.

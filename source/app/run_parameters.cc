@@ -44,6 +44,11 @@ void declare_output(dealii::ParameterHandler &prm)
                     "Compression of pictures and snapshots by zlib: 0 none, 9 most. Units: none.");
   prm.declare_entry("History every", "1", Integer(1),
                     "Number of steps between rows of history.csv. Units: steps.");
+  prm.declare_entry(
+      "Forces on", "", Anything(),
+      "Columns of history.csv with force and torque by contact on a body, a wall or an obstacle: "
+      "'NAME' from all that touch it, 'NAME / PARTNER' from one; several with commas between. "
+      "Units: none.");
   prm.declare_entry("Checkpoint every", "10", Double(0),
                     "Wall time between checkpoints; 0: only at the end. Units: min.");
   prm.declare_entry("Checkpoints kept", "2", Integer(1),
@@ -101,6 +106,7 @@ void RunParameters::parse_parameters(dealii::ParameterHandler &prm,
                      "' needs 'Output/Snapshots every': measures are taken with the snapshots");
   fields.compression_level = snapshots.compression_level = prm.get_integer("Compression level");
   history_every = prm.get_integer("History every");
+  loads = parse_load_wishes(prm.get("Forces on"));
   checkpoint_minutes = prm.get_double("Checkpoint every");
   checkpoints_kept = prm.get_integer("Checkpoints kept");
 

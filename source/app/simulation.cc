@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/app/history_columns.h>
 #include <softgrain/app/measure_table.h>
 #include <softgrain/app/output_folder.h>
 #include <softgrain/app/simulation.h>
@@ -55,6 +56,7 @@ Simulation<dim>::Simulation(const Input &input,
     , history(parameters.output_directory)
     , fields(parameters.output_directory, parameters.fields)
     , snapshots(parameters.output_directory, parameters.snapshots)
+    , loads(dim == 2 ? contact_loads(parameters.loads, input.scene()) : ContactLoads())
     , measures(parameters.measures, friction_of(scene))
     , measure_table(parameters.output_directory, measure_table_name)
     , field_schedule(parameters.fields_every)

@@ -144,6 +144,14 @@ HistoryRow Simulation<dim>::history_row(const Energies &energies) const
   row.emplace_back("max_penetration_m", last_report.max_penetration);
   row.emplace_back("newton_iterations", last_report.newton_iterations);
   row.emplace_back("contact_sweeps", last_report.contact_sweeps);
+  if constexpr (dim == 2)
+    if (!loads.empty())
+    {
+      const Snapshot<2> touching = model.touching_state();
+      const bool known = !step_given_up && ranks.first();
+      const HistoryRow felt = known ? loads.evaluate(touching) : loads.unknown();
+      row.insert(row.end(), felt.begin(), felt.end());
+    }
   const HistoryRow extra = model.extra_history();
   row.insert(row.end(), extra.begin(), extra.end());
   return row;

@@ -2,6 +2,7 @@
 #ifndef softgrain_app_history_columns_h
 #define softgrain_app_history_columns_h
 
+#include <softgrain/analysis/contact_loads.h>
 #include <softgrain/scene/scene.h>
 
 namespace softgrain
@@ -16,6 +17,13 @@ namespace softgrain
  * @throw InputErrors with a line for each name
  */
 void check_history_columns(const Scene<2> &scene);
+
+/**
+ * @brief The columns of loads that are asked for.
+ * @param scene with the bodies of its packing
+ * @throw InputErrors with a line for each that cannot be
+ */
+ContactLoads contact_loads(const std::vector<LoadWish> &wishes, const Scene<2> &scene);
 } // namespace softgrain
 
 #endif

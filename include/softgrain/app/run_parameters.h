@@ -2,6 +2,7 @@
 #ifndef softgrain_app_run_parameters_h
 #define softgrain_app_run_parameters_h
 
+#include <softgrain/analysis/contact_loads.h>
 #include <softgrain/output/field_writer.h>
 #include <softgrain/output/snapshot_file.h>
 
@@ -29,6 +30,7 @@ struct RunParameters
   unsigned int checkpoints_kept = 2;
   FieldOptions fields;
   SnapshotOptions snapshots;
+  std::vector<LoadWish> loads;       ///< columns of the history
   std::vector<std::string> measures; ///< names of the registry, or all; taken with every snapshot
 
   /// @param models what `Model` may say

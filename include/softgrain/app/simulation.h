@@ -134,6 +134,7 @@ private:
   HistoryWriter history;
   FieldWriter fields;
   SnapshotFile snapshots;
+  ContactLoads loads; ///< columns of the history
   MeasureSeries measures;
   HistoryWriter measure_table;
   OutputSchedule field_schedule;

@@ -139,6 +139,11 @@ public:
   /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
   virtual Snapshot<dim> snapshot() const = 0;
 
+  /// As much of the neutral state as tells who touches whom: time, centres of bodies, walls, obstacles and
+  /// contacts, without points and outlines. Cheap enough for every step. With several ranks all call it, and
+  /// what the first one is told counts.
+  virtual Snapshot<dim> touching_state() const { return snapshot(); }
+
   /// Walls alone, cheap enough for every step.
   virtual std::vector<WallState<dim>> walls() const = 0;
   /// Obstacles alone, as cheap.

@@ -107,6 +107,30 @@ Snapshot<2> MpmModel::snapshot() const
   snapshot.walls = walls();
   snapshot.obstacles = obstacles();
   snapshot.energies = energies();
+  add_contacts(snapshot);
+  return snapshot;
+}
+
+Snapshot<2> MpmModel::touching_state() const
+{
+  Snapshot<2> snapshot;
+  snapshot.time = state.time;
+  snapshot.step = steps;
+  for (const Body<2> &body : state.bodies)
+    if (body.wall == Row::none)
+    {
+      snapshot.bodies.emplace_back();
+      snapshot.bodies.back().name = body.name;
+      snapshot.bodies.back().center = body.center();
+    }
+  snapshot.walls = walls();
+  snapshot.obstacles = obstacles();
+  add_contacts(snapshot);
+  return snapshot;
+}
+
+void MpmModel::add_contacts(Snapshot<2> &snapshot) const
+{
   const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
@@ -140,7 +164,6 @@ Snapshot<2> MpmModel::snapshot() const
                  here(rows[r].image, rows[r].body, rows[r].partner));
     snapshot.contacts.push_back(contact);
   }
-  return snapshot;
 }
 
 double MpmModel::unbalanced_walls() const

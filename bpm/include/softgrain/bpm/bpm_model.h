@@ -60,6 +60,7 @@ public:
   double time() const override { return now; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
+  Snapshot<2> touching_state() const override;
   std::vector<WallState<2>> walls() const override;
   std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
@@ -118,6 +119,10 @@ private:
   bool memory_is_of_attempt = false; ///< of a step that was refused
   void read_wall_contacts(const StateReader &in);
   void show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const;
+  /// Brings bodies into a cell that repeats, and adds the contacts between them and with walls.
+  std::optional<FoldedBodies> add_contacts(const LookedAt &seen, Snapshot<2> &snapshot) const;
+  /// Centre of mass of a body of these primaries.
+  dealii::Point<2> center_of(const Primaries &disks, std::size_t body) const;
   void show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const;
   ContactState<2> contact_state(const LookedAt &seen, std::size_t row) const;
   void add_inner_forces(const LookedAt &seen, Snapshot<2> &snapshot, const FoldedBodies *cell) const;

@@ -40,6 +40,7 @@ public:
   double time() const override { return state.time; }
   std::size_t step() const override { return steps; }
   Snapshot<2> snapshot() const override;
+  Snapshot<2> touching_state() const override;
   std::vector<WallState<2>> walls() const override;
   std::vector<ObstacleState<2>> obstacles() const override;
   double unbalanced_walls() const override;
@@ -110,6 +111,8 @@ private:
   /// Mean stress of every body times its volume, and the volume, each from the body's rank.
   std::vector<std::array<double, 4>> stress_sums() const;
   PointStates<2> point_states() const;
+  /// Brings bodies into a cell that repeats, and adds the contacts.
+  void add_contacts(Snapshot<2> &snapshot) const;
   /// What came of that.
   void add_ranks(SizeReport &report) const;
   /// @throw ComputationError when ranks have come to different steps
