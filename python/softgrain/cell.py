@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cells that repeat: bodies of a state with those of their images that reach into the cell."""
 
+from functools import cached_property
+
 import numpy as np
 
 from .state import Outlines
@@ -61,7 +63,7 @@ class SpreadState:
     """
 
     def __init__(self, state, cell, low, high):
-        self.state, self.time, self.number = state, state.time, state.number
+        self.state, self.cell, self.time, self.number = state, cell, state.time, state.number
         self.walls = state.walls if state.has("walls") else None
         self.obstacle_lines = state.obstacle_lines
         boxes = {body: (rings[0].min(axis=0), rings[0].max(axis=0)) for body, rings in state.outlines.items()}
@@ -80,6 +82,11 @@ class SpreadState:
         self.bodies = self.spread(state.bodies, "body", ("center_m",)) if state.has("bodies") else None
         self.points = self.spread(state.points, "body", ("position_m",)) if state.has("points") else None
         self.contacts = self.spread_contacts(state.contacts, cell) if state.has("contacts") else None
+
+    @cached_property
+    def contact_pressures(self):
+        """Pieces of contacts, those of copies too."""
+        return self.spread_contacts(self.state.contact_pressures, self.cell)
 
     def has(self, part):
         return self.state.has(part)

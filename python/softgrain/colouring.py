@@ -13,6 +13,7 @@ from .errors import InputError, MissingName, near_names
 from .units import describe, scaled_unit, split_unit, with_unit
 
 ALIASES = {"strain": "equivalent_strain", "speed": "velocity_m_per_s"}
+ALONG_CONTACTS = ("contact_pressure", "contact_traction")
 COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
 
 
@@ -56,6 +57,10 @@ def find_field(state, text):
     parts = ["points", "bodies"]
     if base.startswith("bodies/"):
         parts, base = ["bodies"], base[len("bodies/"):]
+    if split_unit(base)[0] in ALONG_CONTACTS:
+        if not state.has("contacts"):
+            raise InputError(f"frame {state.number} has no contacts: '{base}' is drawn along them")
+        return Field("contact_pressures", split_unit(base)[0] + "_Pa")
     for part in parts:
         if state.has(part) and (full := getattr(state, part).resolve(base)):
             return Field(part, full, component)
@@ -65,11 +70,11 @@ def find_field(state, text):
     elif base.endswith("_strain"):
         reason = "strains need the deformation gradient, which material points have; "
     known = [name for part in parts for name in columns_of(state, part)]
-    if near := near_names(base, [*known, *ALIASES]):
+    if near := near_names(base, [*known, *ALIASES, *ALONG_CONTACTS]):
         raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; did you mean {near}?")
     raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; there are " +
                      ", ".join(sorted(columns_of(state, "points"))) +
-                     "; of whole bodies: " + ", ".join(sorted(columns_of(state, "bodies"))))
+                     "; of whole bodies: " + ", ".join(sorted(columns_of(state, "bodies"))) + "; along contacts: " + ", ".join(ALONG_CONTACTS))
 
 
 def colour_map(name):

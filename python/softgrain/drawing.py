@@ -119,6 +119,14 @@ def draw_outlines(axes, rings, width, colour=INK):
                                  joinstyle="round", zorder=4))
 
 
+def draw_along_contacts(axes, pieces, values, norm, colours, width):
+    """Contacts as lines in the colours of what acts along them; pieces overlap a little, so that no seam is seen."""
+    half = 0.55 * (pieces["length_m"][:, None] * pieces["direction"])
+    lines = LineCollection(np.stack([pieces["place_m"] - half, pieces["place_m"] + half], axis=1), array=values, norm=norm, cmap=colours,
+                           linewidths=width, capstyle="butt", zorder=5)
+    axes.add_collection(lines, autolim=False)
+
+
 def draw_walls(axes, walls, thickness):
     """Hatched bars behind the walls' faces, the faces crisp."""
     ends = list(walls["ends_m"])

@@ -96,7 +96,7 @@ class Picture:
             places = self.places(state)
             low, high = np.minimum(low, places.min(axis=0)), np.maximum(high, places.max(axis=0))
             contacts = get(state, "contacts")
-            if contacts is not None and len(contacts) and self.contacts != "none":
+            if contacts is not None and len(contacts) and self.contacts != "none" and not self.along(field):
                 forces = contacts["normal_force_N_per_m"]
                 if inner:
                     if (contacts["body_a"] == contacts["body_b"]).any():
@@ -111,7 +111,9 @@ class Picture:
                         arrow_forces.append(drawing.strongest_arrow(outside))
             if self.several:
                 state.forget()
-        if self.contacts == "auto":
+        if self.contacts == "auto" and self.along(field):
+            self.contacts = "none"  # lines would hide the contacts
+        elif self.contacts == "auto":
             self.contacts = "arrows" if self.n_bodies <= 3 else "chains"
         self.full_force = max({"inner": inner_forces, "chains": chain_forces, "arrows": arrow_forces,
                                "none": [0.]}[self.contacts])
@@ -120,6 +122,10 @@ class Picture:
             self.scale = Scale(field, samples, self.options.range, self.options.colours)
         elif self.options.field == "body":
             self.choose_colours(bodies, highest, states[0].number)
+
+    def along(self, field):
+        """Whether the colours are those of contacts, and nothing else is asked of these."""
+        return field is not None and field.part == "contact_pressures" and self.contacts == "auto"
 
     @staticmethod
     def places(state):
@@ -271,6 +277,12 @@ class Picture:
 
     def fill_by_scale(self, axes, state, rings):
         scale, values = self.scale, self.scale.values(state)
+        if scale.field.part == "contact_pressures":
+            axes.add_collection(PathCollection([drawing.outline_path(rings[body]) for body in rings], facecolors="#dfe6ee", linewidths=0,
+                                               zorder=2))
+            drawing.draw_along_contacts(axes, state.contact_pressures, values, scale.norm, scale.map,
+                                        float(np.clip(16 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 2.5, 6.)))
+            return
         if scale.field.part == "bodies":
             bodies = {int(body): value for body, value in zip(state.bodies["body"], values)}
             shown = [body for body in rings if body in bodies]
@@ -357,6 +369,10 @@ class SideBySide:
                 left += size.width
             figure.text(0.5, 1 - 0.2 / height, self.pictures[0].title(state), ha="center", va="center", fontsize=12)
             return figure
+
+    def title(self, state):
+        """That of every picture."""
+        return self.pictures[0].title(state)
 
     def save(self, state, path, dpi):
         """Writes the picture of a state."""

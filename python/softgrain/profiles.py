@@ -1,25 +1,83 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pressure and traction along one contact."""
 
+import math
+
 import numpy as np
 
 from .contacts import NONE
 from .errors import InputError
+from .hertz import half_width
 from .loads import body_names, wall_names
 from .tables import Table
 
 
+NARROW = 2.1  # resolutions in a half width, from which on forces tell it better than Hertz's law
+FEW = 4  # places that bear a force, below which they tell no width
+TERMS_FROM = 5.  # resolutions in a half width, from which on forces tell more than resultant and width
+CORNER = math.radians(30)  # turn of an outline from one of its sides to the next
+N_PLACES = 33
+
+
 def profile_of(state, body, partner, smooth=True) -> Table:
     """
-    One row per place where @body meets @partner, from one end of the contact to the other: how far along it the place is, counted
-    from the line of the resultant force (``along_m``), the length of outline that it stands for (``length_m``), pressure and
-    traction there, and the place. Places are closer than the field of a body can tell forces apart, so each hands a quarter of its
-    force to the next on either side (``smooth=False``: none): the resolution is the length of two places. The sums of ``pressure_Pa * length_m`` and ``traction_Pa * length_m`` are the
-    normal and the tangential force of all places. A traction is positive where it pulls @body on along the contact.
+    Pressure and traction along the contact of @body with @partner, from one of its ends to the other: how far along it a place is,
+    counted from the line of the resultant force (``along_m``), the length of contact that it stands for (``length_m``), pressure and
+    traction there, and the place. The sums of ``pressure_Pa * length_m`` and ``traction_Pa * length_m`` are the normal and the
+    tangential force exactly. A traction is positive where it pulls @body on along the contact.
+
+    Forces at single places tell no pressure: their neighbours share them in any way. What they tell is their resultant, where it acts,
+    and how far they spread. Between outlines without corners the pressure is therefore the half ellipse of the same resultant, line of
+    action and second moment, and in contacts that are wider than ten resolutions further terms, √(1-x²) U_n(x), of the same moments. A
+    contact narrower than ``2.1 resolution_m`` on either side has the half width of Hertz's law where the scene tells it. Where an
+    outline has corners, and with ``smooth=False``, there is one row for each place that bears a force, of which each hands a quarter to
+    the next on either side (``smooth=False``: none).
+
+    The table knows ``half_width_m``, ``resolution_m``, the length of two places, and in ``width_from`` where the width comes from.
 
     @partner is a body, a wall or an obstacle; both are names, bodies may also be told by their numbers. Along the contact one goes
     with the body to the left.
     """
+    rows = rows_along(state, body, partner)
+    resolution = 2 * float(np.median(rows["length_m"]))
+    if not smooth or (rows["pressed"] < 0).any() or any(has_corners(state, one) for one in (body, partner)):
+        return of_places(rows, smooth, resolution)
+    return of_moments(rows, resolution, half_width(state, name_of(state, body), name_of(state, partner), rows["pressed"].sum()))
+
+
+def pressures_of(state) -> Table:
+    """
+    The profiles of all contacts of a state, one after the other, as short pieces of contact: middle (``place_m``), direction and length
+    of each, pressure and traction on it, and between whom it is. A contact that tells no width has the pieces of its single places.
+    """
+    walls, parts = wall_names(state), []
+    for number, (a, b, wall) in enumerate(zip(*(state.pairs[name].tolist() for name in ("body_a", "body_b", "wall")))):
+        partner = walls[wall] if wall != NONE else b
+        try:
+            profile = profile_of(state, a, partner)
+        except TooNarrow:
+            profile = profile_of(state, a, partner, smooth=False)
+        n = len(profile)
+        rows, _ = rows_of(state, a, partner)
+        way = np.gradient(profile["place_m"], axis=0) if n > 1 else state.contacts["normal"][rows][:1, ::-1] * [1, -1]
+        parts.append({
+            "contact": np.full(n, number), "body_a": np.full(n, a), "body_b": np.full(n, b), "wall": np.full(n, wall),
+            "place_m": profile["place_m"], "direction": way / np.maximum(np.hypot(*way.T), 1e-300)[:, None], "length_m": profile["length_m"],
+            "contact_pressure_Pa": profile["pressure_Pa"], "contact_traction_Pa": profile["traction_Pa"],
+            "image_m": np.tile(state.contacts["image_m"][rows[:1]] if "image_m" in state.contacts else np.zeros((1, 2)), (n, 1))})
+    if not parts:
+        return Table({"contact": np.zeros(0, dtype=int), "body_a": np.zeros(0, dtype=int), "body_b": np.zeros(0, dtype=int),
+                      "wall": np.zeros(0, dtype=int), "place_m": np.zeros((0, 2)), "direction": np.zeros((0, 2)), "length_m": np.zeros(0),
+                      "contact_pressure_Pa": np.zeros(0), "contact_traction_Pa": np.zeros(0), "image_m": np.zeros((0, 2))}, "contact pressures")
+    return Table({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, "contact pressures")
+
+
+class TooNarrow(InputError):
+    """A contact that tells no width."""
+
+
+def rows_along(state, body, partner):
+    """Places that bear a force, in their order along the contact: normal force on @body, tangential force, length and place of each."""
     contacts = state.contacts
     rows, sign = rows_of(state, body, partner)
     if not len(rows):
@@ -37,11 +95,90 @@ def profile_of(state, body, partner, smooth=True) -> Table:
     weight = np.maximum(pressed, 0)
     along = along - (weight @ along / weight.sum() if weight.sum() > 0 else along.mean())
     order = np.argsort(along, kind="stable")
+    return {name: values[order] for name, values in (("along_m", along), ("pressed", pressed), ("rubbed", rubbed), ("length_m", length),
+                                                     ("place_m", place))}
+
+
+def of_places(rows, smooth, resolution):
+    """One row for each place."""
+    pressed, rubbed, length = rows["pressed"], rows["rubbed"], rows["length_m"]
     if smooth:
-        pressed[order], rubbed[order] = spread(pressed[order]), spread(rubbed[order])
-    return Table({name: values[order] for name, values in (
-        ("along_m", along), ("pressure_Pa", pressed / length), ("traction_Pa", rubbed / length), ("length_m", length),
-        ("place_m", place))}, "contact profile")
+        pressed, rubbed = spread(pressed), spread(rubbed)
+    table = Table({"along_m": rows["along_m"], "pressure_Pa": pressed / length, "traction_Pa": rubbed / length, "length_m": length,
+                   "place_m": rows["place_m"]}, "contact profile")
+    table.half_width_m, table.resolution_m, table.width_from = float(length.sum() / 2), resolution, "places"
+    return table
+
+
+def of_moments(rows, resolution, hertz):
+    """The profile that has the moments of the forces at all places; @hertz is half the width by Hertz's law or None."""
+    along, pressed = rows["along_m"], rows["pressed"]
+    measured = 2 * math.sqrt(float(pressed @ along**2 / pressed.sum()))
+    by_law = hertz is not None and hertz < NARROW * resolution
+    if not by_law and (len(along) < FEW or measured <= 0.5 * resolution):
+        raise TooNarrow(f"the contact bears its force at {len(along)} place{'s' * (len(along) > 1)} alone, which tells no width: make cells "
+                         f"smaller until there are {FEW} (round bodies of a law with Young's modulus and Poisson's ratio have Hertz's)")
+    half = hertz if by_law else measured
+    # In the middle of equal angles sums are integrals, exactly, and no place is an end of the contact.
+    angle = np.pi * (np.arange(N_PLACES) + 1) / (N_PLACES + 1)
+    x, root = -np.cos(angle), np.sin(angle)
+    length = half * np.pi / (N_PLACES + 1) * root
+    terms = 1 if half < TERMS_FROM * resolution else int(half / resolution) - 1
+    while True:
+        shape = series(along / half, pressed, terms, x)
+        if terms <= 1 or shape.min() >= 0:
+            break
+        terms //= 2
+    if shape.min() < 0:
+        shape = series(along / half, pressed, 0, x)
+    rubbed = series(along / half, rows["rubbed"], min(2, len(along) - 1), x)
+    density = 2 / (np.pi * half) * root
+    place = np.stack([np.interp(half * x, along, rows["place_m"][:, axis]) for axis in (0, 1)], axis=1)
+    place += direction_of(rows)[None] * (half * x - np.interp(half * x, along, along))[:, None]
+    table = Table({"along_m": half * x, "pressure_Pa": density * shape, "traction_Pa": density * rubbed, "length_m": length,
+                   "place_m": place}, "contact profile")
+    table.half_width_m, table.resolution_m, table.width_from = half, resolution, "Hertz's law" if by_law else "forces"
+    return table
+
+
+def direction_of(rows):
+    """From the first place to the last; of a single one there is none that matters."""
+    way = rows["place_m"][-1] - rows["place_m"][0]
+    return way / np.hypot(*way) if np.hypot(*way) > 0 else np.zeros(2)
+
+
+def series(places, forces, terms, x):
+    """
+    The sum of c_n U_n(x) up to a number of terms; with 2/(π a) √(1-x²) before it, it has the moments of forces at @places, in half widths a.
+
+    >>> series(np.array([-0.5, 0.5]), np.array([1., 1.]), 2, np.array([0., 0.5])).round(12)
+    array([2., 2.])
+    """
+    inside = np.clip(places, -1, 1)
+    total = np.zeros(len(x))
+    of_places, of_x = [np.ones(len(inside)), 2 * inside], [np.ones(len(x)), 2 * x]
+    for n in range(terms + 1):
+        total += (forces @ of_places[0]) * of_x[0]
+        of_places, of_x = ([now, 2 * z * now - before] for (before, now), z in ((of_places, inside), (of_x, x)))
+    return total
+
+
+def has_corners(state, one):
+    """Whether the outline of a body turns sharply somewhere; a wall and an obstacle do not count."""
+    number = number_of(state, one, may_fail=True)
+    if number is None or not state.has("outlines"):
+        return False
+    ring = state.outlines[number][0]
+    side = np.diff(np.vstack([ring, ring[:1]]), axis=0)
+    side = side[np.hypot(*side.T) > 0]
+    following = np.roll(side, -1, axis=0)
+    turn = np.arctan2(side[:, 0] * following[:, 1] - side[:, 1] * following[:, 0], (side * following).sum(axis=1))
+    return bool(np.abs(turn).max(initial=0) > CORNER)
+
+
+def name_of(state, one):
+    """The name of a body that may be told by its number."""
+    return body_names(state).get(one, one)
 
 
 def spread(forces):

@@ -2,6 +2,7 @@
 """Pictures and films of a page about runs."""
 
 import os
+import re
 import tempfile
 
 import numpy as np
@@ -10,7 +11,6 @@ from . import film
 from .errors import InputError
 from .page import data_address, tag
 from .picture import Options, Picture, picture_of
-from .report_entry import with_prefix
 
 PICTURE_DPI, FILM_DPI = 150, 110
 
@@ -81,5 +81,25 @@ def pictures_of(run, states, picture, ending, choices):
         for name, state in {"last": states[-1], "first": states[0]}.items() if len(states) > 1 else [("only", states[0])]:
             path = os.path.join(folder, f"{name}.png")
             picture.save(state, path, PICTURE_DPI)
-            items.append((data_address(path), f"{name} state, t = {with_prefix(state.time, 's')}"))
+            items.append((data_address(path), f"{name} state, {when(picture, state)}"))
+        if shows_pressures(states[-1], picture, choices):
+            path = os.path.join(folder, "pressures.png")
+            pressures = picture_of(Options(field="contact_pressure"), [states[-1]])
+            pressures.save(states[-1], path, PICTURE_DPI)
+            items.append((data_address(path), f"pressure along contacts, last state, {when(picture, states[-1])}"))
     return items
+
+
+def when(picture, state):
+    """The time of a state, in the unit that the pictures have, and what else their titles say, without the signs of mathematics."""
+    title = picture.title(state)
+    for sign, text in {r"\Phi": "Φ", r"\varepsilon": "ε", r"_\mathrm{q}": "_q", "$": ""}.items():
+        title = title.replace(sign, text)
+    return re.sub(r" {2,}", ", ", title)
+
+
+def shows_pressures(state, picture, choices):
+    """Material points that touch, unless the page shows that already."""
+    first = getattr(picture, "pictures", [picture])[0]
+    return (choices.field or "") != "contact_pressure" and not first.primaries and state.has("contacts") and state.has("outlines") and \
+        len(state.pairs) > 0

@@ -9,7 +9,7 @@ from . import contacts as pairing
 from . import kinematics
 from .errors import InputError
 from .loads import loads_of, resultants
-from .profiles import profile_of
+from .profiles import pressures_of, profile_of
 
 
 class Outlines:
@@ -72,11 +72,11 @@ class State:
 
     def has(self, part):
         """Whether 'bodies', 'points', 'contacts', 'walls', 'obstacles' or 'outlines' were written."""
-        return self.source.has(part)
+        return self.source.has("contacts" if part == "contact_pressures" else part)
 
     def forget(self):
         """Frees what was read: of a long film only one state stays in memory."""
-        for name in ("points", "bodies", "outlines", "contacts", "pairs", "loads", "walls", "obstacles", "obstacle_lines", "energies"):
+        for name in ("points", "bodies", "outlines", "contacts", "pairs", "loads", "contact_pressures", "walls", "obstacles", "obstacle_lines", "energies"):
             self.__dict__.pop(name, None)
         self.source.forget()
 
@@ -128,6 +128,11 @@ class State:
     def loads(self):
         """What each body feels from each of its partners: force, and torque about its centre of mass."""
         return loads_of(self)
+
+    @cached_property
+    def contact_pressures(self):
+        """Pressure and traction along all contacts, see :func:`softgrain.profiles.pressures_of`."""
+        return pressures_of(self)
 
     def contact_profile(self, body, partner, smooth=True):
         """
@@ -209,7 +214,7 @@ class State:
         return state_to_xarray(self)
 
     def to_pyvista(self, part="points"):
-        """A pyvista mesh of the 'points', 'outlines', 'contacts' or 'walls' with all data that they have."""
+        """A pyvista mesh of the 'points', 'outlines', 'contacts', 'contact_pressures' or 'walls' with all data that they have."""
         from .vtk import to_pyvista
         return to_pyvista(self, part)
 

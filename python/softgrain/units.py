@@ -22,6 +22,7 @@ SYMBOLS = {
     "dt": r"time step $\Delta t$", "max_penetration": r"largest penetration $-g$",
     "equivalent_strain": r"equivalent strain $\varepsilon_\mathrm{eq}$",
     "shear_strain": r"largest shear strain $\frac{1}{2}(\ln\lambda_1 - \ln\lambda_2)$",
+    "contact_pressure": r"contact pressure $p(s)$", "contact_traction": r"contact traction $q(s)$",
     "volume_strain": r"volume strain $\ln J$", "mean_pressure": r"mean pressure $p$",
 }
 

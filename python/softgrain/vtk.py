@@ -5,7 +5,7 @@ import numpy as np
 
 from .errors import InputError, need, need_pip
 
-PARTS = ("points", "outlines", "contacts", "walls")
+PARTS = ("points", "outlines", "contacts", "contact_pressures", "walls")
 
 
 def three(values):
@@ -14,7 +14,7 @@ def three(values):
 
 
 def to_vtk(state, part):
-    """A vtkPolyData of a part of a state: points and contacts as vertices, outlines and walls as closed and open lines."""
+    """A vtkPolyData of a part of a state: points, contacts and pressures along them as vertices, outlines and walls as closed and open lines."""
     if part not in PARTS:
         raise InputError(f"there is no mesh of '{part}'; there are {', '.join(PARTS)}")
     try:
@@ -45,7 +45,7 @@ def to_vtk(state, part):
 
 def mesh_of(state, part):
     """(places, lines as numbers of places or nothing, data)."""
-    if part in ("points", "contacts"):
+    if part in ("points", "contacts", "contact_pressures"):
         table = getattr(state, part)
         key = "position_m" if part == "points" else "place_m"
         return table[key], [], {name: values for name, values in table.items() if name != key}

@@ -19,6 +19,7 @@ from softgrain import film
 from softgrain.cell import SpreadState, cell_of
 from softgrain.dissipation import draw_dissipation
 from softgrain.picture import Options, Picture
+from softgrain.profiles import of_moments
 from softgrain.state import Outlines
 from softgrain.tables import Table
 from tool_runs import run
@@ -140,6 +141,29 @@ class Pictures(unittest.TestCase):
         listed = " ".join(self.draw("render.py", common.EXAMPLE, "--list"))
         self.assertIn("equivalent_strain", listed)
         self.assertIn("coordination", listed)
+
+    def test_contact_pressure(self):
+        """The pieces of all contacts press as their forces do, and a picture shows them in colour; a number that is no width is refused."""
+        state = softgrain.open(common.EXAMPLE)[-1]
+        pieces, pairs = state.contact_pressures, state.pairs
+        found = np.bincount(pieces.contact, pieces.contact_pressure_Pa * pieces.length_m)
+        np.testing.assert_allclose(found, pairs.normal_force_N_per_m, rtol=1e-3)  # a pair has one normal, its places have theirs
+        self.assertGreater(len(pieces), 20 * len(pairs))
+        mesh = state.to_vtk("contact_pressures")
+        self.assertEqual(mesh.GetPointData().GetArray("contact_pressure_Pa").GetNumberOfTuples(), len(pieces))
+        first = pieces.where(pieces.contact == 0)
+        self.assertGreater(first.contact_pressure_Pa.argmax(), 10)  # not at an end
+        path, = self.draw("render.py", common.EXAMPLE, "--field", "contact_pressure", "--output", "pressures.png", *PNG)
+        image = matplotlib.image.imread(path)[..., :3]
+        self.assertGreater(np.ptp(image, axis=2).max(), 0.3)
+        self.refused("did you mean contact_pressure", "render.py", common.EXAMPLE, "--field", "contact_presure")
+        rows = {"along_m": np.array([-1., 0., 1.]), "pressed": np.ones(3), "rubbed": np.zeros(3), "length_m": np.ones(3),
+                "place_m": np.zeros((3, 2))}
+        with self.assertRaisesRegex(softgrain.InputError, "bears its force at 3 places alone, which tells no width"):
+            of_moments(rows, 2., None)
+        by_law = of_moments(rows, 2., 1.5)
+        self.assertEqual((by_law.half_width_m, by_law.width_from), (1.5, "Hertz's law"))
+        self.assertAlmostEqual(float(by_law.pressure_Pa @ by_law.length_m), 3.)
 
     def test_titles_of_a_series(self):
         """One unit of time, as many digits in all, and what the scene goes by: the strain that ends it, or the packing fraction."""
