@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# A hundred soft disks of two sizes, with friction, compacted to a packing fraction of 0.9: three mixtures, and how far they differ.
+# A hundred soft disks of two sizes, with friction, compacted to a packing fraction of 0.95: three mixtures, and how far they differ.
 # In the root folder of softgrain: PYTHONPATH=python python3 examples/bidisperse_mixture.py
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,7 +8,7 @@ import softgrain
 SMALL, LARGE = 1e-3, 1.4e-3  # radii [m], as many of the one as of the other
 
 
-def mixture(seed, number=100, packing_fraction=0.9):
+def mixture(seed, number=100, packing_fraction=0.95):
     """A box with a lid that comes down on disks of both sizes, which stand in rows in random order."""
     radius = np.random.default_rng(seed).permutation(np.repeat([SMALL, LARGE], number // 2))
     columns, step = int(np.sqrt(number)), 2.02 * LARGE

@@ -1,21 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Soft disks flow out of a hopper, with openings of different widths: the discharge over time.
+# Soft disks, read from a table, flow out of a hopper, with openings of different widths: the discharge over time.
 # In the root folder of softgrain: PYTHONPATH=python python3 examples/hopper.py
+import os
+
 import matplotlib.pyplot as plt
 import numpy as np
 import softgrain
 
 DIAMETER = 10e-3  # of the largest disk [m]
+GRAINS = os.path.join(os.path.dirname(__file__), "hopper_grains.csv")  # x_m, y_m, radius_m of each
 
 
 def hopper(opening, number=30, end=0.5):
-    """Two plates with an opening of so many diameters; the disks are packed above them."""
+    """Two plates with an opening of so many diameters; above them the lowest disks of the table."""
+    grains = softgrain.read_table(GRAINS)
+    lowest = np.argsort(grains.y_m)[:number]
     half, top = 40e-3, 45e-3
     scene = softgrain.Scene()
     scene.title = f"{number} soft disks fall out of a hopper with an opening of {opening:g} diameters."
     scene.materials.add("gel", law="neo_hookean", density=1000, youngs_modulus=2e4, poissons_ratio=0.4)
-    scene.packing(number=number, smallest_diameter=0.8 * DIAMETER, largest_diameter=DIAMETER, seed=1,
-                  lower=(-half + 2e-3, top + 1e-3), upper=(half - 2e-3, top + 42e-3))
+    scene.place(grains.x_m[lowest], grains.y_m[lowest], grains.radius_m[lowest])
     scene.mesh(lower=(-half - 4e-3, -40e-3), upper=(half + 4e-3, top + 50e-3), cell_size=DIAMETER / 5)
     scene.walls(bottom={"point": (0, -36e-3)}, left={"point": (-half, 0)}, right={"point": (half, 0)})
     for side, name in ((-1, "left_plate"), (1, "right_plate")):

@@ -17,9 +17,10 @@ import hard_and_soft  # noqa: E402
 import hopper  # noqa: E402
 import modulus  # noqa: E402
 import oscillating_wall  # noqa: E402
+import shaken_box  # noqa: E402
 
 SMALL = {"width": 4.5}  # inches: small enough for a page
-RATIOS, FREQUENCIES = (1, 3, 10), (0.3, 1, 3, 10, 30)
+RATIOS, FREQUENCIES, SHARES = (1, 3, 10), (0.3, 1, 3, 10, 30), (0.05, 0.5, 0.9)
 
 
 def pictures(folder):
@@ -30,6 +31,7 @@ def pictures(folder):
     yield "hopper", run.at(0.2).plot(**SMALL)
     yield "hard_and_soft", hard_and_soft.draw({ratio: hard_and_soft.mixture(ratio).run(f"{folder}/hard_and_soft_{ratio}", again=False)
                                                for ratio in RATIOS})
+    yield "shaken_box", shaken_box.draw({share: shaken_box.box(share).run(f"{folder}/shaken_{share:g}", again=False) for share in SHARES})
     yield "modulus", modulus.draw(modulus.study(f"{folder}/modulus"))
     yield "oscillating_wall", oscillating_wall.draw({
         frequency: oscillating_wall.block(frequency).run(f"{folder}/swing_{frequency:g}", again=False) for frequency in FREQUENCIES})

@@ -217,6 +217,16 @@ class Examples(unittest.TestCase):
         self.assertGreater(below[-1], 0)
         module.draw({3: run}).savefig("hopper.png")
 
+    def test_shaken_box(self):
+        """The floor lifts the disks and lets them fall; what relaxes is dissipated."""
+        module = importlib.import_module("shaken_box")
+        run = module.box(0.5, number=2, end=0.09).run("shaken")
+        times, height = module.heights(run)
+        self.assertEqual((len(times), int(height.argmin() > 5)), (len(run), 1))
+        self.assertGreater(height[-1], 1e-3)
+        self.assertGreater(run.history_table.dissipated_energy[-1], 0)
+        module.draw({0.5: run}).savefig("shaken.png")
+
     def test_hard_and_soft(self):
         """Hard disks are strained less than soft ones."""
         module = importlib.import_module("hard_and_soft")
