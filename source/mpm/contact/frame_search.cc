@@ -4,6 +4,7 @@
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
 #include <softgrain/mpm/contact/frame_tasks.h>
+#include <softgrain/mpm/contact/told_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,83 @@ Frame start_frame(const FrameScene &scene,
   frame.spacing = spacing_in_cells * scene.cell_size;
   return frame;
 }
+
+/// What all tasks have in common.
+struct LookedAt
+{
+  const FrameScene &scene;
+  const std::vector<SampledSurface<2>> &samples, &lines; ///< of bodies and of obstacles
+};
+
+/// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
+void find_here(const LookedAt &at,
+               std::multimap<Frame::Key, Frame> &before,
+               const std::vector<FrameTask *> &tasks)
+{
+  parallel_for(tasks.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   look(at.scene, at.samples, at.lines, *tasks[i]);
+               });
+  for (FrameTask *const task : tasks)
+    for (const FrameStretch &stretch : task->stretches)
+    {
+      Frame named = task->named;
+      named.corner = stretch.corner;
+      if (stretch.corner != Frame::none)
+      {
+        named.rays.resize(1);
+        named.rays[0].place[stretch.corner] = (stretch.corner == 0 ? *task->partner : at.samples[named.body])
+                                                  .samples[stretch.facing.front()[stretch.corner]]
+                                                  .place;
+      }
+      task->found.push_back(start_frame(at.scene, stretch, named, before));
+    }
+  parallel_for(tasks.size(), 4,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                 {
+                   FrameTask &task = *tasks[i];
+                   const FrameLayout layout(at.scene, task.apart, task.partner, at.samples[task.named.body]);
+                   for (unsigned int s = 0; s < task.found.size(); ++s)
+                   {
+                     if (task.found[s].rays.empty() && task.found[s].corner == Frame::none)
+                       layout.center(task.stretches[s], task.found[s]);
+                     layout.lay(task.stretches[s], task.found[s]);
+                   }
+                 }
+               });
+}
+
+/// Finds the frames of all tasks, those of other ranks' bodies by asking these.
+void find_in_tasks(const LookedAt &at,
+                   std::multimap<Frame::Key, Frame> &before,
+                   std::vector<FrameTask> &tasks)
+{
+  const BodyShare *const share = at.scene.looking;
+  std::vector<FrameTask *> here, elsewhere;
+  for (FrameTask &task : tasks)
+    (share == nullptr || share->mine(task.named.body) ? here : elsewhere).push_back(&task);
+  if (share == nullptr)
+    return find_here(at, before, here);
+  std::vector<std::vector<double>> told(at.scene.bodies.size());
+  share->share_lists(
+      [&]()
+      {
+        find_here(at, before, here);
+        for (const FrameTask *const task : here)
+          if (!share->alone())
+            tell_frames(task->found, told[task->named.body]);
+      },
+      told);
+  std::vector<const double *> next;
+  for (const std::vector<double> &of_body : told)
+    next.push_back(of_body.data());
+  for (FrameTask *const task : elsewhere)
+    task->found = take_frames(task->named, next[task->named.body]);
+}
 } // namespace
 
 dealii::Tensor<1, 2> FrameScene::apart(const ContactFrame<2> &frame) const
@@ -149,41 +227,7 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
   for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
     lines.push_back((*scene.lines)[o].samples(0.5 * scene.cell_size));
   std::vector<FrameTask> tasks = find_frame_tasks(scene, samples);
-  parallel_for(tasks.size(), 4,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t i = begin; i < end; ++i)
-                   look(scene, samples, lines, tasks[i]);
-               });
-  for (FrameTask &task : tasks)
-    for (const FrameStretch &stretch : task.stretches)
-    {
-      Frame named = task.named;
-      named.corner = stretch.corner;
-      if (stretch.corner != Frame::none)
-      {
-        named.rays.resize(1);
-        named.rays[0].place[stretch.corner] = (stretch.corner == 0 ? *task.partner : samples[named.body])
-                                                  .samples[stretch.facing.front()[stretch.corner]]
-                                                  .place;
-      }
-      task.found.push_back(start_frame(scene, stretch, named, before));
-    }
-  parallel_for(tasks.size(), 4,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t i = begin; i < end; ++i)
-                 {
-                   const FrameLayout layout(scene, tasks[i].apart, tasks[i].partner,
-                                            samples[tasks[i].named.body]);
-                   for (unsigned int s = 0; s < tasks[i].found.size(); ++s)
-                   {
-                     if (tasks[i].found[s].rays.empty() && tasks[i].found[s].corner == Frame::none)
-                       layout.center(tasks[i].stretches[s], tasks[i].found[s]);
-                     layout.lay(tasks[i].stretches[s], tasks[i].found[s]);
-                   }
-                 }
-               });
+  find_in_tasks({scene, samples, lines}, before, tasks);
   std::vector<Frame> result;
   for (FrameTask &task : tasks)
     for (Frame &frame : task.found)

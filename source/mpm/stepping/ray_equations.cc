@@ -54,6 +54,7 @@ void RayEquations::lay()
     at_rest.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));
   way = at_rest;
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  scene.looking = &work.share;
   for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
   {
     frames.emplace_back(frame, scene);

@@ -5,6 +5,7 @@
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
@@ -39,6 +40,7 @@ struct FrameScene
   /// inertia [m].
   std::vector<double> own_way = {};
   const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
+  const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].
   double reach_of(const ContactFrame<2> &frame) const
