@@ -46,8 +46,6 @@ SCENES = {
     # Rays need the field of the partner, wherever its points are.
     "rays": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, *RAYS, "Contact/Friction=0.3", "Walls/top/Velocity=5",
              "Output/Fields every=0", "Output/Snapshots every=3.2e-5", "Stop/End time=6.4e-5"],
-    "rays_cell": ["gallery/simple_shear_periodic.prm", COARSE, *RAYS, "Packing/Number=16", "Packing/Packing fraction=0.7",
-                  "Output/Fields every=0", "Stages/compress/Stop/End time=6.4e-5", "Stages/shear/Stop/End time=1.28e-4"],
     "rays_hopper": ["gallery/hopper_mpm.prm", RAYS[0], "Contact/Friction=0.3", "Output/Fields every=0", "Packing/Number=12",
                     "Packing/Upper=38e-3, 66e-3", "Material points/Grid update=every step"],
     # Where there are more than two thousand primaries, each rank has some of them.
@@ -205,9 +203,6 @@ class SameBits(RankRuns):
 
     def test_rays(self):
         self.check("rays", (2, 3))
-
-    def test_rays_cell(self):
-        self.check("rays_cell", (2,))
 
     def test_thesis_method(self):
         self.check("thesis_method")

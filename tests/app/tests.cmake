@@ -75,8 +75,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       models.OtherSettings models.BothModels models.PackingOfMaterials models.LinearSolvers models.DissipativeLaw
       ranks.Restarts ranks.Ends ranks.Moves ranks.SameBits.test_two_disks ranks.SameBits.test_thirty ranks.SameBits.test_friction
       ranks.SameBits.test_plastic ranks.SameBits.test_pushed ranks.SameBits.test_explicit ranks.SameBits.test_quasi_static
-      ranks.SameBits.test_biaxial ranks.SameBits.test_periodic ranks.SameBits.test_thesis_method
-        ranks.SameBits.test_rays ranks.SameBits.test_rays_cell
+      ranks.SameBits.test_biaxial ranks.SameBits.test_periodic ranks.SameBits.test_thesis_method ranks.SameBits.test_rays
       ranks.SameBits.test_bonded ranks.SameBits.test_bonded_friction ranks.SameBits.test_bonded_pressed
       ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell
       ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion)
