@@ -21,7 +21,7 @@ double Adhesion::reach() const
 double Adhesion::memory_of(const std::uint64_t key, const double gap) const
 {
   if (!started)
-    return gap <= 0. ? law->memory_at_start() : 0.;
+    return first_memory(gap);
   const auto found = memory.find(key);
   return found == memory.end() ? 0. : found->second;
 }
@@ -54,6 +54,23 @@ void Adhesion::note(const std::uint64_t key, const double gap, ContactEvent even
   const double after = law->memory_after(memory_of(key, gap_between_surfaces(gap)), event);
   if (after != 0.)
     next[key] = after;
+}
+
+double Adhesion::first_memory(const double gap) const
+{
+  return !started && gap_between_surfaces(gap) <= 0. ? law->memory_at_start() : 0.;
+}
+
+double Adhesion::mean_share(const double remembered, const double gap, const double end) const
+{
+  return resolves_range() ? law->mean_share(gap, end, remembered)
+                          : law->share(gap_between_surfaces(gap), remembered);
+}
+
+double Adhesion::memory_after(const double remembered, ContactEvent event) const
+{
+  event.gap = gap_between_surfaces(event.gap);
+  return law->memory_after(remembered, event);
 }
 
 void Adhesion::finish_step()

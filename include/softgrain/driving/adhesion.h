@@ -56,6 +56,16 @@ public:
   /// What has become in a step of a contact that began it with @p gap [m]; for laws that remember.
   void note(std::uint64_t key, double gap, ContactEvent event);
 
+  // The same for contacts whose memory the caller keeps.
+
+  /// Of a contact that nobody has in mind yet. @param gap at the start of the step [m]
+  double first_memory(double gap) const;
+
+  /// Mean share where the gap goes linearly from @p gap to @p end along a contact [m].
+  double mean_share(double memory, double gap, double end) const;
+
+  double memory_after(double memory, ContactEvent event) const;
+
   /// Ends the step for which contacts have been noted.
   void finish_step();
 

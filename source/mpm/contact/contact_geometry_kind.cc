@@ -39,7 +39,7 @@ public:
     Registry<ContactGeometryKind>::instance().add(
         "rays",
         "rays that stand in space during a step meet the surfaces, and Newton's method knows how ("
-        "quasi_static and moreau_jean, without adhesion)",
+        "quasi_static and moreau_jean)",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "nodes",

@@ -145,10 +145,11 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
     {
       place.force = old->force;
       place.friction = old->friction;
+      place.memory = old->memory;
     }
     const double gap = height[1] - height[0];
     // No step ends with bodies as deep in each other: what looks so is the far side of a thin body.
-    if ((gap > scene.reach_of(frame) || gap < -deepest * scene.cell_size) && place.force == 0.)
+    if ((gap > scene.reach_of(frame) || gap < -deepest * scene.cell_size) && place.force <= 0.)
       continue;
     rays.push_back(place);
   }

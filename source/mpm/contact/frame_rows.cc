@@ -44,7 +44,7 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
     const ContactFrame<2> &layout = frame.layout();
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
-      if (!(force[f][k] > 0.))
+      if (force[f][k] == 0.)
         continue;
       const FrameState::RayHere &ray = frame.ray(k);
       ContactRow<2> row;
@@ -59,7 +59,8 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
       if (layout.partner != FrameState::none && scene.bodies[layout.partner].driven)
         row.wall = scene.bodies[layout.partner].wall;
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
-      row.normal = given / given.norm();
+      row.normal = frame.resultant(k) / frame.resultant(k).norm();
+      row.pull = ray.pull * frame.resultant(k).norm();
       if (frame.rubs(k))
       {
         // Friction does its work between the places that it holds together.

@@ -86,7 +86,7 @@ Frame start_frame(const FrameScene &scene,
   for (auto old = first; old != end; ++old)
   {
     const bool pressed = std::any_of(old->second.rays.begin(), old->second.rays.end(),
-                                     [](const Frame::RayPlace &ray) { return ray.force > 0.; });
+                                     [](const Frame::RayPlace &ray) { return ray.force != 0.; });
     if (!pressed || old->second.direction * stretch.direction < keeps_direction)
       continue;
     const double distance = old->second.origin.distance(stretch.middle);
@@ -110,6 +110,24 @@ Frame start_frame(const FrameScene &scene,
   frame.origin = stretch.middle;
   frame.spacing = spacing_in_cells * scene.cell_size;
   return frame;
+}
+/// Rays of a frame that is new remember what has become of the material that they meet. @param before frames
+/// that have no successor
+void inherit_memory(const std::multimap<Frame::Key, Frame> &before, Frame &frame)
+{
+  const auto [first, end] = before.equal_range(frame.key());
+  for (Frame::RayPlace &ray : frame.rays)
+  {
+    double nearest = 0.75 * frame.spacing;
+    for (auto old = first; old != end; ++old)
+      for (const Frame::RayPlace &other : old->second.rays)
+        if (const double distance = other.place[1].position.distance(ray.place[1].position);
+            distance < nearest)
+        {
+          nearest = distance;
+          ray.memory = other.memory;
+        }
+  }
 }
 
 /// What all tasks have in common.
@@ -144,6 +162,7 @@ void find_here(const LookedAt &at,
       }
       task->found.push_back(start_frame(at.scene, stretch, named, before));
     }
+  const bool remembers = at.scene.adhesion != nullptr && at.scene.adhesion->remembers();
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
                {
@@ -156,6 +175,8 @@ void find_here(const LookedAt &at,
                      if (task.found[s].rays.empty() && task.found[s].corner == Frame::none)
                        layout.center(task.stretches[s], task.found[s]);
                      layout.lay(task.stretches[s], task.found[s]);
+                     if (remembers && task.found[s].id == 0)
+                       inherit_memory(before, task.found[s]);
                    }
                  }
                });

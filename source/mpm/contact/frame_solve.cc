@@ -120,7 +120,7 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
       z[i] = x[number[i]];
   for (unsigned int i = 0; i < columns.size() && !by_threshold; ++i)
     if (active[i] && slips(i) != 0)
-      z[i] = slips(i) * columns[i].bound * z[columns[i].mate];
+      z[i] = slips(i) * columns[i].bound * (z[columns[i].mate] + columns[columns[i].mate].pull);
   return true;
 }
 
@@ -134,9 +134,14 @@ bool FrameSystem::set_known()
                stopped = columns[i].kind == Column::wall && ways[i].stopped != 0;
     if (bounded)
       z[i] = slips(i) * columns[i].threshold;
+    // What adhesion adds to the friction that slips, and all that it leaves to a ray that opens.
+    else if (active[i] && slips(i) != 0)
+      z[i] = slips(i) * columns[i].bound * columns[columns[i].mate].pull;
+    else if (!active[i] && columns[i].kind == Column::ray)
+      z[i] = -columns[i].pull;
     if (stopped)
       z[i] = ways[i].stopped * ways[i].limit - ways[i].at;
-    any = any || bounded || stopped;
+    any = any || z[i] != 0. || stopped;
   }
   return any;
 }
@@ -173,7 +178,7 @@ bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_si
     const double as_force = here[i] * columns[i].stiffness;
     double amount = 0., allowed = 1e-10 * cell_size * columns[i].stiffness;
     if (columns[i].kind == Column::ray)
-      amount = active[i] ? -z[i] : -as_force;
+      amount = active[i] ? -(z[i] + columns[i].pull) : -as_force;
     else if (columns[i].kind == Column::slide && active[i])
       amount = sticks ? std::abs(z[i]) - most_friction(i) : slips(i) * as_force;
     if (active[i] && sticks)
@@ -274,7 +279,7 @@ bool FrameSystem::solve(const double cell_size, const unsigned int negative_of_b
     found_ways[w] = ways[w].at + z[w];
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray)
-      found[columns[i].frame][columns[i].ray_number] = std::max(0., z[i]);
+      found[columns[i].frame][columns[i].ray_number] = std::max(-columns[i].pull, z[i]);
     else if (columns[i].kind == Column::slide && active[i])
       found_rubbing[columns[i].frame][columns[i].ray_number] = z[i];
   return settled;

@@ -36,9 +36,16 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     friction = line != nullptr         ? line->friction
                : frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
                                        : scene.pairs->friction(frame.body, frame.partner);
-  double sum = 0.;
+  // A corner has no length of its own.
+  if (scene.adhesion != nullptr && frame.corner == none && line == nullptr)
+    strength = frame.partner == none ? scene.pairs->adhesion_at_wall(frame.body, frame.wall)
+                                     : scene.pairs->adhesion(frame.body, frame.partner);
+  double sum = 0., pressed = 0.;
   for (const auto &ray : frame.rays)
+  {
     sum += ray.force;
+    pressed += std::max(0., ray.force);
+  }
   dent_at_start = subgrid(dent, sum) * sum;
   if (met_at < 1.)
   {
@@ -46,9 +53,9 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     softness *= opens; // in short steps masses yield much less than matter
   }
   std::vector<double> weight(rays.size(), 0.);
-  if (sum > 0.)
+  if (pressed > 0.)
     for (unsigned int k = 0; k < rays.size(); ++k)
-      weight[k] = frame.rays[k].force / sum;
+      weight[k] = std::max(0., frame.rays[k].force) / pressed;
   else
   {
     // The ray that will be pressed first.
@@ -217,7 +224,7 @@ bool FrameState::evaluate(const FrameScene &scene,
   carry(scene);
   const bool begins = !begun;
   begun = true;
-  at = begins && met_at < 1. ? 0. : met_at;
+  at = begins && (met_at < 1. || scene.adhesion != nullptr) ? 0. : met_at;
   sum_of_forces = 0.;
   for (const double of_ray : force)
     sum_of_forces += of_ray;
@@ -245,7 +252,7 @@ bool FrameState::evaluate(const FrameScene &scene,
     RayHere &here = rays[k];
     const bool first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
-    here.near = !here.left && (first || force[k] > 0. || !(here.gap - 4. * (path - here.path) > within));
+    here.near = !here.left && (first || force[k] != 0. || !(here.gap - 4. * (path - here.path) > within));
     if (!here.near)
       continue;
     here.path = path;
@@ -256,7 +263,7 @@ bool FrameState::evaluate(const FrameScene &scene,
       draw_on(k, begins);
     if (here.met && first && friction > 0.)
       begin_to_rub(scene, wall_way, k);
-    if (!here.met || !(force[k] > 0. || free_gap(k) < within))
+    if (!here.met || !(force[k] != 0. || free_gap(k) < within))
       continue;
     for (unsigned int side = 0; side < 2; ++side)
       if (body(side) != none && side != frame.corner)
@@ -286,10 +293,10 @@ bool FrameState::leave_unmet(std::vector<double> &force, std::vector<double> &ru
 {
   bool any = false;
   for (unsigned int k = 0; k < rays.size(); ++k)
-    if (force[k] > 0. && !rays[k].met)
+    if (force[k] != 0. && !rays[k].met)
     {
       any = rays[k].left = true;
-      force[k] = rubbing[k] = 0.;
+      force[k] = rubbing[k] = rays[k].pull = 0.;
     }
   return any;
 }
@@ -301,7 +308,7 @@ double FrameState::twice_by(const std::vector<double> &force,
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
     for (unsigned int side = 0; side < 2; ++side)
-      if (force[k] > 0. && rays[k].met && (side == 1 || !flat_partner()))
+      if (force[k] != 0. && rays[k].met && (side == 1 || !flat_partner()))
         sum += sign(side) * met_at * force[k] * (v[side] * (rays[k].side[side].sliding_twice * w[side]));
   return sum;
 }
@@ -314,7 +321,9 @@ double FrameState::tangential(const std::vector<double> &force) const
   return sum;
 }
 
-ContactFrame<2> FrameState::after(const std::vector<double> &force, const std::vector<double> &rubbing) const
+ContactFrame<2> FrameState::after(const FrameScene &scene,
+                                  const std::vector<double> &force,
+                                  const std::vector<double> &rubbing) const
 {
   ContactFrame<2> result = frame;
   result.origin += moved * frame.across[0];
@@ -323,6 +332,7 @@ ContactFrame<2> FrameState::after(const std::vector<double> &force, const std::v
   {
     result.rays[k].force = force[k];
     result.rays[k].friction = rubbing[k];
+    result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k]);
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)
         result.rays[k].place[side] = rays[k].side[side].place;

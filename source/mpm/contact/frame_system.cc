@@ -107,8 +107,8 @@ void FrameSystem::add_columns(const FrameScene &scene,
   const FrameState &frame = frames[f];
   if (slipping[f].empty())
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
-      slipping[f].push_back(frame.rubs(k) &&
-                                    std::abs(rubbing[f][k]) >= slips_from * frame.ray(k).bound * force[f][k]
+      slipping[f].push_back(frame.rubs(k) && std::abs(rubbing[f][k]) >=
+                                                 slips_from * frame.most_friction(k, force[f][k])
                                 ? (rubbing[f][k] > 0.) - (rubbing[f][k] < 0.)
                                 : 0);
   const unsigned int first = columns.size();
@@ -119,7 +119,8 @@ void FrameSystem::add_columns(const FrameScene &scene,
     if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
       continue;
     columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
-    active.push_back(force[f][k] > 0. || frame.free_gap(k) < 0.);
+    columns.back().pull = ray.pull;
+    active.push_back(frame.closed(k, force[f][k]) || frame.free_gap(k) < 0.);
     gap.push_back(frame.free_gap(k) - frame.dent_slope() * frame.total_force());
   }
   const unsigned int motion_of_rays = columns.size();
@@ -129,8 +130,8 @@ void FrameSystem::add_columns(const FrameScene &scene,
     if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
     {
       columns[i].mate = columns.size();
-      columns.push_back(
-          {Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound, frame.ray(k).bound * force[f][k]});
+      columns.push_back({Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound,
+                         frame.most_friction(k, force[f][k])});
       any_slides = true;
       active.push_back(active[i]);
       gap.push_back(frame.free_slide(k));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/model/check_rays.h>
-#include <softgrain/scene/contact_pairs.h>
 
 #include <string>
 
@@ -15,7 +14,7 @@ namespace
 }
 } // namespace
 
-void check_rays(const Scene<2> &scene, const Settings &settings)
+void check_rays(const Settings &settings)
 {
   if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
     refuse("with 'Time/Scheme' = '" + settings.scheme.name + "': it needs 'quasi_static' or 'moreau_jean'");
@@ -24,8 +23,5 @@ void check_rays(const Scene<2> &scene, const Settings &settings)
   if (const std::string &type = settings.linear_solver.type;
       type.compare(0, 2, "cg") == 0 || type.compare(0, 8, "trilinos") == 0)
     refuse("with 'Linear solver/Type' = '" + type + "', which cannot count negative pivots");
-  const ContactPairs pairs(scene);
-  if (pairs.adhere())
-    refuse("with adhesion");
 }
 } // namespace softgrain::mpm

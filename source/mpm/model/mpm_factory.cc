@@ -233,7 +233,7 @@ private:
     check_obstacles(scene, settings);
     check_cell(scene, settings);
     if (settings.meets_by_rays())
-      check_rays(scene, settings);
+      check_rays(settings);
     // What a packing will put where is not known before it is made.
     if (settings.refine_near_contact > 0 && !scene.packing.method)
       check_refinement(scene, settings);

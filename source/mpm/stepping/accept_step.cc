@@ -31,7 +31,6 @@ void note_contacts(State &state,
     state.adhesion.note(rows[r].key, rows[r].gap,
                         {state.adhesion.nearest(gaps[r], rows[r].lift), closing > 0., slides, dt});
   }
-  state.adhesion.finish_step();
 }
 
 /// After a step of @p dt in which the cell deformed: velocities are those beside that of the cell as it is
@@ -88,7 +87,11 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
   state.resistance = step.resistance;
   account_contacts(problem, state, work, dt, step.rate, motion);
   if (state.adhesion.remembers())
-    note_contacts(state, work, step.increment, motion, dt);
+  {
+    if (!problem.settings.meets_by_rays()) // rays have memories of their own
+      note_contacts(state, work, step.increment, motion, dt);
+    state.adhesion.finish_step();
+  }
   const bool half = problem.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
   work.load.assign(state.bodies.size(), load);

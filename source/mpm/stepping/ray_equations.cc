@@ -34,7 +34,7 @@ RayEquations::RayEquations(const Problem &problem,
             motion,
             h,
             problem.subgrid(),
-            0.5 * h + 2. * largest_way(),
+            0.5 * h + 2. * largest_way() + (problem.pairs.adhere() ? state.adhesion.reach() : 0.),
             &problem.pairs,
             cell ? &*cell : nullptr,
             plan.dt,
@@ -42,7 +42,8 @@ RayEquations::RayEquations(const Problem &problem,
             inertia ? 0.5 : 1.,
             theta,
             own_ways(),
-            &lines}
+            &lines,
+            problem.pairs.adhere() ? &state.adhesion : nullptr}
     , system(work.share, state.bodies, work.solvers, theta * plan.dt * plan.dt)
 {
 }
@@ -209,7 +210,7 @@ Eigen::VectorXd RayEquations::contact_forces(const unsigned int b) const
     const FrameState &frame = frames[f];
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
-      if (force[f][k] > 0.)
+      if (force[f][k] != 0.)
         frame.for_gradient(k, side, force[f][k], add);
       if (rubbing[f][k] != 0.)
         frame.for_slide(k, side, rubbing[f][k], add);
@@ -228,10 +229,11 @@ void RayEquations::measure_frame(const unsigned int f, double &wrong_friction)
     if (!frame.ray(k).met)
       continue;
     const double gap = frame.free_gap(k) + frame.ray_softness() * force[f][k];
-    deepest = std::max(deepest, force[f][k] > 0. ? std::abs(gap) : -gap);
-    if (!frame.rubs(k) || !(force[f][k] > 0.))
+    const bool closed = frame.closed(k, force[f][k]);
+    deepest = std::max(deepest, closed ? std::abs(gap) : -gap);
+    if (!frame.rubs(k) || !closed)
       continue;
-    const double most = frame.ray(k).bound * force[f][k],
+    const double most = frame.most_friction(k, force[f][k]),
                  slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
     wrong_friction = std::max(wrong_friction, std::abs(rubbing[f][k]) - most);
     // Friction below its bound holds.
@@ -304,7 +306,7 @@ void RayEquations::assemble()
                         Eigen::MatrixXd block;
                         for (const auto &[f, side] : system.frames_of[b])
                           for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-                            if (force[f][k] > 0.)
+                            if (force[f][k] != 0.)
                             {
                               const RaySide<2> &ray = frames[f].ray(k).side[side];
                               const double factor = (side == 0 ? 1. : -1.) * frames[f].bend() * force[f][k] *
@@ -385,7 +387,7 @@ double RayEquations::unbalanced_free_walls() const
     {
       const auto moves = way.moves(scene, frames[f]);
       for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-        if (force[f][k] > 0.)
+        if (force[f][k] != 0.)
           sum += force[f][k] * frames[f].gap_by(k, moves) + rubbing[f][k] * frames[f].slide_by(k, moves);
       sum -= frames[f].tangential(force[f]) * frames[f].motion_by(moves);
     }

@@ -49,6 +49,7 @@ private:
            right_inertia;
   }
   bool begin();
+  void begin_to_pull();
   void hand_over_rows();
   std::string find_forces();
   bool resist_more();
@@ -168,15 +169,16 @@ std::string RayStep::iterate()
   }
   right_inertia = true;
   double largest = 0.;
-  for (const Eigen::VectorXd &d : direction)
-    largest = std::max(largest, d.lpNorm<Eigen::Infinity>());
+  for (unsigned int b = 0; b < direction.size(); ++b)
+    if (!system.frames_of[b].empty()) // the others meet nothing on their way
+      largest = std::max(largest, direction[b].lpNorm<Eigen::Infinity>());
   std::vector<double> gone;
   for (unsigned int w = 0; w < system.ways.size(); ++w)
   {
     gone.push_back(system.ways[w].at);
     largest = std::max(largest, std::abs(system.found_ways[w] - gone[w]));
   }
-  double share = std::min(1., longest_way * h / largest);
+  double share = largest > longest_way * h ? longest_way * h / largest : 1.;
   const RayForces before = force, rubbed = rubbing;
   const Vectors from = way;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
@@ -189,7 +191,9 @@ std::string RayStep::iterate()
     for (unsigned int f = 0; f < force.size(); ++f)
       for (unsigned int k = 0; k < force[f].size(); ++k)
       {
-        force[f][k] = before[f][k] + share * (system.found[f][k] - before[f][k]);
+        // A force that is what adhesion leaves of it is that exactly.
+        force[f][k] =
+            share == 1. ? system.found[f][k] : before[f][k] + share * (system.found[f][k] - before[f][k]);
         rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
       }
     for (unsigned int w = 0; w < gone.size(); ++w)
@@ -208,13 +212,31 @@ std::string RayStep::iterate()
   return "";
 }
 
+/// Adhesion is that of the gaps at the start of the step. Where it holds what is apart, rays begin with it.
+void RayStep::begin_to_pull()
+{
+  for (unsigned int f = 0; f < frames.size(); ++f)
+  {
+    frames[f].find_pulls(scene);
+    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+    {
+      const double least = -frames[f].ray(k).pull;
+      force[f][k] = force[f][k] <= 0. && frames[f].free_gap(k) > 0. ? least : std::max(force[f][k], least);
+    }
+  }
+}
+
 /// Goes where bodies go by themselves; what turns inside out there sets out from rest.
 bool RayStep::begin()
 {
+  const bool adheres = scene.adhesion != nullptr;
+  if (inertia || adheres)
+    if (!meet(way))
+      leave_unmet_rays();
+  if (adheres)
+    begin_to_pull();
   if (!inertia)
     return evaluate(way);
-  if (!meet(way))
-    leave_unmet_rays();
   way = free_way();
   for (const Eigen::VectorXd &of_body : way)
     path = std::max(path, h + of_body.lpNorm<Eigen::Infinity>());
@@ -321,10 +343,14 @@ void RayStep::accept(State &state_to_change)
     }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
+  for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
+    for (const unsigned int side : {0, 1})
+      if (const unsigned int b = frames[f].unknown(side); b != FrameState::none)
+        state_to_change.held_back[b] += frames[f].pull_to_come(scene);
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;
   kept.clear();
   for (unsigned int f = 0; f < frames.size(); ++f)
-    kept.push_back(frames[f].after(force[f], rubbing[f]));
+    kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
   accept_step(problem, state_to_change, work, found);
 }
 } // namespace

@@ -27,7 +27,7 @@ double unbalanced(const Problem &problem, const State &state)
   {
     double force = 0.;
     for (const auto &ray : frame.rays)
-      force += ray.force;
+      force += std::abs(ray.force);
     sum += force;
     n_pressed += force > 0.;
   }

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_frame_search_h
 #define softgrain_mpm_contact_frame_search_h
 
+#include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/mpm/body/body.h>
@@ -40,6 +41,7 @@ struct FrameScene
   /// inertia [m].
   std::vector<double> own_way = {};
   const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
+  const Adhesion *adhesion = nullptr;               ///< null: nothing adheres
   const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].

@@ -49,6 +49,12 @@ public:
   double dent_slope() const { return by_force; }
   double total_force() const { return sum_of_forces; }
 
+  /// Finds by how much rays pull in this step: what adhesion does where surfaces are as the step begins, as
+  /// they have just been met.
+  void find_pulls(const FrameScene &scene);
+  /// By how much what rays pull differs from what they would pull where they were last met [N/m].
+  double pull_to_come(const FrameScene &scene) const;
+
   /// Meets the surfaces. Rays without force that cannot have come within @p within since they were last met
   /// are not looked at: no place has moved by more than @p path in all since the first call. With inertia the
   /// first call meets them as the step begins.
@@ -69,7 +75,7 @@ public:
   void keep_dent();
 
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end
-  /// of a side: their forces become 0. @return whether there are any
+  /// of a side: their forces become 0, and they pull no more. @return whether there are any
   bool leave_unmet(std::vector<double> &force, std::vector<double> &rubbing);
 
   struct RayHere
@@ -84,6 +90,8 @@ public:
     double by_motion = 0; ///< dg/dc
     double at_start = 0;  ///< gap at the start of the step, with inertia [m]
     double stays = 0;     ///< what the step leaves closed of an overlap with which it began [m]
+    double pull = 0;      ///< with which adhesion holds the surfaces together [N/m]
+    double memory = 0;    ///< of a contact law that remembers
 
     // Of friction; e is 0 where there is none.
     std::array<SurfacePlace<2>, 2> start;  ///< places under the ray at the start of the step
@@ -94,6 +102,13 @@ public:
     double known_slide = 0;                ///< what velocities at the start have in it, with inertia [m]
   };
 
+  /// Whether a ray is closed: its surfaces part where adhesion alone is left of its force.
+  bool closed(const unsigned int k, const double force) const { return force > -rays[k].pull; }
+  /// The largest friction for a force [N/m].
+  double most_friction(const unsigned int k, const double force) const
+  {
+    return rays[k].bound * (force + rays[k].pull);
+  }
   /// Whether a ray rubs: a pair with friction, met at the start of the step.
   bool rubs(const unsigned int k) const { return rays[k].bound > 0.; }
   double friction_coefficient() const { return friction; }
@@ -206,7 +221,8 @@ public:
   }
 
   /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
-  ContactFrame<2> after(const std::vector<double> &force, const std::vector<double> &rubbing) const;
+  ContactFrame<2>
+  after(const FrameScene &scene, const std::vector<double> &force, const std::vector<double> &rubbing) const;
 
 private:
   /// Of the mean motion, that a side has.
@@ -238,6 +254,16 @@ private:
                           const SurfacePlace<2> &guess) const;
   void meet_corner(const FrameScene &scene, const std::vector<Eigen::VectorXd> &displacement, unsigned int k);
   double share_that_opens(const FrameScene &scene) const;
+  /// Of the length of outline that a ray stands for, to one side of it [m].
+  struct HalfLength
+  {
+    double length = 0; ///< across the rays
+    double gap = 0;    ///< at its end
+  };
+  std::array<HalfLength, 2> half_lengths(const FrameScene &scene, unsigned int k) const;
+  double pull_now(const FrameScene &scene, unsigned int k) const;
+  double way_to_edge(const FrameScene &scene, unsigned int k, double direction) const;
+  double memory_after(const FrameScene &scene, unsigned int k, double force, double rubbing) const;
   void draw_on(unsigned int k, bool begins);
 
   ContactFrame<2> frame;
@@ -255,7 +281,7 @@ private:
   double dent_at_start = 0., opens = 1.;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;
-  double young = 0, softness = 0, friction = 0;
+  double young = 0, softness = 0, friction = 0, strength = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
   bool keeps_dent = false;
 };

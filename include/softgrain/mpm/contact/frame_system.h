@@ -30,7 +30,9 @@ using RayForces = std::vector<std::vector<double>>;
  *     [ .  1    0 ] [τ ]        [ -rᵀ y    ]
  *
  * with q = sum_k P_k d²g_k/dc²: symmetric, and sparse since frames meet only in bodies. Rays that pull are
- * taken out and rays that would overlap are taken in until none is left.
+ * taken out and rays that would overlap are taken in until none is left. Where adhesion holds surfaces
+ * together with a force c, a ray may pull with c, and does so where it opens: P + c takes the place of P in
+ * the conditions.
  *
  * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The
  * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
@@ -105,7 +107,8 @@ private:
     unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
     double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
     double bound = 0;               ///< of a slide: largest friction over force
-    double threshold = 0;           ///< the same times the force of the last iterate [N/m]
+    double threshold = 0;           ///< largest friction for the force of the last iterate [N/m]
+    double pull = 0; ///< of a ray, FrameState::RayHere::pull: what is left where it opens [N/m]
   };
   void add_columns(const FrameScene &scene,
                    const std::vector<FrameState> &frames,
@@ -139,7 +142,8 @@ private:
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
   {
-    return by_threshold ? columns[i].threshold : columns[i].bound * std::max(0., z[columns[i].mate]);
+    return by_threshold ? columns[i].threshold
+                        : columns[i].bound * std::max(0., z[columns[i].mate] + columns[columns[i].mate].pull);
   }
   /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share
   /// of the worst.

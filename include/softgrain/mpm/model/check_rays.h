@@ -8,7 +8,7 @@
 namespace softgrain::mpm
 {
 /// Whether a scene may have `Contact/Geometry` = `rays`. @throw InputError that names what it may not have
-void check_rays(const Scene<2> &scene, const Settings &settings);
+void check_rays(const Settings &settings);
 } // namespace softgrain::mpm
 
 #endif
