@@ -146,6 +146,7 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
       place.force = old->force;
       place.friction = old->friction;
       place.memory = old->memory;
+      place.pull = old->pull;
     }
     const double gap = height[1] - height[0];
     // No step ends with bodies as deep in each other: what looks so is the far side of a thin body.

@@ -29,9 +29,9 @@ unsigned int of_side(const Frame &frame, const unsigned int side)
 void save_frames(StateWriter &out,
                  const std::string &name,
                  const std::vector<Frame> &frames,
-                 const bool remember)
+                 const bool adhere)
 {
-  std::vector<double> memory;
+  std::vector<double> adhesion;
   std::vector<std::uint64_t> who, pieces;
   std::vector<double> where, rays;
   for (const Frame &frame : frames)
@@ -49,15 +49,15 @@ void save_frames(StateWriter &out,
       pieces.insert(pieces.end(), {ray.place[0].piece, ray.place[1].piece});
       rays.insert(rays.end(), {static_cast<double>(ray.index[0]), ray.force, ray.friction, ray.place[0].along,
                                ray.place[1].along});
-      memory.push_back(ray.memory);
+      adhesion.insert(adhesion.end(), {ray.pull, ray.memory});
     }
   }
   out.write(name + "/who", who);
   out.write(name + "/where", where);
   out.write(name + "/pieces", pieces);
   out.write(name + "/rays", rays);
-  if (remember)
-    out.write(name + "/memory", memory);
+  if (adhere)
+    out.write(name + "/adhesion", adhesion);
 }
 
 void load_frames(const StateReader &in,
@@ -74,9 +74,9 @@ void load_frames(const StateReader &in,
       in.read_integers(name + "/pieces", ListSize::rows_of(counts_of_ray));
   const std::size_t n_rays = pieces.size() / counts_of_ray;
   const std::vector<double> rays = in.read_doubles(name + "/rays", n_rays * numbers_of_ray);
-  const bool remember = in.contains(name + "/memory");
-  const std::vector<double> memory =
-      remember ? in.read_doubles(name + "/memory", n_rays) : std::vector<double>();
+  const bool adhere = in.contains(name + "/adhesion");
+  const std::vector<double> adhesion =
+      adhere ? in.read_doubles(name + "/adhesion", 2 * n_rays) : std::vector<double>();
   std::vector<OutlineSurface> outlines;
   for (const Body<2> &body : bodies)
     outlines.push_back(outline_of(body));
@@ -120,7 +120,11 @@ void load_frames(const StateReader &in,
       ray.index[0] = static_cast<int>(of_ray[0]);
       ray.force = of_ray[1];
       ray.friction = of_ray[2];
-      ray.memory = remember ? memory[next] : 0.;
+      if (adhere)
+      {
+        ray.pull = adhesion[2 * next];
+        ray.memory = adhesion[2 * next + 1];
+      }
       if (at_wall && frame.wall >= n_walls)
       {
         const LineSurface &line = lines[frame.wall - n_walls];

@@ -26,24 +26,25 @@ double FrameState::way_to_edge(const FrameScene &scene, const unsigned int k, co
   return least;
 }
 
+bool FrameState::has_neighbour(const unsigned int k, const int direction) const
+{
+  const unsigned int next = k + direction; // beyond all for the first
+  return next < rays.size() && rays[next].met &&
+         frame.rays[next].index[0] == frame.rays[k].index[0] + direction;
+}
+
+/// The gap at its ends is drawn from the slope at the ray: neighbours come and go, and curvatures jump from
+/// cell to cell.
 std::array<FrameState::HalfLength, 2> FrameState::half_lengths(const FrameScene &scene,
                                                                const unsigned int k) const
 {
   std::array<HalfLength, 2> halves;
   for (const unsigned int half : {0, 1})
   {
-    const int direction = half == 0 ? -1 : 1;
-    const unsigned int next = k + direction; // beyond all for the first
-    HalfLength &here = halves[half];
-    if (next < rays.size() && rays[next].met &&
-        frame.rays[next].index[0] == frame.rays[k].index[0] + direction)
-      here = {0.5 * frame.spacing, 0.5 * (rays[k].gap + rays[next].gap)};
-    else
-    {
-      const double edge = way_to_edge(scene, k, direction);
-      here.length = edge < frame.spacing ? edge : 0.5 * frame.spacing;
-      here.gap = rays[k].gap + direction * here.length * rays[k].by_motion;
-    }
+    const double direction = half == 0 ? -1. : 1., edge = way_to_edge(scene, k, direction);
+    const bool ends = edge < frame.spacing && !has_neighbour(k, half == 0 ? -1 : 1);
+    const double length = ends ? edge : 0.5 * frame.spacing;
+    halves[half] = {length, rays[k].gap + direction * length * rays[k].by_motion};
   }
   return halves;
 }
@@ -59,7 +60,7 @@ double FrameState::pull_now(const FrameScene &scene, const unsigned int k) const
   return strength * sum;
 }
 
-void FrameState::find_pulls(const FrameScene &scene)
+void FrameState::find_pulls(const FrameScene &scene, const bool held)
 {
   if (strength == 0.)
     return;
@@ -70,6 +71,8 @@ void FrameState::find_pulls(const FrameScene &scene)
       continue;
     ray.memory = frame.rays[k].memory != 0. ? frame.rays[k].memory : scene.adhesion->first_memory(ray.gap);
     ray.pull = pull_now(scene, k);
+    if (held)
+      ray.pull = 0.5 * (ray.pull + frame.rays[k].pull);
   }
 }
 

@@ -332,6 +332,7 @@ ContactFrame<2> FrameState::after(const FrameScene &scene,
   {
     result.rays[k].force = force[k];
     result.rays[k].friction = rubbing[k];
+    result.rays[k].pull = rays[k].pull;
     result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k]);
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)

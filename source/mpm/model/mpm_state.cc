@@ -90,7 +90,7 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
   out.write("mpm/contact/impulses", impulses);
   state.adhesion.save(out, "mpm/contact/adhesion");
   if (problem.settings.meets_by_rays())
-    save_frames(out, "mpm/contact/frames", state.frames, state.adhesion.remembers());
+    save_frames(out, "mpm/contact/frames", state.frames, state.adhesion.acts());
   std::vector<double> resistance;
   for (const dealii::Tensor<1, 2> &force : state.resistance)
     resistance.insert(resistance.end(), force.begin_raw(), force.end_raw());

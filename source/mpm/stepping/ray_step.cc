@@ -217,7 +217,7 @@ void RayStep::begin_to_pull()
 {
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
-    frames[f].find_pulls(scene);
+    frames[f].find_pulls(scene, plan.held);
     for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
     {
       const double least = -frames[f].ray(k).pull;

@@ -18,11 +18,11 @@ class StateWriter;
 
 namespace softgrain::mpm
 {
-/// Writes the frames of a state as lists below @p name. @param remember whether rays have a memory
+/// Writes the frames of a state as lists below @p name. @param adhere whether rays may pull
 void save_frames(StateWriter &out,
                  const std::string &name,
                  const std::vector<ContactFrame<2>> &frames,
-                 bool remember);
+                 bool adhere);
 
 /// Reads them back, for bodies that have been read before. @throw InputError for frames that cannot be
 void load_frames(const StateReader &in,

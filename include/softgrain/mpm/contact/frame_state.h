@@ -51,7 +51,8 @@ public:
 
   /// Finds by how much rays pull in this step: what adhesion does where surfaces are as the step begins, as
   /// they have just been met.
-  void find_pulls(const FrameScene &scene);
+  /// @param held the step seeks balance only: pulls go half-way there
+  void find_pulls(const FrameScene &scene, bool held);
   /// By how much what rays pull differs from what they would pull where they were last met [N/m].
   double pull_to_come(const FrameScene &scene) const;
 
@@ -262,6 +263,7 @@ private:
   };
   std::array<HalfLength, 2> half_lengths(const FrameScene &scene, unsigned int k) const;
   double pull_now(const FrameScene &scene, unsigned int k) const;
+  bool has_neighbour(unsigned int k, int direction) const;
   double way_to_edge(const FrameScene &scene, unsigned int k, double direction) const;
   double memory_after(const FrameScene &scene, unsigned int k, double force, double rubbing) const;
   void draw_on(unsigned int k, bool begins);
