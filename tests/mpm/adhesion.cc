@@ -163,8 +163,9 @@ void all(const std::string &geometry)
            with({"Time/Scheme=explicit", "Time/Theta=0", "Time/Time step=0", "Time/CFL multiple=0.5"}));
     hang("with friction", share, with({"Walls/bottom/Friction=0.5"}));
   }
-  const std::vector<std::string> range = with(
-      {"Contact/Adhesion range=2e-4", "Time/Time step=1e-4", "Contact/Adhesion of pairs=gel / bottom: 1e4", "Newton/Residual tolerance=1e-11"});
+  const std::vector<std::string> range =
+      with({"Contact/Adhesion range=2e-4", "Time/Time step=1e-4",
+            "Contact/Adhesion of pairs=gel / bottom: 1e4", "Newton/Residual tolerance=1e-11"});
   torn("theta 1", range);
   std::vector<std::string> half = range;
   half.push_back("Time/Theta=0.5");

@@ -52,7 +52,7 @@ struct ContactFrame
     std::array<int, dim - 1> index; ///< on the lattice
     double force = 0;               ///< multiplier of its gap [N/m^(dim-2)]; adhesion makes it negative
     double friction = 0;            ///< on the body, across the ray [N/m^(dim-2)]
-    double pull = 0; ///< of adhesion in the step before [N/m^(dim-2)]
+    double pull = 0;                ///< of adhesion in the step before [N/m^(dim-2)]
     double memory = 0;              ///< of a contact law that remembers
     std::array<SurfacePlace<dim>, 2> place; ///< where it meets the partner and the body
   };
