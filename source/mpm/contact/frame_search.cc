@@ -111,6 +111,7 @@ Frame start_frame(const FrameScene &scene,
   frame.spacing = spacing_in_cells * scene.cell_size;
   return frame;
 }
+
 /// Rays of a frame that is new remember what has become of the material that they meet. @param before frames
 /// that have no successor
 void inherit_memory(const std::multimap<Frame::Key, Frame> &before, Frame &frame)
