@@ -72,7 +72,9 @@ def write_json(findings, path, output):
             "cheapest": cheapest,
             "perhaps_cheapest": perhaps,
             "packings_needed": {name: {level: one.needed for level, one in of.items() if not one.sure} for name, of in found.items()},
-            "cheapest_is_sure": {name: {level: one.sure for level, one in of.items()} for name, of in found.items()},
+            "cheapest_is_sure": {name: {level: bool(one.result and one.sure) for level, one in of.items()} for name, of in found.items()},
+            "none_is_sure": {name: {level: one.result is None and one.sure for level, one in of.items()} for name, of in found.items()},
+            "surely_within": {name: {level: one.safe and one.safe.point.label for level, one in of.items()} for name, of in found.items()},
             "front_is_sure": {quantity.name: findings.is_front_sure(quantity) for quantity in study.quantities}}
     with open(path + ".part", "w", encoding="utf-8") as file:
         json.dump(plain(data), file, indent=1, ensure_ascii=False, allow_nan=False)

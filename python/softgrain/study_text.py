@@ -55,7 +55,8 @@ def told_verdict(findings, quantity, level):
     found = findings.verdict(quantity, level)
     own = f"{found.result.point.label}, {told_error(found.result, quantity)}, " \
           f"{cost_in_words(findings.study.cost, found.result.cost(findings.study.cost))}" if found.result else "no point"
-    return own if found.sure else f"{in_doubt(findings, quantity)} (it would say: {own}); {what_would_decide(findings, quantity, found)}"
+    safe = f"; surely within: {found.safe.point.label}" if found.safe else ""
+    return own if found.sure else f"{in_doubt(findings, quantity)} (it would say: {own}){safe}; {what_would_decide(findings, quantity, found)}"
 
 
 def told_place(error, off):

@@ -27,6 +27,7 @@ class Verdict:
     result: object  # the cheapest point within it, None without one
     sure: bool  # whether its error and those of cheaper points are on their sides of the level, with what is uncertain of each
     in_doubt: list  # the points whose errors may be on the other side
+    safe: object = None  # the cheapest point whose error is within the level with all that is uncertain of it
     needed: float = 0.  # packings, or runs, of every point that would decide, about; inf: more than anybody makes, 0: none
 
 
@@ -160,7 +161,8 @@ def verdict(results, quantity, level, cost):
             chosen = one
             break
     needed = max((packings_needed(one, name, level) for one in doubtful), default=0.)
-    return Verdict(chosen, not doubtful, doubtful, float(needed))
+    safe = [one for one in known if interval(one, name)[1] <= level]
+    return Verdict(chosen, not doubtful, doubtful, min(safe, key=lambda one: one.cost(cost), default=None), float(needed))
 
 
 def is_front_sure(results, name, cost):

@@ -120,6 +120,20 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(data["front_is_sure"]["stress"])
         self.assertEqual(data["cheapest"]["stress"], {"0.05": "cell = 4", "0.02": "cell = 2", "0.01": None})
         self.assertEqual(data["perhaps_cheapest"]["stress"], {})
+        # No point within 1 % is another thing than a point that is surely the cheapest.
+        self.assertEqual(data["cheapest_is_sure"]["stress"], {"0.05": True, "0.02": True, "0.01": False})
+        self.assertEqual(data["none_is_sure"]["stress"], {"0.05": False, "0.02": False, "0.01": True})
+        self.assertEqual(data["surely_within"]["stress"], data["cheapest"]["stress"])
+
+    def test_dearer_but_sure(self):
+        """Cells of 4 may be within 5 % or not; those of 2 are: who needs 5 % takes them."""
+        lines, data, _ = self.told({"4": [np.full(4, 0.045) + d for d in (-0.015, 0., 0.015)], "2": [np.full(4, 0.010) + d for d in (-0.001, 0., 0.001)]},
+                                   seeds=3)
+        self.assertIsNone(data["cheapest"]["stress"]["0.05"])
+        self.assertEqual(data["perhaps_cheapest"]["stress"]["0.05"], "cell = 4")
+        self.assertEqual(data["surely_within"]["stress"]["0.05"], "cell = 2")
+        self.assertEqual((data["cheapest_is_sure"]["stress"]["0.05"], data["none_is_sure"]["stress"]["0.05"]), (False, False))
+        self.assertIn("; surely within: cell = 2; about", self.line(lines, "stress within 5 %"))
 
     def test_several_packings(self):
         """Their scatter counts, not how an error goes from place to place."""
