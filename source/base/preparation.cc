@@ -9,8 +9,10 @@ namespace softgrain
 {
 namespace
 {
-/// Before the first line, and between two lines; long preparations tell less often.
-constexpr std::chrono::seconds first_interval(1);
+/// Before the first line: within a second of the start of the program, which takes its part of it.
+constexpr std::chrono::milliseconds before_first(400);
+/// Between two lines; long preparations tell less often.
+constexpr std::chrono::seconds between(1);
 } // namespace
 
 Preparation::Preparation(const std::string &what, const std::size_t n) : what(what), n(n) {}
@@ -18,7 +20,9 @@ Preparation::Preparation(const std::string &what, const std::size_t n) : what(wh
 bool Preparation::is_due()
 {
   const Clock::time_point now = Clock::now();
-  if (now - last < std::max<Clock::duration>(first_interval, (now - begin) / 10))
+  const Clock::duration waits =
+      last == begin ? Clock::duration(before_first) : std::max<Clock::duration>(between, (now - begin) / 10);
+  if (now - last < waits)
     return false;
   last = now;
   return true;

@@ -11,7 +11,8 @@
 namespace softgrain
 {
 /**
- * @brief Tells how far something that is made before a run has come, once it takes longer than a second.
+ * @brief Tells how far something that is made before a run has come, once it takes longer than part of a
+ * second.
  *
  * What it tells goes to std::clog; PreparationLog says where that leads. All threads may tell.
  */
