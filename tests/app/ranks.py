@@ -44,7 +44,8 @@ SCENES = {
                  "Stages/compress/Stop/End time=6.4e-5",
                  "Stages/shear/Stop/End time=1.28e-4"],
     # Rays need the field of the partner, wherever its points are.
-    "rays": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, *RAYS, "Contact/Friction=0.3", "Walls/top/Velocity=5",
+    "rays": ["gallery/thirty_grains_quasi_static_mpm.prm", *HELD, *RAYS, "Contact/Friction=0.3", "Contact/Law=bond",
+             "Contact/Adhesion=1e4", "Contact/Adhesion range=2e-5", "Contact/Healing time=1e-5", "Walls/top/Velocity=5",
              "Output/Fields every=0", "Output/Snapshots every=3.2e-5", "Stop/End time=6.4e-5"],
     "rays_hopper": ["gallery/hopper_mpm.prm", RAYS[0], "Contact/Friction=0.3", "Output/Fields every=0", "Packing/Number=12",
                     "Packing/Upper=38e-3, 66e-3", "Material points/Grid update=every step"],

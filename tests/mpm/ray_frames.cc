@@ -91,7 +91,9 @@ public:
     Vectors displacement = start;
     for (unsigned int b = 0; b < way.size(); ++b)
       displacement[b] += way[b];
-    return frame.evaluate(scene, displacement, way, {}, forces, 1., 1e9);
+    frame.prepare(scene, way, forces, 1., 1e9);
+    frame.look(scene, displacement, way, {}, forces);
+    return frame.meets(forces);
   }
 
   double gaps() const

@@ -177,7 +177,7 @@ double FrameState::share_that_opens(const FrameScene &scene) const
 }
 
 /// Replaces the gap halfway through the step by the gap at its end.
-void FrameState::draw_on(const unsigned int k, const bool begins)
+void FrameState::draw_on(const unsigned int k)
 {
   RayHere &here = rays[k];
   if (begins)
@@ -213,17 +213,16 @@ void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, c
   here.known_slide = (1. - theta) * (apart_by * here.e);
 }
 
-bool FrameState::evaluate(const FrameScene &scene,
-                          const std::vector<Eigen::VectorXd> &displacement,
-                          const std::vector<Eigen::VectorXd> &increment,
-                          const Vector &wall_way,
-                          const std::vector<double> &force,
-                          const double path,
-                          const double within)
+void FrameState::prepare(const FrameScene &scene,
+                         const std::vector<Eigen::VectorXd> &increment,
+                         const std::vector<double> &force,
+                         const double path,
+                         const double within)
 {
   carry(scene);
-  const bool begins = !begun;
+  begins = !begun;
   begun = true;
+  looks_within = within;
   at = begins && (met_at < 1. || scene.adhesion != nullptr) ? 0. : met_at;
   sum_of_forces = 0.;
   for (const double of_ray : force)
@@ -244,26 +243,38 @@ bool FrameState::evaluate(const FrameScene &scene,
     if (line != nullptr && side == 0 && share(0) > 0.)
       moved += line->way_of(frame.rays[0].place[0]) * t;
   }
-  const double wall_height =
-      !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
-  bool all_met = true;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
-    const bool first = here.path == 0.;
+    here.first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
-    here.near = !here.left && (first || force[k] != 0. || !(here.gap - 4. * (path - here.path) > within));
+    here.near =
+        !here.left && (here.first || force[k] != 0. || !(here.gap - 4. * (path - here.path) > within));
+    if (here.near)
+      here.path = path;
+  }
+}
+
+void FrameState::look(const FrameScene &scene,
+                      const std::vector<Eigen::VectorXd> &displacement,
+                      const std::vector<Eigen::VectorXd> &increment,
+                      const Vector &wall_way,
+                      const std::vector<double> &force)
+{
+  const double wall_height =
+      !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+  {
+    RayHere &here = rays[k];
     if (!here.near)
       continue;
-    here.path = path;
     const bool known = begins || met_at == 1. || here.met_at_start;
     here.met = known && meet_ray(scene, displacement, wall_height, k);
-    all_met = all_met && (here.met || force[k] == 0.);
     if (here.met && met_at < 1.)
-      draw_on(k, begins);
-    if (here.met && first && friction > 0.)
+      draw_on(k);
+    if (here.met && here.first && friction > 0.)
       begin_to_rub(scene, wall_way, k);
-    if (!here.met || !(force[k] != 0. || free_gap(k) < within))
+    if (!here.met || !(force[k] != 0. || free_gap(k) < looks_within))
       continue;
     for (unsigned int side = 0; side < 2; ++side)
       if (body(side) != none && side != frame.corner)
@@ -279,7 +290,14 @@ bool FrameState::evaluate(const FrameScene &scene,
         here.slide += sign(side) * ((here.hold[side].at(increment[b]) + carried[side]) * here.e);
       }
   }
-  return all_met;
+}
+
+bool FrameState::meets(const std::vector<double> &force) const
+{
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    if (rays[k].near && !rays[k].met && force[k] != 0.)
+      return false;
+  return true;
 }
 
 void FrameState::keep_dent()

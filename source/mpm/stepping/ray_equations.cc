@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/contact/told_rays.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_equations.h>
 
@@ -155,21 +155,19 @@ bool RayEquations::meet(const Vectors &to)
   for (unsigned int b = 0; b < to.size(); ++b)
     displacement[b] = state.bodies[b].displacement + scene.met_at * to[b];
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
-  std::vector<char> met(frames.size(), 1);
-  parallel_for(frames.size(), 4,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t f = begin; f < end; ++f)
-                 {
-                   const unsigned int w = frames[f].layout().wall;
-                   met[f] = frames[f].evaluate(scene, displacement, to,
-                                               w < motion.size() ? way_of(motion[w]) : FrameState::Vector(),
-                                               force[f], path, 2. * candidates_within() + largest_way());
-                 }
-               });
-  const auto missed = std::find(met.begin(), met.end(), 0);
-  if (missed != met.end())
-    not_met = missed - met.begin();
+  const double within = 2. * candidates_within() + largest_way();
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    frames[f].prepare(scene, to, force[f], path, within);
+  look_and_tell(work.share, frames,
+                [&](const unsigned int f)
+                {
+                  const unsigned int w = frames[f].layout().wall;
+                  frames[f].look(scene, displacement, to,
+                                 w < motion.size() ? way_of(motion[w]) : FrameState::Vector(), force[f]);
+                });
+  for (unsigned int f = 0; f < frames.size() && not_met == none; ++f)
+    if (!frames[f].meets(force[f]))
+      not_met = f;
   return not_met == none;
 }
 

@@ -56,20 +56,32 @@ public:
   /// By how much what rays pull differs from what they would pull where they were last met [N/m].
   double pull_to_come(const FrameScene &scene) const;
 
-  /// Meets the surfaces. Rays without force that cannot have come within @p within since they were last met
-  /// are not looked at: no place has moved by more than @p path in all since the first call. With inertia the
-  /// first call meets them as the step begins.
+  /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
+  /// those without force that cannot have come within @p within since they were last met. No place has moved
+  /// by more than @p path in all since the first call.
+  /// @param increment displacement of all bodies in this step, none in the first call [m]
+  void prepare(const FrameScene &scene,
+               const std::vector<Eigen::VectorXd> &increment,
+               const std::vector<double> &force,
+               double path,
+               double within);
+  /// Meets the surfaces. With inertia the first call meets them as the step begins.
   /// @param displacement of all bodies since the grid was laid [m]
-  /// @param increment  part of it that belongs to this step, none in the first call [m]
+  /// @param increment part of it that belongs to this step [m]
   /// @param wall_way of the wall over the step [m]
-  /// @return false when a ray that carries force is not met
-  bool evaluate(const FrameScene &scene,
-                const std::vector<Eigen::VectorXd> &displacement,
-                const std::vector<Eigen::VectorXd> &increment,
-                const Vector &wall_way,
-                const std::vector<double> &force,
-                double path,
-                double within);
+  void look(const FrameScene &scene,
+            const std::vector<Eigen::VectorXd> &displacement,
+            const std::vector<Eigen::VectorXd> &increment,
+            const Vector &wall_way,
+            const std::vector<double> &force);
+  /// Whether all rays that carry force are met.
+  bool meets(const std::vector<double> &force) const;
+
+  /// What look() has found, for ranks that have not looked themselves: numbers of the rays looked at. These
+  /// know all of a ray but what nodes do to its places.
+  std::size_t n_told() const;
+  void tell(double *numbers);
+  void take(const double *numbers);
 
   /// Dents stay what they are for the forces at the start of the step: where bodies resist so much that they
   /// hardly give way, a dent that becomes smaller under a larger force would let a contact go.
@@ -85,6 +97,7 @@ public:
     bool met = false;
     bool met_at_start = false; ///< with inertia; else no gap at the end is known
     bool near = true;          ///< looked at
+    bool first = true;         ///< for the first time
     bool left = false;    ///< has slid off one of its surfaces, so that it is no more looked at in this step
     double gap = 0;       ///< [m]
     double path = 0;      ///< when it was last looked at
@@ -266,7 +279,9 @@ private:
   bool has_neighbour(unsigned int k, int direction) const;
   double way_to_edge(const FrameScene &scene, unsigned int k, double direction) const;
   double memory_after(const FrameScene &scene, unsigned int k, double force, double rubbing) const;
-  void draw_on(unsigned int k, bool begins);
+  void draw_on(unsigned int k);
+  template <class Part>
+  void for_told(RayHere &ray, const Part &part) const;
 
   ContactFrame<2> frame;
   std::vector<RayHere> rays;
@@ -278,8 +293,9 @@ private:
   bool partner_is_driven = false;
   const ObstacleLine *line = nullptr;
   double met_at = 1., theta = 1.;
-  bool begun = false;
-  double at = 1.; ///< share of the step after which rays were last met
+  bool begun = false, begins = false; ///< rays were looked at in this step, and are for the first time
+  double looks_within = 0.;           ///< gap up to which more is asked of rays than their gaps [m]
+  double at = 1.;                     ///< share of the step after which rays were last met
   double dent_at_start = 0., opens = 1.;
   SubgridCompliance subgrid;
   SubgridCompliance::Dent dent;

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What ranks tell each other of the rays that they have looked along.
+#include <softgrain/base/parallel.h>
+#include <softgrain/mpm/contact/told_rays.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Counts the numbers of a ray.
+struct Counter
+{
+  std::size_t &n;
+  template <class Number>
+  void operator()(const Number &) const
+  {
+    ++n;
+  }
+};
+
+struct Packer
+{
+  double *&to;
+  template <class Number>
+  void operator()(const Number &number) const
+  {
+    *to++ = static_cast<double>(number);
+  }
+};
+
+struct Unpacker
+{
+  const double *&from;
+  template <class Number>
+  void operator()(Number &number) const
+  {
+    number = static_cast<Number>(*from++);
+  }
+};
+
+template <class Part>
+void for_place(SurfacePlace<2> &place, const Part &part)
+{
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    part(place.position[d]);
+    part(place.tangent[0][d]);
+    part(place.normal[d]);
+  }
+  part(place.bend[0][0]);
+  part(place.piece);
+  part(place.along);
+  part(place.at_edge);
+}
+
+/// Whether a rank does work on a body of the frame.
+bool is_here(const BodyShare &share, const FrameState &frame)
+{
+  const unsigned int partner = frame.unknown(0);
+  return share.mine(frame.body(1)) || (partner != FrameState::none && share.mine(partner));
+}
+} // namespace
+
+template <class Part>
+void FrameState::for_told(RayHere &ray, const Part &part) const
+{
+  part(ray.met);
+  part(ray.gap);
+  part(ray.by_motion);
+  part(ray.bound);
+  part(ray.slide);
+  part(ray.known_slide);
+  for (unsigned int d = 0; d < 2; ++d)
+    part(ray.e[d]);
+  for (unsigned int s = flat_partner() ? 1 : 0; s < 2; ++s)
+  {
+    RaySide<2> &side = ray.side[s];
+    part(side.met);
+    part(side.height);
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      part(side.normal[d]);
+      part(side.way[0][d]);
+      for (unsigned int e = 0; e < 2; ++e)
+        part(side.sliding_twice[d][e]);
+    }
+    for_place(side.place, part);
+  }
+}
+
+std::size_t FrameState::n_told() const
+{
+  std::size_t of_ray = 0;
+  RayHere any;
+  for_told(any, Counter{of_ray});
+  return of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
+}
+
+void FrameState::tell(double *numbers)
+{
+  for (RayHere &ray : rays)
+    if (ray.near)
+      for_told(ray, Packer{numbers});
+}
+
+void FrameState::take(const double *numbers)
+{
+  for (RayHere &ray : rays)
+    if (ray.near)
+      for_told(ray, Unpacker{numbers});
+}
+
+void look_and_tell(const BodyShare &share,
+                   std::vector<FrameState> &frames,
+                   const std::function<void(unsigned int f)> &look)
+{
+  std::vector<std::size_t> first(1, 0); // of the numbers of every frame
+  for (const FrameState &frame : frames)
+    first.push_back(first.back() + (share.alone() ? 0 : frame.n_told()));
+  std::vector<double> told(first.back());
+  share.together(
+      [&]()
+      {
+        parallel_for(frames.size(), 4,
+                     [&](const std::size_t begin, const std::size_t end)
+                     {
+                       for (std::size_t f = begin; f < end; ++f)
+                         if (is_here(share, frames[f]))
+                         {
+                           look(f);
+                           if (!share.alone())
+                             frames[f].tell(told.data() + first[f]);
+                         }
+                     });
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (unsigned int f = 0; f < frames.size(); ++f)
+          message.add(frames[f].body(1), told.data() + first[f], first[f + 1] - first[f]);
+      });
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    if (!is_here(share, frames[f]))
+      frames[f].take(told.data() + first[f]);
+}
+} // namespace softgrain::mpm
