@@ -34,7 +34,8 @@ def read_series(directory):
         raise InputError(f"there is no folder {directory}")
     path = os.path.join(directory, "fields.pvd")
     if not os.path.exists(path):
-        raise InputError(f"{directory} has no fields.pvd: the run has not written pictures (see its section Output)")
+        raise InputError(f"{directory} has no fields.pvd: the run has not written pictures; run it again with "
+                         "--set 'Output/Fields every=TIME' (or 'Number of field outputs=10' where 'Stop/End time' is set)")
     try:
         frames = []
         for item in ElementTree.parse(path).iter("DataSet"):

@@ -39,9 +39,17 @@ def loads_of(state) -> Table:
 
 
 def body_names(state):
-    """Of all bodies by their numbers; a body without a name has its number."""
+    """
+    Of all bodies by their numbers. Pictures have no names: those of the scene come first, then those of its packing; a body that has
+    none of them has its number.
+    """
     numbers = state.bodies["body"].astype(int).tolist()
-    return dict(zip(numbers, state.bodies["name"].tolist() if "name" in state.bodies else map(str, numbers)))
+    if "name" in state.bodies:
+        return dict(zip(numbers, state.bodies["name"].tolist()))
+    parameters = getattr(getattr(state, "run", None), "parameters", None)
+    own = parameters.names("Bodies") if parameters is not None else []
+    packed = parameters is not None and len(numbers) > len(own) and "Packing/Number" in parameters
+    return {n: own[n] if n < len(own) else f"grain_{n - len(own) + 1}" if packed else str(n) for n in numbers}
 
 
 def wall_names(state):

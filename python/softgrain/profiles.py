@@ -29,7 +29,7 @@ def profile_of(state, body, partner, smooth=True) -> Table:
     Forces at single places tell no pressure: their neighbours share them in any way. What they tell is their resultant, where it acts,
     and how far they spread. Between outlines without corners the pressure is therefore the half ellipse of the same resultant, line of
     action and second moment, and in contacts that are wider than ten resolutions further terms, √(1-x²) U_n(x), of the same moments. A
-    contact narrower than ``2.1 resolution_m`` on either side has the half width of Hertz's law where the scene tells it. Where an
+    contact narrower than ``2.1 resolution_m`` on either side, or one that bears at fewer than four places, has the half width of Hertz's law where the scene tells it. Where an
     outline has corners, and with ``smooth=False``, there is one row for each place that bears a force, of which each hands a quarter to
     the next on either side (``smooth=False``: none).
 
@@ -114,7 +114,7 @@ def of_moments(rows, resolution, hertz):
     """The profile that has the moments of the forces at all places; @hertz is half the width by Hertz's law or None."""
     along, pressed = rows["along_m"], rows["pressed"]
     measured = 2 * math.sqrt(float(pressed @ along**2 / pressed.sum()))
-    by_law = hertz is not None and hertz < NARROW * resolution
+    by_law = hertz is not None and (hertz < NARROW * resolution or len(along) < FEW)
     if not by_law and (len(along) < FEW or measured <= 0.5 * resolution):
         raise TooNarrow(f"the contact bears its force at {len(along)} place{'s' * (len(along) > 1)} alone, which tells no width: make cells "
                          f"smaller until there are {FEW} (round bodies of a law with Young's modulus and Poisson's ratio have Hertz's)")

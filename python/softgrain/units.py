@@ -63,11 +63,18 @@ def scaled_unit(unit, largest):
 
 
 def describe(name):
-    """Words and symbol for a column or field, first letter large."""
+    """
+    Words and symbol for a column or field, first letter large.
+
+    >>> describe("lower_from_upper_force_y_N_per_m"), describe("lower_contact_torque_N")
+    ('Force y on lower from upper', 'Torque on lower')
+    """
     base, _ = split_unit(name)
     match = re.match(r"(bottom|top|left|right)_(force|position)$", base)
     if base in SYMBOLS:
         text = SYMBOLS[base]
+    elif load := re.match(r"(.+?)_(?:from_(.+)|contact)_(force_[xy]|torque)$", base):
+        text = f"{load.group(3).replace('_', ' ')} on {load.group(1)}" + (f" from {load.group(2)}" if load.group(2) else "")
     elif match:
         text = f"{match.group(1)} wall {match.group(2)} ${'F' if match.group(2) == 'force' else 'y'}$"
     else:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How MpmModel is built from a scene and its settings.
 #include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/shape.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/body/refinement.h>
@@ -44,6 +45,34 @@ void choose_for_long_steps(Settings &settings)
       settings.coupling == ContactCoupling::condensed)
     settings.contact_solver.algorithm = contact::Algorithm::active_set;
 }
+
+/// Bodies that begin outside of the mesh: what the mesh would have to hold is said at once, of all of them.
+void check_mesh_holds(const std::vector<BodyDescription<2>> &bodies, const Lattice<2> &lattice)
+{
+  dealii::Point<2> low, high, end;
+  std::string outside;
+  for (const BodyDescription<2> &body : bodies)
+  {
+    const auto box = body.shape->bounding_box();
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      end[d] = lattice.lower()[d] + lattice.n_cells()[d] * lattice.cell_size();
+      low[d] = &body == &bodies.front() ? box.first[d] : std::min(low[d], box.first[d]);
+      high[d] = &body == &bodies.front() ? box.second[d] : std::max(high[d], box.second[d]);
+      const double seen = 1e-6 * lattice.cell_size();
+      if (outside.empty() && (box.first[d] < lattice.lower()[d] - seen || box.second[d] > end[d] + seen))
+        outside = body.name;
+    }
+  }
+  if (outside.empty())
+    return;
+  std::ostringstream message;
+  message << "'Bodies/" << outside << "' lies outside of the background mesh: bodies lie between (" << low
+          << ") and (" << high << ") m, the mesh between 'Mesh/Lower' = (" << lattice.lower()
+          << ") and 'Mesh/Upper' = (" << end
+          << ") m; it must hold them, with a cell to spare and room for their ways";
+  throw InputError(message.str());
+}
 } // namespace
 
 void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws)
@@ -64,6 +93,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   state.points = std::make_unique<PointStore<2>>(*problem.lattice, PointLayout<2>(needs));
   const BuildContext context{*problem.lattice, *problem.shape, settings, *state.points};
   std::vector<BodyDescription<2>> descriptions = problem.scene.bodies;
+  check_mesh_holds(descriptions, *problem.lattice);
   const LevelsOfScene levels = refine_near_contact(problem.scene, settings, *problem.lattice);
   state.bodies.reserve(descriptions.size() + problem.scene.walls.size());
   for (const BodyDescription<2> &body : descriptions)

@@ -138,6 +138,13 @@ std::vector<std::string> warnings(
   if (!settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && way > 0.5)
     list.push_back("a wall moves " + text(way, " cells") +
                    " in a step: assemblies without inertia were studied with up to 0.3");
+  const bool by_waves = settings.wall_way == 0. && settings.step.time_step == 0.;
+  if (!settings.scheme.inertia && by_waves && way > 0. && way < 0.02)
+    list.push_back(
+        "a wall moves " + text(way, " cells") +
+        " in a step, for steps follow 'Time/CFL multiple': there are no waves without inertia, and "
+        "'Time/Wall way' = 0.1 makes " +
+        text(0.1 / way, "") + " times fewer");
   if (settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && settings.scheme.implicit && way > 1.)
     list.push_back("a wall moves " + text(way, " cells") + " in a step: steps will be cut");
   if (settings.scheme.inertia && run.fastest_wall > 0.1 * wave_speed)
