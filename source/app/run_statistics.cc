@@ -35,6 +35,7 @@ void RunStatistics::add_step(const StepReport &report)
 void RunStatistics::add_energies(const Energies &energies, const double of_rounding)
 {
   rounding = of_rounding;
+  moved = moved || energies.kinetic > 0.;
   const std::pair<const char *, double> terms[] = {{"kinetic energy", energies.kinetic},
                                                    {"elastic energy", energies.elastic},
                                                    {"dissipated energy", energies.dissipated},

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <tuple>
 
 namespace softgrain
 {
@@ -35,9 +36,11 @@ void Simulation<dim>::print_end(const std::string &status)
              << duration_in_words(summary.wall_seconds) << " (" << std::setprecision(3)
              << summary.microseconds_per_point_step() << " us per point and step; "
              << duration_in_words(summary.processor_seconds) << " of processor time)\n";
-  for (const auto &[what, error] : {std::make_pair("energy", summary.energy_balance_error),
-                                    std::make_pair("momentum", summary.momentum_error)})
-    if (!std::isfinite(error))
+  // Without inertia nothing is said of momentum.
+  for (const auto &[what, error, counts] :
+       {std::make_tuple("energy", summary.energy_balance_error, true),
+        std::make_tuple("momentum", summary.momentum_error, statistics.has_moved())})
+    if (counts && !std::isfinite(error))
       log.both() << "there is no balance of " << what << ": no " << what
                  << " was above what rounding makes of it\n";
   constexpr double much = 0.02;

@@ -26,6 +26,9 @@ public:
   /// @throw ComputationError when one is no number
   void add_energies(const Energies &energies, double rounding);
 
+  /// Whether anything had kinetic energy when energies were added.
+  bool has_moved() const { return moved; }
+
   /// Counts @p seconds as spent on output.
   void add_output_seconds(double seconds) { output_seconds += seconds; }
 
@@ -52,6 +55,7 @@ private:
   double max_penetration = 0;
   double energy_at_start;
   double largest_energy;
+  bool moved = false;
   double rounding = 0;     ///< of energies [J/m]
   double energy_error = 0; ///< now [J/m]
 };
