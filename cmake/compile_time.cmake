@@ -5,10 +5,19 @@
 option(SOFTGRAIN_PRECOMPILE_HEADERS "parse deal.II's headers once for all sources and tests" ON)
 option(SOFTGRAIN_FAST_LINKER "link with lld where it is installed" ON)
 
+# With paths relative to the sources, ccache finds in a copy of this folder what was compiled in another. A build folder that
+# is older keeps its absolute ones: with others it would compile everything anew.
+if(NOT DEFINED CACHE{CCACHE_PROGRAM})
+  set(SOFTGRAIN_RELATIVE_PATHS ON CACHE BOOL "copies of the source folder share what ccache keeps")
+endif()
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
+  set(SOFTGRAIN_CCACHE_PATHS)
+  if(SOFTGRAIN_RELATIVE_PATHS AND CMAKE_BUILD_TYPE STREQUAL "Release") # debug information names the folder
+    set(SOFTGRAIN_CCACHE_PATHS CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1)
+  endif()
   # Without these ccache never finds a source that was compiled with precompiled headers.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env ${SOFTGRAIN_CCACHE_PATHS}
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
 endif()
 

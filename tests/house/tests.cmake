@@ -18,6 +18,8 @@ foreach(check include_direction formatting file_heads leftovers documentation te
 endforeach()
 
 softgrain_add_house_test(quickstart quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/quickstart.py)
+softgrain_add_house_test(copied_folder quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/copied_folder.py
+  ${CMAKE_COMMAND} ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/tests/house/copied_folder.run)
 softgrain_add_house_test(tolerances quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/tolerances.py
   ${CMAKE_COMMAND} ${NUMDIFF} ${CMAKE_BINARY_DIR}/tests/house/tolerances.run)
 
