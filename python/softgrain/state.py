@@ -223,6 +223,11 @@ class State:
         from .vtk import to_vtk
         return to_vtk(self, part)
 
+    def to_vtp(self, path, part="points"):
+        """The same as a file that ParaView opens: `state.to_vtp("pressures.vtp", "contact_pressures")`."""
+        from .vtk import write_vtp
+        return write_vtp(self, part, path)
+
     def to_lammps_dump(self, path):
         """A LAMMPS dump of the primaries, which OVITO opens."""
         from .lammps import write_dump

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States as meshes of VTK and pyvista."""
 
+import os
+
 import numpy as np
 
 from .errors import InputError, need, need_pip
@@ -63,6 +65,24 @@ def mesh_of(state, part):
     chosen = np.array([row_of[body] for body in rows], dtype=int)
     data = {name: values[chosen] for name, values in state.bodies.items()}
     return (np.concatenate(places) if places else np.zeros((0, 2))), lines, data
+
+
+def write_vtp(state, part, path):
+    """Writes a part of a state as a file of ParaView, whole or not at all."""
+    mesh = to_vtk(state, part)
+    try:
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+    except ImportError as error:
+        raise need("python3-vtk9", error) from error
+    if not path.endswith(".vtp"):
+        raise InputError(f"the name of a file of lines and places for ParaView ends with .vtp, not {path}")
+    writer, temporary = vtkXMLPolyDataWriter(), os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
+    writer.SetInputData(mesh)
+    writer.SetFileName(temporary)
+    if not writer.Write():
+        raise InputError(f"{path} cannot be written")
+    os.replace(temporary, path)
+    return path
 
 
 def to_pyvista(state, part):

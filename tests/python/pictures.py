@@ -151,6 +151,13 @@ class Pictures(unittest.TestCase):
         self.assertGreater(len(pieces), 20 * len(pairs))
         mesh = state.to_vtk("contact_pressures")
         self.assertEqual(mesh.GetPointData().GetArray("contact_pressure_Pa").GetNumberOfTuples(), len(pieces))
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(state.to_vtp("pressures.vtp", "contact_pressures"))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), len(pieces))
+        with self.assertRaisesRegex(softgrain.InputError, "ends with .vtp"):
+            state.to_vtp("pressures.vtk", "contact_pressures")
         first = pieces.where(pieces.contact == 0)
         self.assertGreater(first.contact_pressure_Pa.argmax(), 10)  # not at an end
         path, = self.draw("render.py", common.EXAMPLE, "--field", "contact_pressure", "--output", "pressures.png", *PNG)
