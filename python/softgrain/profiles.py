@@ -48,18 +48,19 @@ def profile_of(state, body, partner, smooth=True) -> Table:
 def pressures_of(state) -> Table:
     """
     The profiles of all contacts of a state, one after the other, as short pieces of contact: middle (``place_m``), direction and length
-    of each, pressure and traction on it, and between whom it is. A contact that tells no width has the pieces of its single places.
+    of each, pressure and traction on it, and between whom it is. A contact that tells no width, or goes all around, has the pieces of its
+    single places.
     """
     walls, parts = wall_names(state), []
     for number, (a, b, wall) in enumerate(zip(*(state.pairs[name].tolist() for name in ("body_a", "body_b", "wall")))):
         partner = walls[wall] if wall != NONE else b
+        rows, _ = rows_of(state, a, partner)
         try:
             profile = profile_of(state, a, partner)
-        except TooNarrow:
-            profile = profile_of(state, a, partner, smooth=False)
-        n = len(profile)
-        rows, _ = rows_of(state, a, partner)
-        way = np.gradient(profile["place_m"], axis=0) if n > 1 else state.contacts["normal"][rows][:1, ::-1] * [1, -1]
+            way = np.gradient(profile["place_m"], axis=0) if len(profile) > 1 else state.contacts["normal"][rows][:1, ::-1] * [1, -1]
+        except NoWay:
+            profile, way = single_places(state, a, partner)
+        n = len(profile["place_m"])
         parts.append({
             "contact": np.full(n, number), "body_a": np.full(n, a), "body_b": np.full(n, b), "wall": np.full(n, wall),
             "place_m": profile["place_m"], "direction": way / np.maximum(np.hypot(*way.T), 1e-300)[:, None], "length_m": profile["length_m"],
@@ -72,8 +73,18 @@ def pressures_of(state) -> Table:
     return Table({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, "contact pressures")
 
 
-class TooNarrow(InputError):
-    """A contact that tells no width."""
+class NoWay(InputError):
+    """A contact that tells no width, or no direction."""
+
+
+def single_places(state, body, partner):
+    """Pressure and traction of every place by itself, and the directions of contact there."""
+    rows, sign = rows_of(state, body, partner)
+    contacts = state.contacts
+    normal, force = sign[:, None] * contacts["normal"][rows], sign[:, None] * contacts["force_N_per_m"][rows]
+    tangent, length = normal[:, ::-1] * [1, -1], contacts["length_m"][rows]
+    return {"place_m": contacts["place_m"][rows], "length_m": length, "pressure_Pa": (force * normal).sum(axis=1) / length,
+            "traction_Pa": (force * tangent).sum(axis=1) / length}, tangent
 
 
 def rows_along(state, body, partner):
@@ -90,7 +101,7 @@ def rows_along(state, body, partner):
     pressed, rubbed = (force * normal).sum(axis=1), (force * tangent).sum(axis=1)
     mean = (length[:, None] * tangent).sum(axis=0)
     if np.hypot(*mean) < 0.5 * length.sum():
-        raise InputError(f"'{body}' and '{partner}' touch all around: there is no way along their contact")
+        raise NoWay(f"'{body}' and '{partner}' touch all around: there is no way along their contact")
     along = place @ (mean / np.hypot(*mean))
     weight = np.maximum(pressed, 0)
     along = along - (weight @ along / weight.sum() if weight.sum() > 0 else along.mean())
@@ -116,7 +127,7 @@ def of_moments(rows, resolution, hertz):
     measured = 2 * math.sqrt(float(pressed @ along**2 / pressed.sum()))
     by_law = hertz is not None and (hertz < NARROW * resolution or len(along) < FEW)
     if not by_law and (len(along) < FEW or measured <= 0.5 * resolution):
-        raise TooNarrow(f"the contact bears its force at {len(along)} place{'s' * (len(along) > 1)} alone, which tells no width: make cells "
+        raise NoWay(f"the contact bears its force at {len(along)} place{'s' * (len(along) > 1)} alone, which tells no width: make cells "
                          f"smaller until there are {FEW} (round bodies of a law with Young's modulus and Poisson's ratio have Hertz's)")
     half = hertz if by_law else measured
     # In the middle of equal angles sums are integrals, exactly, and no place is an end of the contact.

@@ -164,6 +164,13 @@ class Pictures(unittest.TestCase):
         image = matplotlib.image.imread(path)[..., :3]
         self.assertGreater(np.ptp(image, axis=2).max(), 0.3)
         self.refused("did you mean contact_pressure", "render.py", common.EXAMPLE, "--field", "contact_presure")
+        # All around there is no way along: each place stands for itself.
+        around = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+        out = np.stack([np.cos(around), np.sin(around)], axis=1)
+        state.__dict__["contacts"] = Table({"body_a": np.zeros(8, dtype=int), "body_b": np.ones(8, dtype=int), "wall": np.full(8, -1),
+                                            "place_m": out, "normal": -out, "force_N_per_m": -3. * out, "length_m": np.full(8, 0.5)})
+        state.__dict__.pop("pairs"), state.__dict__.pop("contact_pressures")
+        np.testing.assert_allclose(state.contact_pressures.contact_pressure_Pa, 6.)
         rows = {"along_m": np.array([-1., 0., 1.]), "pressed": np.ones(3), "rubbed": np.zeros(3), "length_m": np.ones(3),
                 "place_m": np.zeros((3, 2))}
         with self.assertRaisesRegex(softgrain.InputError, "bears its force at 3 places alone, which tells no width"):
