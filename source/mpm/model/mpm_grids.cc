@@ -2,6 +2,7 @@
 // How MpmModel lays new grids under its bodies.
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -82,6 +83,9 @@ void MpmModel::renew_grids()
             message.add(b, body.internal_force.data(), body.internal_force.size());
           }
       });
+  // Checkpoints tell where rays meet outlines by places on these.
+  if (problem.settings.meets_by_rays() && !work.outlines.empty())
+    renew_outlines(state.bodies, work.outlines, state.frames);
 }
 
 void MpmModel::lay_grids_anew(const std::vector<unsigned int> &bodies)

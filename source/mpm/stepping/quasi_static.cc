@@ -8,6 +8,7 @@
 #include <softgrain/mpm/stepping/relaxation.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
+#include <softgrain/mpm/stepping/ways_of_bodies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,71 +82,6 @@ double unsettled_adhesion(const Problem &problem, const State &state, const Work
   return all > 0. ? differs / all : 0.;
 }
 
-/// Of a body, now or over all: where its centre of mass is [m].
-std::vector<dealii::Point<2>> centers_of(const State &state)
-{
-  std::vector<dealii::Point<2>> centers;
-  for (const Body<2> &body : state.bodies)
-    centers.push_back(body.center());
-  return centers;
-}
-
-/// Whether the step left a force between the body and something that is not free to go with it.
-bool touches(const Workspace &work, const unsigned int b)
-{
-  const auto &rows = work.contact.contact_rows();
-  for (unsigned int r = 0; r < rows.size(); ++r)
-    if ((rows[r].body == b || rows[r].partner == b) && work.contact.carries_force(r))
-      return true;
-  return false;
-}
-
-/// Held steps have taken a body through all of the mesh: it will find no balance.
-/// @throw ComputationError that names it, and what would hold it
-void check_way_of_bodies(const Problem &problem,
-                         const State &state,
-                         const Workspace &work,
-                         const std::vector<dealii::Point<2>> &before,
-                         const std::vector<Vector> &loads,
-                         const unsigned int n_steps)
-{
-  // In a cell that repeats bodies may go anywhere.
-  const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
-  for (const Body<2> &body : state.bodies)
-  {
-    const Vector way = body.center() - before[body.index];
-    if (body.driven || state.repeats() || way.norm() <= room)
-      continue;
-    const Vector &load = loads[body.index];
-    std::ostringstream message;
-    message.precision(3);
-    message << "at time " << state.time << " s nothing holds body '" << body.name << "': ";
-    if (load.norm() > 0.)
-      message << "its load of (" << load << ") N/m ";
-    else
-      message << "what pushes it ";
-    message << "has taken it (" << way << ") m far in " << n_steps
-            << " held steps, further than the mesh is wide, and "
-            << (touches(work, body.index) ? "what it touches does not keep it from sliding or rolling on"
-                                          : "it touches nothing")
-            << "; without inertia ('Time/Scheme' = 'quasi_static') a wall, an obstacle, a driven body or "
-               "friction must bear every load";
-    throw ComputationError(message.str());
-  }
-}
-
-/// Loads of all bodies now [N/m].
-std::vector<Vector> loads_of(const Problem &problem, const State &state, const Workspace &work)
-{
-  std::vector<Vector> loads(state.bodies.size());
-  const std::vector<Eigen::VectorXd> forces =
-      external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
-  for (unsigned int b = 0; b < forces.size(); ++b)
-    for (unsigned int i = 0; 2 * i < forces[b].size(); ++i)
-      loads[b] += Vector({forces[b][2 * i], forces[b][2 * i + 1]});
-  return loads;
-}
-
 StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &work, const double dt)
 {
   const Settings &settings = problem.settings;
@@ -159,7 +95,7 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
   };
   sum.unbalanced = unbalanced();
   Relaxation relaxation(problem, state, dt);
-  const std::vector<dealii::Point<2>> centers = centers_of(state);
+  const WaysOfBodies ways(problem, state);
   StepOutcome step;
   double slid = 0.;
   unsigned int near_balance = 0; // held steps since all walls have met what bears them
@@ -175,7 +111,7 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
     }
     sum.largest_move = std::max(sum.largest_move, step.largest_move);
     if (sum.largest_move > problem.lattice->cell_size())
-      check_way_of_bodies(problem, state, work, centers, loads_of(problem, state, work), sum.held_steps + 1);
+      ways.check(state, work, sum.held_steps + 1);
     const double before = of_bodies;
     of_bodies = unbalanced_force_here(problem, state, work, dt);
     sum.unbalanced = unbalanced();
@@ -255,7 +191,7 @@ quasi_static_step(const Problem &problem, State &state, Workspace &work, const d
 {
   StepOutcome sum;
   if (problem.settings.meets_by_rays())
-    sum = rays_step(problem, state, work, dt);
+    sum = rays_step(problem, state, work, dt, wanted);
   else
     // A step in which contact would give energy, or in which rows and bodies chase each other, goes well when
     // bodies resist more; held steps take that off.

@@ -59,16 +59,22 @@ void RayEquations::lay()
   for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
   {
     frames.emplace_back(frame, scene);
-    force.emplace_back();
-    rubbing.emplace_back();
-    for (const auto &ray : frame.rays)
-    {
-      force.back().push_back(ray.force);
-      rubbing.back().push_back(ray.friction);
-    }
+    force.emplace_back(frame.rays.size());
+    rubbing.emplace_back(frame.rays.size());
   }
+  take_forces_of_start();
   system.take(frames);
   path = h; // 0 is for rays that have never been met
+}
+
+void RayEquations::take_forces_of_start()
+{
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+    {
+      force[f][k] = frames[f].start_force(k);
+      rubbing[f][k] = frames[f].ray(k).left ? 0. : frames[f].layout().rays[k].friction;
+    }
 }
 
 RayEquations::Vectors RayEquations::free_way() const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/interruption.h>
+#include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/frame_rows.h>
 #include <softgrain/mpm/stepping/accept_step.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace softgrain::mpm
@@ -26,6 +28,7 @@ constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
 constexpr unsigned int halvings_with_all_rays = 2;
 constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
+constexpr double back_from = 100.;         ///< rise from which on a step begins anew
 constexpr double keeps_dents_from = 0.3;   ///< resistance
 constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
 constexpr double longest_way = 0.3;        ///< of a node in an iteration [cells]
@@ -40,7 +43,8 @@ public:
   void accept(State &state_to_change);
 
   StepOutcome outcome;
-  bool careful = false; ///< bodies go no further than rays have looked
+  bool careful = false;                                        ///< bodies go no further than rays have looked
+  double most_resistance = std::numeric_limits<double>::max(); ///< from which on the step has failed
 
 private:
   bool converged() const
@@ -53,6 +57,7 @@ private:
   void hand_over_rows();
   std::string find_forces();
   bool resist_more();
+  bool go_back();
   bool keep_dents();
   bool goes_too_far(const Vectors &direction) const;
   void find_direction(Vectors &direction);
@@ -101,7 +106,7 @@ std::string RayStep::find_forces()
       factors_serve = false;
       continue;
     }
-    if (inertia || attempt == most_rises)
+    if (inertia || attempt == most_rises || outcome.raised * plan.regularisation >= most_resistance)
       return "no forces of contacts are found";
     if (!resist_more())
       return why_not();
@@ -112,10 +117,27 @@ bool RayStep::resist_more()
 {
   outcome.raised *= rise;
   equations.resist_more(rise);
-  if (keep_dents())
+  const bool kept_now = keep_dents();
+  if (outcome.newton_iterations > 0 && outcome.raised >= back_from)
+    return go_back();
+  if (kept_now)
     return evaluate(way);
   // Nothing has moved: rays stand as they are.
   return equations.evaluate(trial);
+}
+
+/// To where the step began: iterates without a minimum may have gone where no resistance brings them back, as
+/// matter that flows does.
+bool RayStep::go_back()
+{
+  way = at_rest;
+  take_forces_of_start();
+  for (FreeWay &wall : system.ways)
+    wall.at = 0.;
+  path += h;
+  const bool is_there = evaluate(way);
+  measure();
+  return is_there;
 }
 
 /// Where bodies resist much. @return whether any is now kept that was not before
@@ -215,15 +237,9 @@ std::string RayStep::iterate()
 /// Adhesion is that of the gaps at the start of the step. Where it holds what is apart, rays begin with it.
 void RayStep::begin_to_pull()
 {
-  for (unsigned int f = 0; f < frames.size(); ++f)
-  {
-    frames[f].find_pulls(scene, plan.held);
-    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-    {
-      const double least = -frames[f].ray(k).pull;
-      force[f][k] = force[f][k] <= 0. && frames[f].free_gap(k) > 0. ? least : std::max(force[f][k], least);
-    }
-  }
+  for (FrameState &frame : frames)
+    frame.find_pulls(scene, plan.held);
+  take_forces_of_start();
 }
 
 /// Goes where bodies go by themselves; what turns inside out there sets out from rest.
@@ -308,9 +324,12 @@ void RayStep::accept(State &state_to_change)
         const FrameState::Vector resistance = equations.resistance(b);
         told[b] = {equations.regularisation_work(b), equations.scheme_damping(b, trial[b]), resistance[0],
                    resistance[1], inertia ? 0. : equations.held_back(b)};
+        if (inertia)
+          spread_imbalance(body, equations.missing(b) + plan.dt * contact_forces(b), trial[b]);
       },
       [&](BodyShare::Message &message)
       {
+        message.add(state.bodies, trial);
         message.add(state.bodies, equations.internal);
         message.add(state.bodies, equations.increment);
         for (unsigned int b = 0; b < told.size(); ++b)
@@ -355,13 +374,18 @@ void RayStep::accept(State &state_to_change)
 }
 } // namespace
 
-StepOutcome
-ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan, const bool careful)
+StepOutcome ray_step(const Problem &problem,
+                     State &state,
+                     Workspace &work,
+                     const StepPlan &plan,
+                     const bool careful,
+                     const double most_resistance)
 {
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   renew_outlines(state.bodies, work.outlines, state.frames);
   RayStep step(problem, state, work, plan, motion);
   step.careful = careful;
+  step.most_resistance = most_resistance;
   step.outcome.reason = step.find();
   step.outcome.accepted = step.outcome.reason.empty();
   if (step.outcome.accepted)

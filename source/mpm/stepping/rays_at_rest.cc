@@ -4,17 +4,23 @@
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/ways_of_bodies.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace softgrain::mpm
 {
 namespace
 {
-constexpr double least_force = 1e-2;     ///< that counts, over Young's modulus times a cell
-constexpr double ease = 0.3;             ///< of resistance, after a step that went well
-constexpr double rise = 10.;             ///< of it, after one that did not
-constexpr double most_resistance = 10.;  ///< beyond which bodies hardly move in a step
+constexpr double least_force = 1e-2;    ///< that counts, over Young's modulus times a cell
+constexpr double ease = 0.3;            ///< of resistance, after a step that went well
+constexpr double rise = 10.;            ///< of it, after one that did not
+constexpr double most_resistance = 10.; ///< beyond which bodies hardly move in a step
+/// Of a step that can still be made shorter. Where bodies resist more, walls do work on them that belongs to
+/// no path of balances.
+constexpr double most_if_shorter = 0.1;
+constexpr double short_enough = 0.125;   ///< of the wanted step
 constexpr double most_on_the_way = 1e-3; ///< likewise with walls on their way, which resistance hinders
 
 /// The largest force that holds back a body over the mean force of a contact. Frames tell the
@@ -40,12 +46,14 @@ double unbalanced(const Problem &problem, const State &state)
 }
 } // namespace
 
-StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, const double dt)
+StepOutcome
+rays_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
 {
   double resistance = problem.settings.regularisation;
+  const double most = dt > short_enough * wanted ? most_if_shorter : std::numeric_limits<double>::max();
   for (bool careful = false;; careful = true)
   {
-    StepOutcome step = ray_step(problem, state, work, {dt, false, resistance}, careful);
+    StepOutcome step = ray_step(problem, state, work, {dt, false, resistance}, careful, most);
     if (step.accepted)
       step.unbalanced = unbalanced(problem, state);
     if (step.accepted || resistance > most_on_the_way)
@@ -63,6 +71,7 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
   sum.unbalanced = state.held_back.empty() ? 0. : unbalanced(problem, state);
   double resistance = settings.regularisation, slid = 0.;
   bool careful = false;
+  const WaysOfBodies ways(problem, state);
   while (sum.unbalanced > settings.unbalanced_force)
   {
     if (sum.held_steps >= settings.max_held_steps)
@@ -94,6 +103,8 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
     slid += slid_on_their_way(work, dt);
     check_room_of_walls(problem, state, slid);
     sum.largest_move = std::max(sum.largest_move, held.largest_move);
+    if (sum.largest_move > problem.lattice->cell_size())
+      ways.check(state, work, sum.held_steps);
     sum.unbalanced = unbalanced(problem, state);
     resistance = std::max(settings.regularisation, ease * resistance * held.raised);
   }

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -38,8 +39,12 @@ public:
   /// Takes weights of the mean from the forces that the rays have, or from the ray with the smallest gap.
   FrameState(const ContactFrame<2> &frame, const FrameScene &scene);
 
-  /// The gap that forces see: dents that the grid misses let both come nearer [m].
-  double free_gap(const unsigned int k) const { return rays[k].gap + dent_depth; }
+  /// The gap that forces see: dents that the grid misses let both come nearer, and what softness has given to
+  /// the force at the start of a step without inertia is taken back [m].
+  double free_gap(const unsigned int k) const
+  {
+    return rays[k].gap + dent_depth - (met_at == 1. ? softness * frame.rays[k].force : 0.);
+  }
   /// By how much a unit force on a ray closes its gap beside all else [m^2/N]: so little that it shows
   /// nowhere, but where there are more rays than the field of a body has shapes for them, it shares the force
   /// out.
@@ -49,6 +54,14 @@ public:
   double dent_slope() const { return by_force; }
   double total_force() const { return sum_of_forces; }
 
+  /// The force of a ray as the step begins: no less than adhesion leaves of it [N/m].
+  double start_force(const unsigned int k) const
+  {
+    const double least = -rays[k].pull, force = frame.rays[k].force;
+    if (rays[k].left)
+      return 0.;
+    return rays[k].pull > 0. && force <= 0. && free_gap(k) > 0. ? least : std::max(force, least);
+  }
   /// Finds by how much rays pull in this step: what adhesion does where surfaces are as the step begins, as
   /// they have just been met.
   /// @param held the step seeks balance only: pulls go half-way there

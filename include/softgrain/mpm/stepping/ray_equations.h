@@ -36,6 +36,8 @@ protected:
 
   /// Finds the frames of the step, with the forces that their rays had.
   void lay();
+  /// Rays carry what they carried when the step began.
+  void take_forces_of_start();
   /// The way of bodies that go on as they do; none without inertia [m].
   Vectors free_way() const;
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
@@ -50,6 +52,8 @@ protected:
   std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
   void measure();
+  /// What rays do to the nodes of a body [N/m].
+  Eigen::VectorXd contact_forces(unsigned int b) const;
   /// Whether what is unbalanced is what forces round by: nothing smaller is found, whatever is asked for.
   bool at_rounding() const;
   /// Newton's matrix of every body.
@@ -91,7 +95,6 @@ private:
   void move_free_walls();
   void find_free_walls();
   double unbalanced_free_walls() const;
-  Eigen::VectorXd contact_forces(unsigned int b) const;
   double momentum_of_nodes(const Body<2> &body) const;
   void measure_frame(unsigned int f, double &wrong_friction);
 

@@ -4,6 +4,8 @@
 
 #include <softgrain/mpm/stepping/step.h>
 
+#include <limits>
+
 namespace softgrain::mpm
 {
 /**
@@ -12,9 +14,15 @@ namespace softgrain::mpm
  * doc/results/contact-geometry.md.
  * @param careful bodies resist so much that none goes further than rays have looked. That is for a step that
  * has failed, as under a load that nothing bears yet: it would take bodies into others that no ray has seen.
+ * @param most_resistance from which on a step without a minimum fails, in place of one in which bodies resist
+ * more (dimensionless, as 'Quasi-static/Regularisation')
  */
-StepOutcome
-ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan, bool careful = false);
+StepOutcome ray_step(const Problem &problem,
+                     State &state,
+                     Workspace &work,
+                     const StepPlan &plan,
+                     bool careful = false,
+                     double most_resistance = std::numeric_limits<double>::max());
 } // namespace softgrain::mpm
 
 #endif

@@ -8,7 +8,7 @@ namespace softgrain::mpm
 {
 /// quasi_static_step() where contact is found by rays: bodies that find no minimum with walls on their way
 /// resist more.
-StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, double dt);
+StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, double dt, double wanted);
 
 /// Held steps of it, until what resists the bodies is no more than 'Quasi-static/Unbalanced force' of the
 /// mean force of a contact. Forces below a hundredth of Young's modulus times a cell count as that much:
