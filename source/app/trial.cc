@@ -224,6 +224,15 @@ void go(
     expect_rest(trial, marks);
   }
 }
+
+/// Makes the model of a trial and goes its way.
+void make(Trial &trial, Input &input, const RunOutline &outline, const double most_seconds)
+{
+  const double begin = processor_seconds();
+  const std::unique_ptr<Model<2>> model = input.model_to_look_at(trial.coarser);
+  trial.preparation = processor_seconds() - begin;
+  go(trial, input, outline, *model, most_seconds);
+}
 } // namespace
 
 Trial try_out(Input &input,
@@ -232,7 +241,7 @@ Trial try_out(Input &input,
               const double seconds)
 {
   Trial trial;
-  double begin = processor_seconds();
+  const double begin = processor_seconds();
   input.complete_scene();
   trial.packing = processor_seconds() - begin;
   // Now the bodies are known.
@@ -245,12 +254,21 @@ Trial try_out(Input &input,
   trial.coarser = choose(input, *outline, slowness_of_machine(), seconds);
   // Where other programs take their share of the processor, it may take longer.
   const Deadline deadline(patience * seconds);
+  const auto learned = [&]()
+  { return learned_from(trial, *forecast, *input.forecast(*outline, trial.coarser)); };
   try
   {
-    begin = processor_seconds();
-    const std::unique_ptr<Model<2>> model = input.model_to_look_at(trial.coarser);
-    trial.preparation = processor_seconds() - begin;
-    go(trial, input, *outline, *model, seconds);
+    make(trial, input, *outline, seconds);
+    // One that is soon at its end leaves time for the scene as it is.
+    if (const double left = seconds - trial.seconds;
+        !trial.coarser.empty() && trial.fraction >= 1. && learned().seconds() < left)
+    {
+      Trial itself;
+      itself.packing = trial.packing;
+      make(itself, input, *outline, left);
+      if (itself.fraction >= 1.)
+        trial = itself;
+    }
   }
   catch (const Interrupted &)
   {
@@ -265,7 +283,7 @@ Trial try_out(Input &input,
       trial.all_seconds = trial.seconds / trial.fraction;
     }
   }
-  *forecast = learned_from(trial, *forecast, *input.forecast(*outline, trial.coarser));
+  *forecast = learned();
   if (outline->duration == 0. && trial.fraction >= 1.)
     outline->duration = trial.time;
   return trial;

@@ -130,6 +130,10 @@ class Trials(unittest.TestCase):
     def test_bonded_with_preparation(self):
         printed = self.compare("bonded", BONDED + BOX.format(speed=3), "Packing/Packing fraction=0.4",
                                "Stop/Packing fraction=0.45")
+        # A trial of larger primaries was soon at its end, and the scene itself was tried.
+        self.assertNotIn("Primaries", told(printed, "trial"))
+        _, printed, _ = softgrain("check", "bonded.prm", "--set", "Packing/Packing fraction=0.4", "--set", "Stop/Packing fraction=0.45",
+                                  "--try", "0.2", "--threads", "1")
         self.assertIn("'Primaries/Smallest diameter' = ", told(printed, "trial"))
 
     def test_refused(self):
