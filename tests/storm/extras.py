@@ -5,7 +5,7 @@ from scene import number
 # Parameters that no scene sets, and why. The test of the scenes asks that all others are set by some.
 NOT_TRIED = {
     "Output directory": "the command line says it", "Additional shared libraries": "loads code",
-    "Threads": "the relation `threads`", "Output/Checkpoint every": "time on the clock",
+    "Output/Forces on": "columns that a test of values looks at", "Threads": "the relation `threads`", "Output/Checkpoint every": "time on the clock",
     "Output/Checkpoints kept": "the relation `restart`", "Packing/Save to": "writes a file",
     "Primaries/Library": "relations use it", "Contact/Keep failed problems in": "writes files",
     "Contact/Maximum sweeps": "a limit that is not reached", "Linear solver/Maximum iterations": "the same",
