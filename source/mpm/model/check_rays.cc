@@ -14,14 +14,20 @@ namespace
 }
 } // namespace
 
+bool counts_negative_pivots(const LinearSolverSettings &solver)
+{
+  return solver.type.compare(0, 2, "cg") != 0 && solver.type.compare(0, 8, "trilinos") != 0;
+}
+
 void check_rays(const Settings &settings)
 {
-  if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
-    refuse("with 'Time/Scheme' = '" + settings.scheme.name + "': it needs 'quasi_static' or 'moreau_jean'");
+  const std::string &scheme = settings.scheme.name;
+  if (scheme != "quasi_static" && scheme != "moreau_jean")
+    refuse("with 'Time/Scheme' = '" + scheme + "': it needs 'quasi_static' or 'moreau_jean'");
   if (settings.coupling != ContactCoupling::condensed)
     refuse("with 'Contact/Solver' = 'lumped'");
-  if (const std::string &type = settings.linear_solver.type;
-      type.compare(0, 2, "cg") == 0 || type.compare(0, 8, "trilinos") == 0)
-    refuse("with 'Linear solver/Type' = '" + type + "', which cannot count negative pivots");
+  if (!counts_negative_pivots(settings.linear_solver))
+    refuse("with 'Linear solver/Type' = '" + settings.linear_solver.type +
+           "', which cannot count negative pivots");
 }
 } // namespace softgrain::mpm

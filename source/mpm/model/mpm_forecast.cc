@@ -28,7 +28,10 @@ constexpr double rough_factor = 3.5;         ///< the same, one body that may sl
 constexpr double f_bar_factor = 2.7;         ///< on the iterations, where matter flows and keeps its volume
 constexpr double f_bar_point_factor = 2.0;   ///< on what they take per point
 constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
-constexpr double falling_way = 0.33;         ///< cells in a step, where bodies fall on each other
+// The same where rays meet contact, without inertia.
+constexpr double rays_factor = 0.72, most_of_rays = 2.; ///< several bodies: the first times n^0.3
+constexpr double rays_friction_factor = 1.5, rays_obstacle_factor = 2., rays_f_bar_factor = 6.;
+constexpr double falling_way = 0.33; ///< cells in a step, where bodies fall on each other
 constexpr double divided_work = 0.86, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
 constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
@@ -60,11 +63,34 @@ double n_iterations(const Settings &settings, const RunOutline &run, const doubl
   {
     const double way = run.fastest_wall * dt / settings.finest_cell();
     const double longer = std::clamp(std::pow(way / 0.1, 0.4), 1., 1.6);
+    if (settings.meets_by_rays())
+      return n_bodies < 1.5 ? 2.2 : 1.8 * std::pow(n_bodies, 0.44) * longer;
     return n_bodies < 1.5 ? 5.5 : 9. * std::pow(n_bodies, 0.4) * longer;
   }
   if (settings.rows_follow() && dt > 20.5 * cfl)
     return 3. * std::pow(n_bodies, 0.2);
   return n_bodies < 1.5 ? 2. : 2.6 + 0.6 * std::min(dt / cfl, 10.);
+}
+
+/// On the time of a step, for what is in contact.
+double factor_of_contacts(const Settings &settings,
+                          const RunOutline &run,
+                          const bool slow,
+                          const bool friction,
+                          const bool obstacles)
+{
+  const bool many = run.crowd.n_bodies() > 1.5, rays = settings.meets_by_rays();
+  if (!slow)
+    return 1.;
+  if (rays && many)
+    return std::min(fitted::most_of_rays, fitted::rays_factor * std::pow(run.crowd.n_bodies(), 0.3)) *
+           (friction ? fitted::rays_friction_factor : 1.);
+  if (many)
+    return (friction ? fitted::slow_friction_factor : 1.) * (run.pressed ? fitted::pressed_factor : 1.);
+  return (!obstacles ? 1.
+          : rays     ? fitted::rays_obstacle_factor
+                     : fitted::obstacle_factor) *
+         (friction ? fitted::rough_factor : 1.);
 }
 
 /// What is left of a step @p dt where bodies fall onto each other: half of the time they are faster than at
@@ -211,20 +237,13 @@ Forecast forecast(const Scene<2> &scene,
   const bool f_bar = has_f_bar(settings, laws, run.crowd);
   double iterations = n_iterations(settings, run, result.step, cfl);
   if (slow && f_bar && remembers(laws, run.crowd))
-    iterations *= fitted::f_bar_factor;
+    iterations *= settings.meets_by_rays() ? fitted::rays_f_bar_factor : fitted::f_bar_factor;
   double of_point = BodyCost::point_seconds + (run.crowd.n_bodies() > 1.5 ? BodyCost::contact_seconds : 0.);
   if (f_bar)
     of_point *= fitted::f_bar_point_factor;
   double seconds = settings.scheme.implicit ? iterations * (of_point * points + factors)
                                             : fitted::explicit_seconds * points;
-  if (slow && friction && run.crowd.n_bodies() > 1.5)
-    seconds *= fitted::slow_friction_factor;
-  if (slow && !scene.obstacles.empty() && run.crowd.n_bodies() < 1.5)
-    seconds *= fitted::obstacle_factor;
-  if (slow && friction && run.crowd.n_bodies() < 1.5)
-    seconds *= fitted::rough_factor;
-  if (slow && run.pressed && run.crowd.n_bodies() > 1.5)
-    seconds *= fitted::pressed_factor;
+  seconds *= factor_of_contacts(settings, run, slow, friction, !scene.obstacles.empty());
   if (settings.grid_update == GridUpdate::every_step)
     seconds += fitted::grid_seconds * points;
   seconds += fitted::history_seconds * points / run.history_every;

@@ -6,6 +6,7 @@
 #include <softgrain/linear/linear_solver_kind.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/parameter_values.h>
@@ -160,15 +161,17 @@ void declare_quasi_static(dealii::ParameterHandler &prm)
       [&]
       {
         prm.declare_entry(
-            "Regularisation", "1e-3", Double(1e-9, 1.),
+            "Regularisation", "0", Double(0., 1.),
             "Stiffness against the motion in a step, over Young's modulus. It takes the place of "
-            "inertia and holds grains that touch nothing. Its forces vanish in held steps.");
+            "inertia and holds grains that touch nothing. Its forces vanish in held steps. 0: 1e-4 with "
+            "'Contact/Geometry = rays', else 1e-3.");
         prm.declare_entry("Unbalanced force", "1e-4", Double(1e-12, 1.),
                           "Bodies are in balance when the net force on each is at most this share of "
                           "the mean contact force.");
-        prm.declare_entry("Held motion", "1e-2", Double(1e-12, 10.),
-                          "Bodies are in balance when no contact marker moves farther than this in a "
-                          "held step. Units: cells.");
+        prm.declare_entry(
+            "Held motion", "1e-2", Double(1e-12, 10.),
+            "With surface: bodies are in balance when no contact marker moves farther than this in a "
+            "held step. Units: cells.");
         prm.declare_entry(
             "Held steps", "1000", Integer(0, 100000),
             "Largest number of steps with walls at rest before a state is written; without balance after "
@@ -189,8 +192,10 @@ void declare_contact(dealii::ParameterHandler &prm)
       [&]
       {
         prm.declare_entry(
-            "Geometry", "surface", Selection(Registry<ContactGeometryKind>::instance().choice()),
-            "Where contact is looked for; " + Registry<ContactGeometryKind>::instance().choice_in_words());
+            "Geometry", "automatic",
+            Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
+            "Where contact is looked for; automatic: rays with 'Time/Scheme = quasi_static', else surface; " +
+                Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
@@ -383,6 +388,10 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
       [&]
       {
         contact_geometry = prm.get("Geometry");
+        if (contact_geometry == "automatic")
+          contact_geometry = !scheme.inertia && counts_negative_pivots(linear_solver) ? "rays" : "surface";
+        if (regularisation == 0.)
+          regularisation = meets_by_rays() ? 1e-4 : 1e-3;
         contact_on_boundaries =
             Registry<ContactGeometryKind>::instance().create(contact_geometry)->on_boundaries();
         nodal_gap = prm.get_bool("Nodal gap");

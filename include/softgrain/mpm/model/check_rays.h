@@ -3,11 +3,13 @@
 #define softgrain_mpm_model_check_rays_h
 
 #include <softgrain/mpm/model/settings.h>
-#include <softgrain/scene/scene.h>
 
 namespace softgrain::mpm
 {
-/// Whether a scene may have `Contact/Geometry` = `rays`. @throw InputError that names what it may not have
+/// Whether a solver tells how many directions lower the energy, as rays need it to find minima.
+bool counts_negative_pivots(const LinearSolverSettings &solver);
+
+/// @throw InputError for settings that do not go together with `Contact/Geometry` = `rays`
 void check_rays(const Settings &settings);
 } // namespace softgrain::mpm
 

@@ -66,8 +66,8 @@ struct Settings
 
   LinearSolverSettings linear_solver;
 
-  std::string contact_geometry = "surface";
-  bool contact_on_boundaries = true; ///< else at nodes, see ContactGeometryKind
+  std::string contact_geometry = "surface"; ///< member of ContactGeometryKind
+  bool contact_on_boundaries = true;        ///< else at nodes, see ContactGeometryKind
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
   double marker_spacing = 0.5;      ///< [cells]
