@@ -127,13 +127,11 @@ bool RayStep::resist_more()
 }
 
 /// To where the step began: iterates without a minimum may have gone where no resistance brings them back, as
-/// matter that flows does.
+/// matter that flows does. Walls under loads stay where they have come to.
 bool RayStep::go_back()
 {
   way = at_rest;
   take_forces_of_start();
-  for (FreeWay &wall : system.ways)
-    wall.at = 0.;
   path += h;
   const bool is_there = evaluate(way);
   measure();

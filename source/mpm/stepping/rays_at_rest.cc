@@ -13,7 +13,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double least_force = 1e-2;    ///< that counts, over Young's modulus times a cell
+constexpr double least_force = 1e-2; ///< that counts, over Young's modulus times a cell
+/// Resistance to which held steps come: with more of it a balance that is far takes too many.
+constexpr double least_when_held = 1e-4;
 constexpr double ease = 0.3;            ///< of resistance, after a step that went well
 constexpr double rise = 10.;            ///< of it, after one that did not
 constexpr double most_resistance = 10.; ///< beyond which bodies hardly move in a step
@@ -106,7 +108,8 @@ StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, c
     if (sum.largest_move > problem.lattice->cell_size())
       ways.check(state, work, sum.held_steps);
     sum.unbalanced = unbalanced(problem, state);
-    resistance = std::max(settings.regularisation, ease * resistance * held.raised);
+    resistance =
+        std::max(std::min(settings.regularisation, least_when_held), ease * resistance * held.raised);
   }
   return sum;
 }
