@@ -147,13 +147,23 @@ void BpmModel::add_inner_forces(const LookedAt &seen,
       });
 }
 
-Snapshot<2> BpmModel::snapshot() const
+namespace
+{
+/// What is the same on all ranks of every snapshot.
+Snapshot<2> begin_snapshot(const BpmModel &model)
 {
   Snapshot<2> snapshot;
-  snapshot.time = now;
-  snapshot.step = steps;
-  snapshot.walls = walls();
-  snapshot.obstacles = obstacles();
+  snapshot.time = model.time();
+  snapshot.step = model.step();
+  snapshot.walls = model.walls();
+  snapshot.obstacles = model.obstacles();
+  return snapshot;
+}
+} // namespace
+
+Snapshot<2> BpmModel::snapshot() const
+{
+  Snapshot<2> snapshot = begin_snapshot(*this);
   snapshot.energies = energies();
   const Outlines loops = outlines();
   const LookedAt seen(*dynamics);
@@ -194,11 +204,7 @@ void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &sn
 
 Snapshot<2> BpmModel::touching_state() const
 {
-  Snapshot<2> snapshot;
-  snapshot.time = now;
-  snapshot.step = steps;
-  snapshot.walls = walls();
-  snapshot.obstacles = obstacles();
+  Snapshot<2> snapshot = begin_snapshot(*this);
   const LookedAt seen(*dynamics);
   // Where ranks have primaries of their own, only the first one sees those of all.
   if (dynamics->parted() != nullptr && !ranks.first())

@@ -34,12 +34,10 @@ double Adhesion::share(const std::uint64_t key, const double gap) const
 
 double Adhesion::share(const std::uint64_t key, const double gap, const std::array<double, 2> &lift) const
 {
-  if (!resolves_range())
-    return share(key, gap);
-  const double remembered = law->remembers() ? memory_of(key, gap_between_surfaces(gap)) : 0.;
+  const double remembered = law->remembers() ? memory_of(key, gap) : 0.;
   double sum = 0.;
   for (const double change : lift)
-    sum += law->mean_share(gap, gap + change, remembered);
+    sum += mean_share(remembered, gap, gap + change);
   return 0.5 * sum;
 }
 
@@ -48,10 +46,9 @@ double Adhesion::nearest(const double gap, const std::array<double, 2> &lift) co
   return resolves_range() ? gap + std::min({0., lift[0], lift[1]}) : gap;
 }
 
-void Adhesion::note(const std::uint64_t key, const double gap, ContactEvent event)
+void Adhesion::note(const std::uint64_t key, const double gap, const ContactEvent &event)
 {
-  event.gap = gap_between_surfaces(event.gap);
-  const double after = law->memory_after(memory_of(key, gap_between_surfaces(gap)), event);
+  const double after = memory_after(memory_of(key, gap), event);
   if (after != 0.)
     next[key] = after;
 }

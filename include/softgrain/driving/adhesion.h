@@ -54,11 +54,11 @@ public:
   double nearest(double gap, const std::array<double, 2> &lift) const;
 
   /// What has become in a step of a contact that began it with @p gap [m]; for laws that remember.
-  void note(std::uint64_t key, double gap, ContactEvent event);
+  void note(std::uint64_t key, double gap, const ContactEvent &event);
 
   // The same for contacts whose memory the caller keeps.
 
-  /// Of a contact that nobody has in mind yet. @param gap at the start of the step [m]
+  /// Memory of a contact that has none yet. @param gap at the start of the step [m]
   double first_memory(double gap) const;
 
   /// Mean share where the gap goes linearly from @p gap to @p end along a contact [m].

@@ -41,8 +41,9 @@ std::array<FrameState::HalfLength, 2> FrameState::half_lengths(const FrameScene 
   std::array<HalfLength, 2> halves;
   for (const unsigned int half : {0, 1})
   {
-    const double direction = half == 0 ? -1. : 1., edge = way_to_edge(scene, k, direction);
-    const bool ends = edge < frame.spacing && !has_neighbour(k, half == 0 ? -1 : 1);
+    const int direction = half == 0 ? -1 : 1;
+    const double edge = way_to_edge(scene, k, direction);
+    const bool ends = edge < frame.spacing && !has_neighbour(k, direction);
     const double length = ends ? edge : 0.5 * frame.spacing;
     halves[half] = {length, rays[k].gap + direction * length * rays[k].by_motion};
   }

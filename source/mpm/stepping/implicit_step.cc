@@ -270,7 +270,7 @@ void ImplicitStep::accept(State &state_to_change)
 {
   const bool inertia = problem.settings.scheme.inertia;
   // Of a body: its largest move, what the scheme takes from it, and what resists it.
-  std::vector<std::array<double, 5>> told(trial.size());
+  std::vector<StepEquations::Told> told(trial.size());
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
@@ -285,10 +285,7 @@ void ImplicitStep::accept(State &state_to_change)
       [&](BodyShare::Message &message)
       {
         message.add(state.bodies, trial);
-        message.add(state.bodies, equations.internal);
-        message.add(state.bodies, equations.increment);
-        for (unsigned int b = 0; b < told.size(); ++b)
-          message.add(b, told[b].data(), told[b].size());
+        equations.tell(told, message);
       });
   Vectors rate(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)

@@ -313,7 +313,7 @@ void RayStep::hand_over_rows()
 void RayStep::accept(State &state_to_change)
 {
   // Of a body: what the scheme or what resists takes from it, and what resists it.
-  std::vector<std::array<double, 5>> told(way.size(), std::array<double, 5>{});
+  std::vector<StepEquations::Told> told(way.size(), std::array<double, 5>{});
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
@@ -328,10 +328,7 @@ void RayStep::accept(State &state_to_change)
       [&](BodyShare::Message &message)
       {
         message.add(state.bodies, trial);
-        message.add(state.bodies, equations.internal);
-        message.add(state.bodies, equations.increment);
-        for (unsigned int b = 0; b < told.size(); ++b)
-          message.add(b, told[b].data(), told[b].size());
+        equations.tell(told, message);
       });
   Vectors rate(way.size());
   FoundStep found{plan,

@@ -316,6 +316,14 @@ double StepEquations::held_back(const unsigned int b) const
   return sum;
 }
 
+void StepEquations::tell(std::vector<Told> &told, BodyShare::Message &message)
+{
+  message.add(state.bodies, internal);
+  message.add(state.bodies, increment);
+  for (unsigned int b = 0; b < told.size(); ++b)
+    message.add(b, told[b].data(), told[b].size());
+}
+
 Eigen::VectorXd StepEquations::resisted_way(const unsigned int b) const
 {
   return increment[b] - dt * free_way(b);

@@ -20,7 +20,6 @@ bool touches(const Workspace &work, const unsigned int b)
       return true;
   return false;
 }
-
 } // namespace
 
 /// Loads of all bodies now [N/m].
@@ -46,14 +45,13 @@ void WaysOfBodies::check(const State &state, const Workspace &work, const unsign
   // In a cell that repeats bodies may go anywhere.
   if (state.repeats())
     return;
-  const std::vector<Vector> loads = loads_of(problem, state, work);
   const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
   for (const Body<2> &body : state.bodies)
   {
     const Vector way = body.center() - start[body.index];
     if (body.driven || way.norm() <= room)
       continue;
-    const Vector &load = loads[body.index];
+    const Vector load = loads_of(problem, state, work)[body.index];
     std::ostringstream message;
     message.precision(3);
     message << "at time " << state.time << " s nothing holds body '" << body.name << "': ";

@@ -93,6 +93,12 @@ public:
   dealii::Tensor<1, 2> resistance(unsigned int b) const;
   /// As State::held_back.
   double held_back(unsigned int b) const;
+
+  /// Numbers that a step tells of a body.
+  using Told = std::array<double, 5>;
+  /// Adds forces and ways of the bodies at the end of the step, and @p told of each, to what ranks tell each
+  /// other.
+  void tell(std::vector<Told> &told, BodyShare::Message &message);
   /// What a direction promises, of all bodies.
   struct Slope
   {
