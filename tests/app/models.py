@@ -81,6 +81,31 @@ class OtherSettings(Runs):
         self.assertIn("body 'grain_2' has another place, shape or material than in the checkpoint", error)
         self.run_scene("mpm", "--restart", settings=[*base, f"Packing/File={copy}", "Stop/End time=4e-4"])
 
+    def test_without_effect(self):
+        """What a scheme or a geometry of contact does not read is said, a line each, and changes no byte of the history."""
+        rest = ["Quasi-static/Regularisation=1e-5", "Quasi-static/Unbalanced force=1e-9", "Quasi-static/Held motion=1e-6",
+                "Quasi-static/Held steps=5", "Time/Theta=0.7"]
+        for model, scheme, geometry, unread in (
+                ("held", "quasi_static", "rays", [
+                    "Time/Theta=0.7", "Quasi-static/Held motion=1e-6", "Newton/Displacement tolerance=1e-8",
+                    "Newton/Energy tolerance=1e-12", "Contact/Tolerance=1e-9", "Contact/Maximum sweeps=7", "Contact/Relaxation=1.3",
+                    "Contact/Algorithm=gauss_seidel", "Contact/Nodal gap=false"]),
+                ("mpm", "explicit", "surface", [*rest, "Newton/Largest strain=0.01", "Newton/Maximum iterations=2",
+                                                "Linear solver/Tolerance=1e-8"]),
+                ("mpm", "newmark", "surface", rest)):
+            with self.subTest(scheme):
+                base, found = [f"Time/Scheme={scheme}", "Time/Theta=0", f"Stop/End time={'1.3e-4' if model == 'held' else '5e-4'}"], []
+                for settings in (base, [*base, *unread]):
+                    shutil.rmtree(self.folder, ignore_errors=True)
+                    found.append((self.run_scene(model, settings=settings)[0], (self.folder / "history.csv").read_bytes()))
+                self.assertEqual(found[1][1], found[0][1])
+                self.assertGreater(found[0][1].count(b"\n"), 3)
+                self.assertNotIn("has no effect", found[0][0])
+                self.assertRegex(found[0][0], f"contact +{geometry}\n")
+                self.assertEqual(found[1][0].count("has no effect with '"), len(unread))
+                for setting in unread:
+                    self.assertIn("'{}' = '{}' has no effect with '".format(*setting.split("=")), found[1][0])
+
 
 class BothModels(Runs):
     """What both models write means the same."""

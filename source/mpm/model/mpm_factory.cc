@@ -11,6 +11,7 @@
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/model/unused_settings.h>
 #include <softgrain/parameters/within_section.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -90,7 +91,10 @@ public:
   forecast(const Scene<2> &scene, dealii::ParameterHandler &prm, const RunOutline &run) const override
   {
     const auto [settings, laws] = read(scene, prm);
-    return mpm::forecast(scene, settings, laws, run);
+    Forecast result = mpm::forecast(scene, settings, laws, run);
+    for (const std::string &line : unused_settings(parameter_tree(prm), settings))
+      result.warnings.push_back(line);
+    return result;
   }
 
   std::unique_ptr<Model<2>> create(const Scene<2> &scene, dealii::ParameterHandler &prm) const override

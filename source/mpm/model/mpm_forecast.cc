@@ -268,6 +268,7 @@ Forecast forecast(const Scene<2> &scene,
       {"unknowns", "about " + count_in_words(unknowns)},
       {"shape functions", settings.shape},
       {"time scheme", settings.scheme.name},
+      {"contact", settings.contact_geometry},
       {"CFL step", text(cfl, " s")},
       {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
   return result;

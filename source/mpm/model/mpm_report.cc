@@ -125,6 +125,7 @@ SizeReport MpmModel::size_report() const
       {"unknowns", std::to_string(dofs)},
       {"shape functions", problem.settings.shape},
       {"time scheme", scheme_in_words(problem.settings.scheme)},
+      {"contact", problem.settings.contact_geometry},
       {"CFL step", text(cfl_step(), " s")},
       {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};
   add_ranks(report);

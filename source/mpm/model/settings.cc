@@ -204,7 +204,9 @@ void declare_contact(dealii::ParameterHandler &prm)
             "condensed: contact is solved with the true compliance of the bodies, once per Newton iteration; "
             "lumped: with nodal masses, iterated together with Newton's method (the thesis).");
         prm.declare_entry("Marker spacing", "0.5", Double(0.05, 4.),
-                          "Distance of the markers on a boundary that look for contact. Units: cells.");
+                          "Distance of the markers on a boundary that look for contact, with rays of those "
+                          "on which outlines "
+                          "are built: an outline has four vertices to each. Units: cells.");
         prm.declare_entry(
             "Largest penetration", "0.1", Double(1e-6, 1e6),
             "How deep bodies may lie in each other, in walls and in obstacles at the end of a step, told by "
