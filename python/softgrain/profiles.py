@@ -73,6 +73,60 @@ def pressures_of(state) -> Table:
     return Table({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, "contact pressures")
 
 
+PARTS_OF_PIECE = 8
+
+
+def pressures_on_outlines(state) -> Table:
+    """
+    Pressure and traction of contact at the vertices of all outlines, one after the other as in ``state.outlines.points_m``; zero where
+    nothing touches. Both bodies of a contact have it, each on its own outline. ``length_m`` is half of both sides at a vertex; sums of
+    ``contact_pressure_Pa * length_m`` along a body are what its contacts press, exactly.
+    """
+    pieces, start, rings = state.contact_pressures, 0, {}
+    for body, loops in state.outlines.items():
+        rings[body] = []
+        for ring in loops:
+            rings[body].append((start, ring))
+            start += len(ring)
+    length, pressed, rubbed = np.zeros(start), np.zeros(start), np.zeros(start)
+    for first, ring in (pair for loops in rings.values() for pair in loops):
+        side = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
+        length[first:first + len(ring)] = (side + np.roll(side, 1)) / 2
+    within = ((np.arange(PARTS_OF_PIECE) + 0.5) / PARTS_OF_PIECE - 0.5)[None, :, None]
+    place = pieces["place_m"][:, None] + within * (pieces["length_m"][:, None] * pieces["direction"])[:, None]
+    part = pieces["length_m"] / PARTS_OF_PIECE
+    for number in np.unique(pieces["contact"]):
+        rows = np.flatnonzero(pieces["contact"] == number)
+        for name, shift in (("body_a", 0), ("body_b", pieces["image_m"][rows[0]])):
+            body = int(pieces[name][rows[0]])
+            if body not in rings or (name == "body_b" and pieces["wall"][rows[0]] != NONE):
+                continue
+            vertex, share = vertices_near(rings[body], (place[rows] - shift).reshape(-1, 2))
+            for target, of in ((pressed, "contact_pressure_Pa"), (rubbed, "contact_traction_Pa")):
+                force = np.repeat(pieces[of][rows] * part[rows], PARTS_OF_PIECE)
+                np.add.at(target, vertex, share * force)
+    return Table({"contact_pressure_Pa": pressed / length, "contact_traction_Pa": rubbed / length, "length_m": length}, "outlines")
+
+
+def vertices_near(rings, places):
+    """The two vertices at the side that is nearest to each place, and which part each of them takes of what is there."""
+    best = np.full(len(places), np.inf)
+    vertex, share = np.zeros((2, len(places)), dtype=int), np.zeros((2, len(places)))
+    for first, ring in rings:
+        side = np.roll(ring, -1, axis=0) - ring
+        along = ((places[:, None] - ring) * side).sum(axis=2) / np.maximum((side**2).sum(axis=1), 1e-300)
+        along = np.clip(along, 0, 1)
+        distance = ((ring + along[..., None] * side - places[:, None])**2).sum(axis=2)
+        nearest = distance.argmin(axis=1)
+        here = np.arange(len(places))
+        better = distance[here, nearest] < best
+        best = np.where(better, distance[here, nearest], best)
+        at = along[here, nearest]
+        vertex = np.where(better, first + np.stack([nearest, (nearest + 1) % len(ring)]), vertex)
+        share = np.where(better, np.stack([1 - at, at]), share)
+    return vertex, share
+
+
 class NoWay(InputError):
     """A contact that tells no width, or no direction."""
 

@@ -6,6 +6,7 @@ import os
 import numpy as np
 
 from .errors import InputError, need, need_pip
+from .profiles import pressures_on_outlines
 
 PARTS = ("points", "outlines", "contacts", "contact_pressures", "walls")
 
@@ -16,7 +17,10 @@ def three(values):
 
 
 def to_vtk(state, part):
-    """A vtkPolyData of a part of a state: points, contacts and pressures along them as vertices, outlines and walls as closed and open lines."""
+    """
+    A vtkPolyData of a part of a state: points, contacts and pressures along them as vertices, outlines and walls as closed and open lines.
+    The vertices of outlines have the pressure and the traction of contact, where contacts were written.
+    """
     if part not in PARTS:
         raise InputError(f"there is no mesh of '{part}'; there are {', '.join(PARTS)}")
     try:
@@ -26,6 +30,7 @@ def to_vtk(state, part):
     except ImportError as error:
         raise need("python3-vtk9", error) from error
     places, lines, data = mesh_of(state, part)
+    of_places = {} if lines else data
     mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
     points.SetData(numpy_to_vtk(three(places), deep=1))
@@ -35,13 +40,15 @@ def to_vtk(state, part):
     cells.SetData(*(numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, dtype=np.int64), deep=1)
                     for a in (offsets, numbers)))
     (mesh.SetLines if lines else mesh.SetVerts)(cells)
-    target = mesh.GetCellData() if lines else mesh.GetPointData()
-    for name, values in data.items():
-        if values.dtype.kind in "US" or values.ndim > 2:
-            continue
-        array = numpy_to_vtk(np.ascontiguousarray(three(values), dtype=float), deep=1)
-        array.SetName(name)
-        target.AddArray(array)
+    if part == "outlines" and state.has("contacts"):
+        of_places = dict(pressures_on_outlines(state).items())
+    for target, columns in ((mesh.GetPointData(), of_places), (mesh.GetCellData(), data if lines else {})):
+        for name, values in columns.items():
+            if values.dtype.kind in "US" or values.ndim > 2:
+                continue
+            array = numpy_to_vtk(np.ascontiguousarray(three(values), dtype=float), deep=1)
+            array.SetName(name)
+            target.AddArray(array)
     return mesh
 
 

@@ -151,6 +151,7 @@ class Pictures(unittest.TestCase):
         self.assertGreater(len(pieces), 20 * len(pairs))
         mesh = state.to_vtk("contact_pressures")
         self.assertEqual(mesh.GetPointData().GetArray("contact_pressure_Pa").GetNumberOfTuples(), len(pieces))
+        from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(state.to_vtp("pressures.vtp", "contact_pressures"))
@@ -158,6 +159,12 @@ class Pictures(unittest.TestCase):
         self.assertEqual(reader.GetOutput().GetNumberOfPoints(), len(pieces))
         with self.assertRaisesRegex(softgrain.InputError, "ends with .vtp"):
             state.to_vtp("pressures.vtk", "contact_pressures")
+        mesh = state.to_vtk("outlines")
+        pressure, length = (vtk_to_numpy(mesh.GetPointData().GetArray(name)) for name in ("contact_pressure_Pa", "length_m"))
+        self.assertEqual(len(pressure), len(state.outlines.points_m))
+        bodies = 1 + (pieces.wall == -1)  # on whose outlines a contact is seen
+        self.assertAlmostEqual(pressure @ length / (bodies * pieces.contact_pressure_Pa * pieces.length_m).sum(), 1, 12)
+        self.assertLess(abs(pressure.max() / pieces.contact_pressure_Pa.max() - 1), 0.05)
         first = pieces.where(pieces.contact == 0)
         self.assertGreater(first.contact_pressure_Pa.argmax(), 10)  # not at an end
         path, = self.draw("render.py", common.EXAMPLE, "--field", "contact_pressure", "--output", "pressures.png", *PNG)
