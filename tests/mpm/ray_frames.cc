@@ -78,7 +78,7 @@ struct Into
 class Contact
 {
 public:
-  Contact(const FrameScene &scene, const Vectors &at_start, ContactFrame<2> frame)
+  Contact(const FrameScene<2> &scene, const Vectors &at_start, ContactFrame<2> frame)
       : scene(scene), start(at_start), forces(frame.rays.size(), 0.7), frame(frame, scene)
   {
     for (unsigned int k = 0; k < forces.size(); ++k)
@@ -111,11 +111,11 @@ public:
     for (unsigned int b = 0; b < start.size(); ++b)
       result[b].setZero(start[b].size());
     for (unsigned int side = 0; side < 2; ++side)
-      if (const unsigned int b = frame.body(side); b != FrameState::none)
+      if (const unsigned int b = frame.body(side); b != FrameState<2>::none)
       {
         for (unsigned int k = 0; k < forces.size(); ++k)
           frame.for_gradient(k, side, forces[k], Into{result[b]});
-        frame.for_mean(side, -frame.tangential(forces), Into{result[b]});
+        frame.for_mean(side, 0, -frame.tangential(forces)[0], Into{result[b]});
       }
     return result;
   }
@@ -129,10 +129,10 @@ public:
       for (Vectors *each : {&mixed, &mean, &result})
         (*each)[b].setZero(start[b].size());
     for (unsigned int side = 0; side < 2; ++side)
-      if (const unsigned int b = frame.body(side); b != FrameState::none)
+      if (const unsigned int b = frame.body(side); b != FrameState<2>::none)
       {
-        frame.for_mixed(side, forces, frame.as_motion(), Into{mixed[b]});
-        frame.for_mean(side, 1., Into{mean[b]});
+        frame.for_mixed(side, forces, frame.as_motion(0), Into{mixed[b]});
+        frame.for_mean(side, 0, 1., Into{mean[b]});
         for (unsigned int k = 0; k < forces.size(); ++k)
           frame.ray(k).side[side].second_derivative(
               [&](const unsigned int i, const unsigned int j, const dealii::Tensor<2, 2> &block)
@@ -149,20 +149,20 @@ public:
       by_mixed += mixed[b].dot(way[b]);
     }
     for (unsigned int b = 0; b < start.size(); ++b)
-      result[b] += moves * mixed[b] + (by_mixed + frame.twice_by_motion(forces) * moves) * mean[b];
+      result[b] += moves * mixed[b] + (by_mixed + frame.twice_by_motion(forces, 0, 0) * moves) * mean[b];
     return result;
   }
 
-  const FrameScene &scene;
+  const FrameScene<2> &scene;
   const Vectors start;
   std::vector<double> forces;
-  FrameState frame;
+  FrameState<2> frame;
 };
 
 /// Both bodies of a frame are carried along: what that does to gaps and slides, and to the force on the
 /// nodes, as far as the frame stays, against differences.
 void carry(const std::string &name,
-           FrameScene scene,
+           FrameScene<2> scene,
            const Vectors &start,
            const ContactFrame<2> &frame,
            const Vectors &here)
@@ -177,7 +177,7 @@ void carry(const std::string &name,
   scene.carried.assign(start.size(), Vector());
   Contact contact(scene, start, frame);
   contact.go(here);
-  const FrameState at = contact.frame;
+  const FrameState<2> at = contact.frame;
   double gap = 0., difference = 0., slide = 0., slid = 0.;
   for (unsigned int k = 0; k < contact.forces.size(); ++k)
   {
@@ -286,7 +286,7 @@ int main()
   arc.description.pieces = {Curve::arc({-0.3, 4.}, 1., -1., 1.)};
   line.description.pieces = {Curve::segment({2.6, 8.}, {2.9, 6.3})};
   const std::vector<ObstacleLine> obstacles{ObstacleLine(arc), ObstacleLine(line)};
-  FrameScene scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
+  FrameScene<2> scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
   scene.lines = &obstacles;
   Vectors start;
   for (const Body<2> &body : bodies)

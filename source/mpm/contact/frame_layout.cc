@@ -4,31 +4,94 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace softgrain::mpm
 {
 namespace
 {
-using Frame = ContactFrame<2>;
-using Vector = dealii::Tensor<1, 2>;
-using Point = dealii::Point<2>;
-
 constexpr double steepest = 2.;         ///< slope of a surface over the lattice
 constexpr double deepest = 0.5;         ///< overlap of surfaces that meet [cells]
 constexpr double beside_corners = 0.05; ///< no new ray meets a side nearer to a corner [cells]
 constexpr unsigned int tries = 4;       ///< places from which a ray looks for a surface
 } // namespace
 
+namespace
+{
+/// Where a place lies across the rays, from the origin [m].
+template <int dim>
+dealii::Tensor<1, dim - 1> across_of(const ContactFrame<dim> &frame, const dealii::Point<dim> &x)
+{
+  dealii::Tensor<1, dim - 1> y;
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    y[m] = (x - frame.origin) * frame.across[m];
+  return y;
+}
+
+/// To where slopes are 0, a cell at most.
+template <int n>
+dealii::Tensor<1, n>
+way_to_nearest(const dealii::Tensor<1, n> &slope, const dealii::Tensor<2, n> &bend, const double cell_size)
+{
+  dealii::Tensor<1, n> way;
+  if constexpr (n == 1)
+    way[0] = std::clamp(-slope[0] / bend[0][0], -cell_size, cell_size);
+  else
+  {
+    way = -1. * (invert(bend) * slope);
+    way *= std::min(1., cell_size / std::max(way.norm(), 1e-300));
+  }
+  return way;
+}
+
+/// Those of the lattice that stand near places of the stretch, in ascending order.
+std::vector<std::array<int, 1>> lattice_near(const ContactFrame<2> &frame,
+                                             const std::vector<dealii::Tensor<1, 1>> &places)
+{
+  double lower = std::numeric_limits<double>::max(), upper = -lower;
+  for (const auto &y : places)
+  {
+    lower = std::min(lower, y[0]);
+    upper = std::max(upper, y[0]);
+  }
+  const int first = std::ceil(lower / frame.spacing - 0.5), last = std::floor(upper / frame.spacing + 0.5);
+  std::vector<std::array<int, 1>> list;
+  for (int k = first; k <= last; ++k)
+    list.push_back({{k}});
+  return list;
+}
+
+std::vector<std::array<int, 2>> lattice_near(const ContactFrame<3> &frame,
+                                             const std::vector<dealii::Tensor<1, 2>> &places)
+{
+  std::set<std::array<int, 2>> list;
+  for (const auto &y : places)
+  {
+    const int j = std::lround(y[1] / (0.86602540378443864676 * frame.spacing));
+    for (int row = j - 1; row <= j + 1; ++row)
+    {
+      const int i = std::lround(y[0] / frame.spacing - 0.5 * row);
+      for (int k = i - 1; k <= i + 1; ++k)
+        if ((frame.offset({{k, row}}) - y).norm() < 0.75 * frame.spacing)
+          list.insert({{k, row}});
+    }
+  }
+  return {list.begin(), list.end()};
+}
+} // namespace
+
 /// From a corner there is no way to the side beyond it, so it is a guess on both.
-FrameLayout::Guesses
-FrameLayout::guesses_of(const FrameStretch &stretch, const Frame &frame, const unsigned int side) const
+template <int dim>
+typename FrameLayout<dim>::Guesses FrameLayout<dim>::guesses_of(const FrameStretch<dim> &stretch,
+                                                                const ContactFrame<dim> &frame,
+                                                                const unsigned int side) const
 {
   Guesses guesses;
   for (const auto &pair : stretch.facing)
-    if (pair[side] != Frame::none)
+    if (pair[side] != ContactFrame<dim>::none)
     {
       const auto &sample = surface(side).samples[pair[side]];
-      const double y = (sample.position - frame.origin) * frame.across[0];
+      const Across y = across_of(frame, sample.position);
       guesses.emplace_back(y, sample.place);
       if (sample.place.at_edge)
         guesses.emplace_back(y, scene.surface_of(frame, side).beyond_edge(sample.place));
@@ -37,41 +100,58 @@ FrameLayout::guesses_of(const FrameStretch &stretch, const Frame &frame, const u
 }
 
 /// Whether the ray meets the outside of the surface near a guess.
-bool FrameLayout::meet_from(const SurfacePlace<2> &guess,
-                            const Frame &frame,
-                            const unsigned int side,
-                            Frame::RayPlace &ray,
-                            double &height) const
+template <int dim>
+bool FrameLayout<dim>::meet_from(const SurfacePlace<dim> &guess,
+                                 const ContactFrame<dim> &frame,
+                                 const unsigned int side,
+                                 typename ContactFrame<dim>::RayPlace &ray,
+                                 double &height) const
 {
-  const RaySide<2> found = meet_surface(frame, side, ray.index[0] * frame.spacing, guess);
+  const RaySide<dim> found = meet_surface(frame, side, frame.offset(ray.index), guess);
   if (!found.met)
     return false;
   ray.place[side] = found.place;
   height = found.height;
-  const double outwards = (side == 0 ? 1. : -1.) * (found.way[0] * frame.across[0]);
-  return outwards > 0. && std::abs(found.normal * frame.across[0]) < steepest;
+  if constexpr (dim == 2)
+  {
+    const double outwards = (side == 0 ? 1. : -1.) * (found.way[0] * frame.across[0]);
+    return outwards > 0. && std::abs(found.normal * frame.across[0]) < steepest;
+  }
+  else
+  {
+    // Tangents of the surface run as those across the rays do where it is seen from outside.
+    dealii::Tensor<2, 2> ways;
+    for (unsigned int m = 0; m < 2; ++m)
+      for (unsigned int n = 0; n < 2; ++n)
+        ways[m][n] = found.way[m] * frame.across[n];
+    return (side == 0 ? 1. : -1.) * determinant(ways) > 0. &&
+           found.normal.norm_square() - 1. < steepest * steepest;
+  }
 }
 
-RaySide<2> FrameLayout::meet_surface(const Frame &frame,
-                                     const unsigned int side,
-                                     const double offset,
-                                     const SurfacePlace<2> &guess) const
+template <int dim>
+RaySide<dim> FrameLayout<dim>::meet_surface(const ContactFrame<dim> &frame,
+                                            const unsigned int side,
+                                            const Across &offset,
+                                            const SurfacePlace<dim> &guess) const
 {
-  const Ray<2> ray = ray_of(frame, offset, away(side));
+  const Ray<dim> ray = ray_of(frame, offset, away(side));
   const unsigned int b = side == 0 ? frame.partner : frame.body;
-  if (b == Frame::none)
-    return scene.line_of(frame)->meet(ray, 0., guess);
+  if constexpr (dim == 2)
+    if (b == ContactFrame<dim>::none)
+      return scene.line_of(frame)->meet(ray, 0., guess);
   return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].displacement, guess);
 }
 
 /// Where a ray meets a side. @param old the same ray before, if there was one
-bool FrameLayout::meet_side(const FrameStretch &stretch,
-                            const Frame &frame,
-                            const unsigned int side,
-                            const Guesses &guesses,
-                            const Frame::RayPlace *old,
-                            Frame::RayPlace &ray,
-                            double &height) const
+template <int dim>
+bool FrameLayout<dim>::meet_side(const FrameStretch<dim> &stretch,
+                                 const ContactFrame<dim> &frame,
+                                 const unsigned int side,
+                                 const Guesses &guesses,
+                                 const typename ContactFrame<dim>::RayPlace *old,
+                                 typename ContactFrame<dim>::RayPlace &ray,
+                                 double &height) const
 {
   if (side == 0 && partner == nullptr)
   {
@@ -87,53 +167,58 @@ bool FrameLayout::meet_side(const FrameStretch &stretch,
   }
   if (old != nullptr && meet_from(old->place[side], frame, side, ray, height))
     return true;
-  const double offset = ray.index[0] * frame.spacing;
+  const Across offset = frame.offset(ray.index);
   Guesses by_distance = guesses;
   std::stable_sort(by_distance.begin(), by_distance.end(),
                    [&](const auto &x, const auto &y)
-                   { return std::abs(x.first - offset) < std::abs(y.first - offset); });
+                   { return (x.first - offset).norm() < (y.first - offset).norm(); });
   for (unsigned int i = 0; i < std::min<std::size_t>(tries, by_distance.size()); ++i)
     if (meet_from(by_distance[i].second, frame, side, ray, height) &&
-        (stretch.corner != Frame::none || !near_corner(frame, side, ray.place[side])))
+        (stretch.corner != ContactFrame<dim>::none || !near_corner(frame, side, ray.place[side])))
       return true;
   return false;
 }
 
 /// Corners have rays of their own.
-bool FrameLayout::near_corner(const Frame &frame, const unsigned int side, const SurfacePlace<2> &place) const
+template <int dim>
+bool FrameLayout<dim>::near_corner(const ContactFrame<dim> &frame,
+                                   const unsigned int side,
+                                   const SurfacePlace<dim> &place) const
 {
-  const RestSurface<2> &surface = scene.surface_of(frame, side);
-  dealii::Tensor<1, 1> way;
-  way[0] = beside_corners * scene.cell_size;
-  return surface.move(place, way).at_edge || surface.move(place, -way).at_edge;
+  const RestSurface<dim> &surface = scene.surface_of(frame, side);
+  for (unsigned int m = 0; m < dim - 1; ++m)
+  {
+    Across way;
+    way[m] = beside_corners * scene.cell_size;
+    if (surface.move(place, way).at_edge || surface.move(place, -way).at_edge)
+      return true;
+  }
+  return false;
 }
 
-void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
+template <int dim>
+void FrameLayout<dim>::lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
 {
-  const Vector t = frame.across[0];
-  double lower = std::numeric_limits<double>::max(), upper = -lower;
   std::array<Guesses, 2> guesses;
   for (unsigned int side = 0; side < 2; ++side)
     guesses[side] = guesses_of(stretch, frame, side);
-  for (const auto &pair : stretch.facing)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (pair[side] != Frame::none)
-      {
-        const auto &sample = surface(side).samples[pair[side]];
-        const double y = (sample.position - frame.origin) * t;
-        lower = std::min(lower, y);
-        upper = std::max(upper, y);
-      }
-  std::vector<Frame::RayPlace> rays;
-  const bool one = stretch.corner != Frame::none;
-  const int first = one ? 0 : std::ceil(lower / frame.spacing - 0.5),
-            last = one ? 0 : std::floor(upper / frame.spacing + 0.5);
-  for (int k = first; k <= last; ++k)
+  std::vector<std::array<int, dim - 1>> lattice(1);
+  if (stretch.corner == ContactFrame<dim>::none)
   {
-    Frame::RayPlace place;
-    place.index[0] = k;
-    const auto old = std::find_if(frame.rays.begin(), frame.rays.end(),
-                                  [&](const Frame::RayPlace &r) { return r.index[0] == k; });
+    std::vector<Across> places;
+    for (const auto &pair : stretch.facing)
+      for (unsigned int side = 0; side < 2; ++side)
+        if (pair[side] != ContactFrame<dim>::none)
+          places.push_back(across_of(frame, surface(side).samples[pair[side]].position));
+    lattice = lattice_near(frame, places);
+  }
+  std::vector<typename ContactFrame<dim>::RayPlace> rays;
+  for (const auto &index : lattice)
+  {
+    typename ContactFrame<dim>::RayPlace place;
+    place.index = index;
+    const auto old =
+        std::find_if(frame.rays.begin(), frame.rays.end(), [&](const auto &r) { return r.index == index; });
     bool met = true;
     std::array<double, 2> height{};
     for (unsigned int side = 0; side < 2 && met; ++side)
@@ -157,10 +242,11 @@ void FrameLayout::lay(const FrameStretch &stretch, Frame &frame) const
   frame.rays = std::move(rays);
 }
 
-void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
+template <int dim>
+void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
 {
   const bool wall = partner == nullptr;
-  std::array<const SurfacePlace<2> *, 2> guess{};
+  std::array<const SurfacePlace<dim> *, 2> guess{};
   double nearest = std::numeric_limits<double>::max();
   for (const auto &pair : stretch.facing)
   {
@@ -175,39 +261,44 @@ void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
     if (!wall)
       frame.origin += 0.5 * (partner->samples[pair[0]].position - of_body.position);
   }
-  const Point first = frame.origin;
-  std::array<SurfacePlace<2>, 2> place;
+  const dealii::Point<dim> first = frame.origin;
+  std::array<SurfacePlace<dim>, 2> place;
   for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
     place[side] = *guess[side];
   note_dent(place, frame);
   for (unsigned int iteration = 0; iteration < 6; ++iteration)
   {
-    const Vector &t = frame.across[0];
-    double slope = 0., bend = 0., height = 0.;
+    Across slope;
+    dealii::Tensor<2, dim - 1> bend;
+    double height = 0.;
     Vector normal;
     for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
     {
-      const RaySide<2> found = meet_surface(frame, side, 0., place[side]);
+      const RaySide<dim> found = meet_surface(frame, side, Across(), place[side]);
       if (!found.met)
         return;
       place[side] = found.place;
       const double sign = side == 0 ? -1. : 1.;
-      slope -= sign * (found.normal * t);
-      bend += sign * (t * (found.sliding_twice * t));
+      for (unsigned int m = 0; m < dim - 1; ++m)
+      {
+        slope[m] -= sign * (found.normal * frame.across[m]);
+        for (unsigned int n = 0; n < dim - 1; ++n)
+          bend[m][n] += sign * (frame.across[m] * (found.sliding_twice * frame.across[n]));
+      }
       height += (wall ? 1. : 0.5) * found.height;
       normal += found.normal / found.normal.norm();
     }
-    if (!(bend > 0.))
+    if (!(bend[0][0] > 0.) || !(determinant(bend) > 0.))
       return;
-    const double way = std::clamp(-slope / bend, -scene.cell_size, scene.cell_size);
-    frame.origin += way * t + (wall ? 0. : height) * frame.direction;
+    const Across way = way_to_nearest(slope, bend, scene.cell_size);
+    Vector moved = way[0] * frame.across[0];
+    if constexpr (dim == 3)
+      moved += way[1] * frame.across[1];
+    frame.origin += moved + (wall ? 0. : height) * frame.direction;
     if (!wall)
-    {
-      frame.direction = normal / normal.norm();
-      frame.across[0] = Vector({frame.direction[1], -frame.direction[0]});
-    }
+      frame.turn(normal / normal.norm());
     note_dent(place, frame);
-    if (std::abs(way) < 1e-10 * scene.cell_size)
+    if (way.norm() < 1e-10 * scene.cell_size)
       break;
     if (frame.origin.distance(first) > 2. * scene.cell_size)
       return;
@@ -215,14 +306,19 @@ void FrameLayout::center(const FrameStretch &stretch, Frame &frame) const
 }
 
 /// Where on the grids of both the frame begins.
-void FrameLayout::note_dent(const std::array<SurfacePlace<2>, 2> &place, Frame &frame) const
+template <int dim>
+void FrameLayout<dim>::note_dent(const std::array<SurfacePlace<dim>, 2> &place,
+                                 ContactFrame<dim> &frame) const
 {
   for (unsigned int side = 0; side < 2; ++side)
   {
     const unsigned int b = side == 0 ? frame.partner : frame.body;
-    if (b != Frame::none && SubgridCompliance::is_round(scene.bodies[b]))
+    if (b != ContactFrame<dim>::none && SubgridLaw<dim>::is_round(scene.bodies[b]))
       frame.log_full_width[1 - side] = scene.subgrid.log_full_width(scene.bodies[b].law->poisson_ratio(),
                                                                     place[side].position, place[side].normal);
   }
 }
+
+template class FrameLayout<2>;
+template class FrameLayout<3>;
 } // namespace softgrain::mpm

@@ -10,23 +10,26 @@ namespace softgrain::mpm
 {
 /// How far across the rays it is from one of them to the end of the side that it meets, @p direction 1 or -1;
 /// no more than their spacing [m].
-double FrameState::way_to_edge(const FrameScene &scene, const unsigned int k, const double direction) const
+template <int dim>
+double
+FrameState<dim>::way_to_edge(const FrameScene<dim> &scene, const unsigned int k, const double direction) const
 {
   double least = frame.spacing;
   for (unsigned int side = flat_partner() ? 1 : 0; side < 2; ++side)
   {
-    const RaySide<2> &here = rays[k].side[side];
+    const RaySide<dim> &here = rays[k].side[side];
     const double per_offset = -(here.way[0] * frame.across[0]);
-    dealii::Tensor<1, 1> way;
+    dealii::Tensor<1, dim - 1> way;
     way[0] = per_offset * direction * frame.spacing;
-    const SurfacePlace<2> end = scene.surface_of(frame, side).move(here.place, way);
+    const SurfacePlace<dim> end = scene.surface_of(frame, side).move(here.place, way);
     if (end.at_edge)
       least = std::min(least, end.position.distance(here.place.position) / std::abs(per_offset));
   }
   return least;
 }
 
-bool FrameState::has_neighbour(const unsigned int k, const int direction) const
+template <int dim>
+bool FrameState<dim>::has_neighbour(const unsigned int k, const int direction) const
 {
   const unsigned int next = k + direction; // beyond all for the first
   return next < rays.size() && rays[next].met &&
@@ -35,8 +38,9 @@ bool FrameState::has_neighbour(const unsigned int k, const int direction) const
 
 /// The gap at its ends is drawn from the slope at the ray: neighbours come and go, and curvatures jump from
 /// cell to cell.
-std::array<FrameState::HalfLength, 2> FrameState::half_lengths(const FrameScene &scene,
-                                                               const unsigned int k) const
+template <int dim>
+std::array<typename FrameState<dim>::HalfLength, 2>
+FrameState<dim>::half_lengths(const FrameScene<dim> &scene, const unsigned int k) const
 {
   std::array<HalfLength, 2> halves;
   for (const unsigned int half : {0, 1})
@@ -45,13 +49,14 @@ std::array<FrameState::HalfLength, 2> FrameState::half_lengths(const FrameScene 
     const double edge = way_to_edge(scene, k, direction);
     const bool ends = edge < frame.spacing && !has_neighbour(k, direction);
     const double length = ends ? edge : 0.5 * frame.spacing;
-    halves[half] = {length, rays[k].gap + direction * length * rays[k].by_motion};
+    halves[half] = {length, rays[k].gap + direction * length * rays[k].by_motion[0]};
   }
   return halves;
 }
 
 /// At the gaps that were last met [N/m].
-double FrameState::pull_now(const FrameScene &scene, const unsigned int k) const
+template <int dim>
+double FrameState<dim>::pull_now(const FrameScene<dim> &scene, const unsigned int k) const
 {
   if (strength == 0. || !rays[k].met || rays[k].left)
     return 0.;
@@ -61,7 +66,8 @@ double FrameState::pull_now(const FrameScene &scene, const unsigned int k) const
   return strength * sum;
 }
 
-void FrameState::find_pulls(const FrameScene &scene, const bool held)
+template <int dim>
+void FrameState<dim>::find_pulls(const FrameScene<dim> &scene, const bool held)
 {
   if (strength == 0.)
     return;
@@ -77,7 +83,8 @@ void FrameState::find_pulls(const FrameScene &scene, const bool held)
   }
 }
 
-double FrameState::pull_to_come(const FrameScene &scene) const
+template <int dim>
+double FrameState<dim>::pull_to_come(const FrameScene<dim> &scene) const
 {
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
@@ -85,10 +92,11 @@ double FrameState::pull_to_come(const FrameScene &scene) const
   return sum;
 }
 
-double FrameState::memory_after(const FrameScene &scene,
-                                const unsigned int k,
-                                const double force,
-                                const double rubbing) const
+template <int dim>
+double FrameState<dim>::memory_after(const FrameScene<dim> &scene,
+                                     const unsigned int k,
+                                     const double force,
+                                     const double rubbing) const
 {
   if (strength == 0. || !rays[k].met || rays[k].left)
     return 0.;
@@ -100,4 +108,8 @@ double FrameState::memory_after(const FrameScene &scene,
       scene.adhesion->nearest(rays[k].gap, {{halves[0].gap - rays[k].gap, halves[1].gap - rays[k].gap}});
   return scene.adhesion->memory_after(rays[k].memory, {nearest, closed(k, force), slides, scene.dt});
 }
+
+template void FrameState<2>::find_pulls(const FrameScene<2> &, bool);
+template double FrameState<2>::pull_to_come(const FrameScene<2> &) const;
+template double FrameState<2>::memory_after(const FrameScene<2> &, unsigned int, double, double) const;
 } // namespace softgrain::mpm

@@ -16,11 +16,11 @@ NodeWeights weights_of(const PlaceFunctions<2> &function)
   return weights;
 }
 /// Where a row is in the cell that repeats.
-void place_in_cell(const FrameScene &scene, const FrameState &frame, ContactRow<2> &row)
+void place_in_cell(const FrameScene<2> &scene, const FrameState<2> &frame, ContactRow<2> &row)
 {
   const Body<2> &body = scene.bodies[row.body];
   const dealii::Point<2> center = body.center();
-  row.branch = frame.body(0) == FrameState::none
+  row.branch = frame.body(0) == FrameState<2>::none
                    ? center - row.place
                    : center - (scene.bodies[row.partner].center() + frame.image_shift());
   row.image = frame.layout().image;
@@ -31,8 +31,8 @@ void place_in_cell(const FrameScene &scene, const FrameState &frame, ContactRow<
 }
 } // namespace
 
-std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
-                                          const std::vector<FrameState> &frames,
+std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
+                                          const std::vector<FrameState<2>> &frames,
                                           const RayForces &force,
                                           const RayForces &rubbing,
                                           ContactMemory<2> &memory)
@@ -40,13 +40,13 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
   std::vector<ContactRow<2>> rows;
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
-    const FrameState &frame = frames[f];
+    const FrameState<2> &frame = frames[f];
     const ContactFrame<2> &layout = frame.layout();
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
       if (force[f][k] == 0.)
         continue;
-      const FrameState::RayHere &ray = frame.ray(k);
+      const FrameState<2>::RayHere &ray = frame.ray(k);
       ContactRow<2> row;
       row.body = layout.body;
       row.partner = layout.partner;
@@ -56,7 +56,7 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
         row.obstacle = true;
         row.partner_velocity = line->way_of(ray.side[0].place) / scene.dt;
       }
-      if (layout.partner != FrameState::none && scene.bodies[layout.partner].driven)
+      if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
         row.wall = scene.bodies[layout.partner].wall;
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
       row.normal = frame.resultant(k) / frame.resultant(k).norm();
@@ -69,9 +69,9 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
         given += rubbing[f][k] * ray.e;
       }
       row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function).shared();
-      if (frame.unknown(0) != FrameState::none)
+      if (frame.unknown(0) != FrameState<2>::none)
         row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function).shared();
-      const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion();
+      const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion()[0];
       row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
       row.length = layout.spacing * frame.resultant(k).norm(); // of outline
       if (scene.cell != nullptr)

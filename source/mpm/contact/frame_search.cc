@@ -17,36 +17,39 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Frame = ContactFrame<2>;
-using Vector = dealii::Tensor<1, 2>;
-using Point = dealii::Point<2>;
+template <int dim>
+using Frame = ContactFrame<dim>;
 
-constexpr double spacing_in_cells = 0.5;
+/// In space a field has fewer shapes for the forces of rays.
+template <int dim>
+constexpr double spacing_in_cells = dim == 2 ? 0.5 : 1.;
 constexpr double keeps_direction = 0.98163;
 /// Finds the stretches of a pair. @param lines samples of the obstacles
-void look(const FrameScene &scene,
-          const std::vector<SampledSurface<2>> &samples,
-          const std::vector<SampledSurface<2>> &lines,
-          FrameTask &task)
+template <int dim>
+void look(const FrameScene<dim> &scene,
+          const std::vector<SampledSurface<dim>> &samples,
+          const std::vector<SampledSurface<dim>> &lines,
+          FrameTask<dim> &task)
 {
-  const SampledSurface<2> &body = samples[task.named.body];
+  const SampledSurface<dim> &body = samples[task.named.body];
   if (scene.line_of(task.named) != nullptr)
   {
     // Long lines have but a part near a body.
-    task.image =
-        std::make_unique<SampledSurface<2>>(part_in(task.near, lines[task.named.wall - scene.walls.size()]));
+    if constexpr (dim == 2)
+      task.image = std::make_unique<SampledSurface<2>>(
+          part_in(task.near, lines[task.named.wall - scene.walls.size()]));
     task.partner = task.image.get();
     if (!task.partner->samples.empty())
       task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
   }
-  else if (task.named.partner == Frame::none)
+  else if (task.named.partner == Frame<dim>::none)
     task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], scene.reach_of(task.named));
   else
   {
     task.partner = &samples[task.named.partner];
     if (task.apart.norm_square() > 0.)
     {
-      task.image = std::make_unique<SampledSurface<2>>(*task.partner);
+      task.image = std::make_unique<SampledSurface<dim>>(*task.partner);
       for (auto &sample : task.image->samples)
         sample.position += task.apart;
       task.partner = task.image.get();
@@ -58,35 +61,41 @@ void look(const FrameScene &scene,
 
 /// Frames of the step before, by what they have in common with their successors: moved with bodies that have
 /// been brought into the cell since then.
-std::multimap<Frame::Key, Frame> by_key(const FrameScene &scene, std::vector<Frame> frames)
+template <int dim>
+std::multimap<typename Frame<dim>::Key, Frame<dim>> by_key(const FrameScene<dim> &scene,
+                                                           std::vector<Frame<dim>> frames)
 {
-  std::multimap<Frame::Key, Frame> result;
-  for (Frame &frame : frames)
+  std::multimap<typename Frame<dim>::Key, Frame<dim>> result;
+  for (Frame<dim> &frame : frames)
   {
-    const Body<2> &body = scene.bodies[frame.body];
-    if (scene.cell != nullptr && frame.home != body.home)
-    {
-      frame.origin -= scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
-      frame.home = body.home;
-    }
+    const Body<dim> &body = scene.bodies[frame.body];
+    if constexpr (dim == 2)
+      if (scene.cell != nullptr && frame.home != body.home)
+      {
+        frame.origin -=
+            scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
+        frame.home = body.home;
+      }
     result.emplace(frame.key(), std::move(frame));
   }
   return result;
 }
 
 /// A frame for a stretch, or the one of those before that covers it.
-Frame start_frame(const FrameScene &scene,
-                  const FrameStretch &stretch,
-                  const Frame &named,
-                  std::multimap<Frame::Key, Frame> &before)
+template <int dim>
+Frame<dim> start_frame(const FrameScene<dim> &scene,
+                       const FrameStretch<dim> &stretch,
+                       const Frame<dim> &named,
+                       std::multimap<typename Frame<dim>::Key, Frame<dim>> &before)
 {
   const auto [first, end] = before.equal_range(named.key());
   auto best = end;
   double nearest = std::numeric_limits<double>::max();
   for (auto old = first; old != end; ++old)
   {
-    const bool pressed = std::any_of(old->second.rays.begin(), old->second.rays.end(),
-                                     [](const Frame::RayPlace &ray) { return ray.force != 0.; });
+    const bool pressed =
+        std::any_of(old->second.rays.begin(), old->second.rays.end(),
+                    [](const typename Frame<dim>::RayPlace &ray) { return ray.force != 0.; });
     if (!pressed || old->second.direction * stretch.direction < keeps_direction)
       continue;
     const double distance = old->second.origin.distance(stretch.middle);
@@ -98,30 +107,30 @@ Frame start_frame(const FrameScene &scene,
   }
   if (best != end)
   {
-    Frame kept = std::move(best->second);
+    Frame<dim> kept = std::move(best->second);
     before.erase(best);
     return kept;
   }
-  Frame frame = named;
+  Frame<dim> frame = named;
   frame.rays.clear();
   frame.home = scene.bodies[frame.body].home;
-  frame.direction = stretch.direction;
-  frame.across[0] = Vector({stretch.direction[1], -stretch.direction[0]});
+  frame.turn(stretch.direction);
   frame.origin = stretch.middle;
-  frame.spacing = spacing_in_cells * scene.cell_size;
+  frame.spacing = spacing_in_cells<dim> * scene.cell_size;
   return frame;
 }
 
 /// Rays of a frame that is new remember what has become of the material that they meet. @param before frames
 /// that have no successor
-void inherit_memory(const std::multimap<Frame::Key, Frame> &before, Frame &frame)
+template <int dim>
+void inherit_memory(const std::multimap<typename Frame<dim>::Key, Frame<dim>> &before, Frame<dim> &frame)
 {
   const auto [first, end] = before.equal_range(frame.key());
-  for (Frame::RayPlace &ray : frame.rays)
+  for (typename Frame<dim>::RayPlace &ray : frame.rays)
   {
     double nearest = 0.75 * frame.spacing;
     for (auto old = first; old != end; ++old)
-      for (const Frame::RayPlace &other : old->second.rays)
+      for (const typename Frame<dim>::RayPlace &other : old->second.rays)
         if (const double distance = other.place[1].position.distance(ray.place[1].position);
             distance < nearest)
         {
@@ -132,16 +141,18 @@ void inherit_memory(const std::multimap<Frame::Key, Frame> &before, Frame &frame
 }
 
 /// What all tasks have in common.
+template <int dim>
 struct LookedAt
 {
-  const FrameScene &scene;
-  const std::vector<SampledSurface<2>> &samples, &lines; ///< of bodies and of obstacles
+  const FrameScene<dim> &scene;
+  const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies and of obstacles
 };
 
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
-void find_here(const LookedAt &at,
-               std::multimap<Frame::Key, Frame> &before,
-               const std::vector<FrameTask *> &tasks)
+template <int dim>
+void find_here(const LookedAt<dim> &at,
+               std::multimap<typename Frame<dim>::Key, Frame<dim>> &before,
+               const std::vector<FrameTask<dim> *> &tasks)
 {
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
@@ -149,12 +160,12 @@ void find_here(const LookedAt &at,
                  for (std::size_t i = begin; i < end; ++i)
                    look(at.scene, at.samples, at.lines, *tasks[i]);
                });
-  for (FrameTask *const task : tasks)
-    for (const FrameStretch &stretch : task->stretches)
+  for (FrameTask<dim> *const task : tasks)
+    for (const FrameStretch<dim> &stretch : task->stretches)
     {
-      Frame named = task->named;
+      Frame<dim> named = task->named;
       named.corner = stretch.corner;
-      if (stretch.corner != Frame::none)
+      if (stretch.corner != Frame<dim>::none)
       {
         named.rays.resize(1);
         named.rays[0].place[stretch.corner] = (stretch.corner == 0 ? *task->partner : at.samples[named.body])
@@ -169,11 +180,12 @@ void find_here(const LookedAt &at,
                {
                  for (std::size_t i = begin; i < end; ++i)
                  {
-                   FrameTask &task = *tasks[i];
-                   const FrameLayout layout(at.scene, task.apart, task.partner, at.samples[task.named.body]);
+                   FrameTask<dim> &task = *tasks[i];
+                   const FrameLayout<dim> layout(at.scene, task.apart, task.partner,
+                                                 at.samples[task.named.body]);
                    for (unsigned int s = 0; s < task.found.size(); ++s)
                    {
-                     if (task.found[s].rays.empty() && task.found[s].corner == Frame::none)
+                     if (task.found[s].rays.empty() && task.found[s].corner == Frame<dim>::none)
                        layout.center(task.stretches[s], task.found[s]);
                      layout.lay(task.stretches[s], task.found[s]);
                      if (remembers && task.found[s].id == 0)
@@ -184,13 +196,14 @@ void find_here(const LookedAt &at,
 }
 
 /// Finds the frames of all tasks, those of other ranks' bodies by asking these.
-void find_in_tasks(const LookedAt &at,
-                   std::multimap<Frame::Key, Frame> &before,
-                   std::vector<FrameTask> &tasks)
+template <int dim>
+void find_in_tasks(const LookedAt<dim> &at,
+                   std::multimap<typename Frame<dim>::Key, Frame<dim>> &before,
+                   std::vector<FrameTask<dim>> &tasks)
 {
   const BodyShare *const share = at.scene.looking;
-  std::vector<FrameTask *> here, elsewhere;
-  for (FrameTask &task : tasks)
+  std::vector<FrameTask<dim> *> here, elsewhere;
+  for (FrameTask<dim> &task : tasks)
     (share == nullptr || share->mine(task.named.body) ? here : elsewhere).push_back(&task);
   if (share == nullptr)
     return find_here(at, before, here);
@@ -199,7 +212,7 @@ void find_in_tasks(const LookedAt &at,
       [&]()
       {
         find_here(at, before, here);
-        for (const FrameTask *const task : here)
+        for (const FrameTask<dim> *const task : here)
           if (!share->alone())
             tell_frames(task->found, told[task->named.body]);
       },
@@ -207,52 +220,61 @@ void find_in_tasks(const LookedAt &at,
   std::vector<const double *> next;
   for (const std::vector<double> &of_body : told)
     next.push_back(of_body.data());
-  for (FrameTask *const task : elsewhere)
+  for (FrameTask<dim> *const task : elsewhere)
     task->found = take_frames(task->named, next[task->named.body]);
 }
 } // namespace
 
-dealii::Tensor<1, 2> FrameScene::apart(const ContactFrame<2> &frame) const
+template <int dim>
+dealii::Tensor<1, dim> FrameScene<dim>::apart(const ContactFrame<dim> &frame) const
 {
-  if (cell == nullptr || frame.partner == Frame::none)
-    return dealii::Tensor<1, 2>();
-  PeriodicCell<2>::Image here = frame.image;
-  for (unsigned int d = 0; d < 2; ++d)
+  if (cell == nullptr || frame.partner == Frame<dim>::none)
+    return dealii::Tensor<1, dim>();
+  typename PeriodicCell<dim>::Image here = frame.image;
+  for (unsigned int d = 0; d < dim; ++d)
     here[d] += bodies[frame.partner].home[d] - bodies[frame.body].home[d];
-  return cell->cell.shift(here);
+  if constexpr (dim == 2)
+    return cell->cell.shift(here);
+  return dealii::Tensor<1, dim>();
 }
 
-Ray<2> ray_of(const ContactFrame<2> &frame, const double offset, const dealii::Tensor<1, 2> &away)
+template <int dim>
+Ray<dim> ray_of(const ContactFrame<dim> &frame,
+                const dealii::Tensor<1, dim - 1> &offset,
+                const dealii::Tensor<1, dim> &away)
 {
-  Ray<2> ray;
+  Ray<dim> ray;
   ray.origin = frame.origin - away;
   ray.direction = frame.direction;
   ray.across = frame.across;
-  ray.offset[0] = offset;
+  ray.offset = offset;
   return ray;
 }
 
-std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> frames)
+template <int dim>
+std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
+                                           std::vector<ContactFrame<dim>> frames)
 {
   std::uint64_t next_id = 1;
-  for (const Frame &frame : frames)
+  for (const Frame<dim> &frame : frames)
     next_id = std::max(next_id, frame.id + 1);
-  std::multimap<Frame::Key, Frame> before = by_key(scene, std::move(frames));
-  std::vector<SampledSurface<2>> samples(scene.bodies.size());
+  std::multimap<typename Frame<dim>::Key, Frame<dim>> before = by_key(scene, std::move(frames));
+  std::vector<SampledSurface<dim>> samples(scene.bodies.size());
   parallel_for(samples.size(), 1,
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                   samples[b] = sample_outline(scene.bodies[b], scene.outlines[b]);
+                   samples[b] = sample_surface(scene.bodies[b], scene.outlines[b]);
                });
-  std::vector<SampledSurface<2>> lines;
-  for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
-    lines.push_back((*scene.lines)[o].samples(0.5 * scene.cell_size));
-  std::vector<FrameTask> tasks = find_frame_tasks(scene, samples);
-  find_in_tasks({scene, samples, lines}, before, tasks);
-  std::vector<Frame> result;
-  for (FrameTask &task : tasks)
-    for (Frame &frame : task.found)
+  std::vector<SampledSurface<dim>> lines;
+  if constexpr (dim == 2)
+    for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
+      lines.push_back((*scene.lines)[o].samples(0.5 * scene.cell_size));
+  std::vector<FrameTask<dim>> tasks = find_frame_tasks(scene, samples);
+  find_in_tasks(LookedAt<dim>{scene, samples, lines}, before, tasks);
+  std::vector<Frame<dim>> result;
+  for (FrameTask<dim> &task : tasks)
+    for (Frame<dim> &frame : task.found)
       if (!frame.rays.empty())
       {
         if (frame.id == 0)
@@ -261,4 +283,11 @@ std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<Co
       }
   return result;
 }
+
+template struct FrameScene<2>;
+template struct FrameScene<3>;
+template Ray<2> ray_of(const ContactFrame<2> &, const dealii::Tensor<1, 1> &, const dealii::Tensor<1, 2> &);
+template Ray<3> ray_of(const ContactFrame<3> &, const dealii::Tensor<1, 2> &, const dealii::Tensor<1, 3> &);
+template std::vector<ContactFrame<2>> find_frames(const FrameScene<2> &, std::vector<ContactFrame<2>>);
+template std::vector<ContactFrame<3>> find_frames(const FrameScene<3> &, std::vector<ContactFrame<3>>);
 } // namespace softgrain::mpm

@@ -48,7 +48,8 @@ public:
 };
 } // namespace
 
-bool FrameSystem::solve_active(const Eigen::VectorXd &right)
+template <int dim>
+bool FrameSystem<dim>::solve_active(const Eigen::VectorXd &right)
 {
   std::vector<int> number(columns.size(), -1);
   int n = 0;
@@ -85,7 +86,7 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   if (factor.info() != Eigen::Success)
     return false;
   n_free = 0;
-  for (const FreeWay &way : ways)
+  for (const FreeWay<dim> &way : ways)
     n_free += way.stopped == 0;
   negative = (factor.vectorD().array() < 0.).count();
   const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond(right)) : right;
@@ -124,7 +125,8 @@ bool FrameSystem::solve_active(const Eigen::VectorXd &right)
   return true;
 }
 
-bool FrameSystem::set_known()
+template <int dim>
+bool FrameSystem<dim>::set_known()
 {
   z.setZero();
   bool any = false;
@@ -146,7 +148,8 @@ bool FrameSystem::set_known()
   return any;
 }
 
-Eigen::VectorXd FrameSystem::beyond(const Eigen::VectorXd &right) const
+template <int dim>
+Eigen::VectorXd FrameSystem<dim>::beyond(const Eigen::VectorXd &right) const
 {
   Eigen::VectorXd here = -right;
   for (unsigned int b = 0; b < of_body.size(); ++b)
@@ -165,7 +168,8 @@ Eigen::VectorXd FrameSystem::beyond(const Eigen::VectorXd &right) const
   return here;
 }
 
-bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_size, const double share)
+template <int dim>
+bool FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double cell_size, const double share)
 {
   double largest = 0.;
   for (unsigned int i = 0; i < columns.size(); ++i)
@@ -203,7 +207,8 @@ bool FrameSystem::change_sides(const Eigen::VectorXd &here, const double cell_si
   return worst == 0. && walls_stay(here);
 }
 
-bool FrameSystem::walls_stay(const Eigen::VectorXd &here)
+template <int dim>
+bool FrameSystem<dim>::walls_stay(const Eigen::VectorXd &here)
 {
   bool all_stay = true;
   for (unsigned int w = 0; w < ways.size(); ++w)
@@ -221,7 +226,8 @@ bool FrameSystem::walls_stay(const Eigen::VectorXd &here)
   return all_stay;
 }
 
-std::vector<signed char> FrameSystem::sides() const
+template <int dim>
+std::vector<signed char> FrameSystem<dim>::sides() const
 {
   std::vector<signed char> result(columns.size());
   for (unsigned int i = 0; i < columns.size(); ++i)
@@ -229,7 +235,8 @@ std::vector<signed char> FrameSystem::sides() const
   return result;
 }
 
-double FrameSystem::farthest_way(const Eigen::VectorXd &here) const
+template <int dim>
+double FrameSystem<dim>::farthest_way(const Eigen::VectorXd &here) const
 {
   double way = 0.;
   for (unsigned int i = 0; i < columns.size(); ++i)
@@ -238,9 +245,10 @@ double FrameSystem::farthest_way(const Eigen::VectorXd &here) const
   return way;
 }
 
-bool FrameSystem::settle(const Eigen::VectorXd &right,
-                         const double cell_size,
-                         const unsigned int negative_of_bodies)
+template <int dim>
+bool FrameSystem<dim>::settle(const Eigen::VectorXd &right,
+                              const double cell_size,
+                              const unsigned int negative_of_bodies)
 {
   bool settled = false, repeats = false;
   std::set<std::vector<signed char>> seen{sides()};
@@ -259,7 +267,8 @@ bool FrameSystem::settle(const Eigen::VectorXd &right,
   return settled;
 }
 
-bool FrameSystem::solve(const double cell_size, const unsigned int negative_of_bodies)
+template <int dim>
+bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative_of_bodies)
 {
   Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
   for (unsigned int b = 0; b < of_body.size(); ++b)
@@ -284,4 +293,7 @@ bool FrameSystem::solve(const double cell_size, const unsigned int negative_of_b
       found_rubbing[columns[i].frame][columns[i].ray_number] = z[i];
   return settled;
 }
+
+template bool FrameSystem<2>::solve(double, unsigned int);
+template bool FrameSystem<3>::solve(double, unsigned int);
 } // namespace softgrain::mpm

@@ -13,7 +13,8 @@ namespace
 constexpr double softness_of_rays = 1e-3; ///< times the softer Young's modulus
 } // namespace
 
-FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
+template <int dim>
+FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<dim> &scene)
     : frame(layout)
     , rays(layout.rays.size())
     , met_at(scene.met_at)
@@ -29,7 +30,8 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = scene.apart(frame);
-  line = scene.line_of(frame);
+  if constexpr (dim == 2)
+    line = scene.line_of(frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
   if (scene.pairs != nullptr)
@@ -67,14 +69,15 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
       for (unsigned int side = 0; side < 2; ++side)
         if (body(side) != none)
         {
-          const SurfacePlace<2> &place = frame.rays[k].place[side];
-          const Body<2> &b = scene.bodies[body(side)];
+          const SurfacePlace<dim> &place = frame.rays[k].place[side];
+          const Body<dim> &b = scene.bodies[body(side)];
           const Vector x = place.position + b.field.functions_at(place.position).at(b.displacement) +
                            away(side) - frame.origin;
           height += sign(side) * (x * frame.direction);
         }
-        else if (line != nullptr && side == 0)
-          height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
+        else if constexpr (dim == 2)
+          if (line != nullptr && side == 0)
+            height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
       if (height < least)
       {
         least = height;
@@ -88,40 +91,46 @@ FrameState::FrameState(const ContactFrame<2> &layout, const FrameScene &scene)
       for (unsigned int k = 0; k < rays.size(); ++k)
         if (weight[k] > 0.)
         {
-          const PlaceFunctions<2> function =
+          const PlaceFunctions<dim> function =
               scene.bodies[body(side)].field.functions_at(frame.rays[k].place[side].position);
           for (unsigned int i = 0; i < function.node.size(); ++i)
             mean[side].emplace_back(function.node[i], share(side) * weight[k] * function.value[i]);
         }
 }
 
-void FrameState::carry(const FrameScene &scene)
+template <int dim>
+void FrameState<dim>::carry(const FrameScene<dim> &scene)
 {
   for (unsigned int side = 0; side < 2 && !scene.carried.empty(); ++side)
     if (body(side) != none)
       carried[side] = scene.carried[body(side)];
-  if (scene.cell != nullptr)
-    carried[0] += scene.dt * (scene.cell->gradient * apart);
+  if constexpr (dim == 2)
+    if (scene.cell != nullptr)
+      carried[0] += scene.dt * (scene.cell->gradient * apart);
 }
 
-RaySide<2> FrameState::meet_surface(const FrameScene &scene,
-                                    const std::vector<Eigen::VectorXd> &displacement,
-                                    const unsigned int side,
-                                    const Ray<2> &ray,
-                                    const SurfacePlace<2> &guess) const
+template <int dim>
+RaySide<dim> FrameState<dim>::meet_surface(const FrameScene<dim> &scene,
+                                           const std::vector<Eigen::VectorXd> &displacement,
+                                           const unsigned int side,
+                                           const Ray<dim> &ray,
+                                           const SurfacePlace<dim> &guess) const
 {
   const unsigned int b = body(side);
-  return b == none ? line->meet(ray, at, guess)
-                   : meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], guess);
+  if constexpr (dim == 2)
+    if (b == none)
+      return line->meet(ray, at, guess);
+  return meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], guess);
 }
 
 /// A corner is a place of the material, or of an obstacle: no ray need be followed to it.
-void FrameState::meet_corner(const FrameScene &scene,
-                             const std::vector<Eigen::VectorXd> &displacement,
-                             const unsigned int k)
+template <int dim>
+void FrameState<dim>::meet_corner(const FrameScene<dim> &scene,
+                                  const std::vector<Eigen::VectorXd> &displacement,
+                                  const unsigned int k)
 {
   const unsigned int side = frame.corner, b = body(side);
-  RaySide<2> &corner = rays[k].side[side];
+  RaySide<dim> &corner = rays[k].side[side];
   if (!corner.met)
   {
     corner.met = true;
@@ -130,21 +139,25 @@ void FrameState::meet_corner(const FrameScene &scene,
       corner.find_functions(scene.bodies[b].field);
     corner.normal = frame.direction;
   }
-  const dealii::Point<2> place =
-      b == none ? line->placed(corner.place, at)
-                : dealii::Point<2>(corner.place.position + corner.function.at(displacement[b]) + away(side));
+  dealii::Point<dim> place;
+  if (b != none)
+    place = dealii::Point<dim>(corner.place.position + corner.function.at(displacement[b]) + away(side));
+  else if constexpr (dim == 2)
+    place = line->placed(corner.place, at);
   corner.height = (place - frame.origin) * frame.direction;
   rays[k].gap += sign(side) * corner.height;
 }
 
-bool FrameState::meet_ray(const FrameScene &scene,
-                          const std::vector<Eigen::VectorXd> &displacement,
-                          const double wall_height,
-                          const unsigned int k)
+template <int dim>
+bool FrameState<dim>::meet_ray(const FrameScene<dim> &scene,
+                               const std::vector<Eigen::VectorXd> &displacement,
+                               const double wall_height,
+                               const unsigned int k)
 {
-  const double offset = frame.rays[k].index[0] * frame.spacing + at * moved;
+  const Across offset = frame.offset(frame.rays[k].index) + at * moved;
   RayHere &here = rays[k];
-  here.gap = here.by_motion = 0.;
+  here.gap = 0.;
+  here.by_motion = Across();
   for (unsigned int side = 0; side < 2; ++side)
   {
     if (side == 0 && flat_partner())
@@ -157,27 +170,33 @@ bool FrameState::meet_ray(const FrameScene &scene,
       meet_corner(scene, displacement, k);
       continue;
     }
-    const RaySide<2> found =
+    const RaySide<dim> found =
         meet_surface(scene, displacement, side, ray_of(frame, offset, away(side)),
                      here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
     if (!found.met)
       return false;
     here.side[side] = found;
     here.gap += sign(side) * found.height;
-    here.by_motion -= sign(side) * (found.normal * frame.across[0]);
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      here.by_motion[m] -= sign(side) * (found.normal * frame.across[m]);
   }
   return true;
 }
 
 /// Share of an overlap at the start that a step with inertia opens, see Opening: what is found late is pushed
 /// out without a velocity.
-double FrameState::share_that_opens(const FrameScene &scene) const
+template <int dim>
+double FrameState<dim>::share_that_opens(const FrameScene<dim> &scene) const
 {
-  return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
+  if constexpr (dim == 2)
+    return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
+  else
+    return 1.; // without inertia
 }
 
 /// Replaces the gap halfway through the step by the gap at its end.
-void FrameState::draw_on(const unsigned int k)
+template <int dim>
+void FrameState<dim>::draw_on(const unsigned int k)
 {
   RayHere &here = rays[k];
   if (begins)
@@ -189,7 +208,8 @@ void FrameState::draw_on(const unsigned int k)
   here.gap = here.at_start + (here.gap - here.at_start) / met_at - here.stays;
 }
 
-void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, const unsigned int k)
+template <int dim>
+void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, const unsigned int k)
 {
   RayHere &here = rays[k];
   for (unsigned int side = 0; side < 2; ++side)
@@ -197,7 +217,8 @@ void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, c
       here.start[side] = here.side[side].place;
   const Vector pushed = resultant(k);
   here.bound = friction * pushed.norm();
-  here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
+  if constexpr (dim == 2)
+    here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
   if (theta == 1.)
     return;
   // Friction rests where end velocities are alike.
@@ -213,11 +234,12 @@ void FrameState::begin_to_rub(const FrameScene &scene, const Vector &wall_way, c
   here.known_slide = (1. - theta) * (apart_by * here.e);
 }
 
-void FrameState::prepare(const FrameScene &scene,
-                         const std::vector<Eigen::VectorXd> &increment,
-                         const std::vector<double> &force,
-                         const double path,
-                         const double within)
+template <int dim>
+void FrameState<dim>::prepare(const FrameScene<dim> &scene,
+                              const std::vector<Eigen::VectorXd> &increment,
+                              const std::vector<double> &force,
+                              const double path,
+                              const double within)
 {
   carry(scene);
   begins = !begun;
@@ -232,17 +254,19 @@ void FrameState::prepare(const FrameScene &scene,
     dent_depth = subgrid(dent, sum_of_forces) * sum_of_forces;
     by_force = subgrid.slope(dent, sum_of_forces);
   }
-  const Vector &t = frame.across[0];
-  moved = 0.;
-  for (unsigned int side = 0; side < 2; ++side)
-  {
-    if (unknown(side) != none)
-      for (const auto &[i, weight] : mean[side])
-        moved += weight * (PlaceFunctions<2>::of_node(increment[body(side)], i) * t);
-    moved += share(side) * (carried[side] * t);
-    if (line != nullptr && side == 0 && share(0) > 0.)
-      moved += line->way_of(frame.rays[0].place[0]) * t;
-  }
+  moved = Across();
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      const Vector &t = frame.across[m];
+      if (unknown(side) != none)
+        for (const auto &[i, weight] : mean[side])
+          moved[m] += weight * (PlaceFunctions<dim>::of_node(increment[body(side)], i) * t);
+      moved[m] += share(side) * (carried[side] * t);
+      if constexpr (dim == 2)
+        if (line != nullptr && side == 0 && share(0) > 0.)
+          moved[m] += line->way_of(frame.rays[0].place[0]) * t;
+    }
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
@@ -255,11 +279,12 @@ void FrameState::prepare(const FrameScene &scene,
   }
 }
 
-void FrameState::look(const FrameScene &scene,
-                      const std::vector<Eigen::VectorXd> &displacement,
-                      const std::vector<Eigen::VectorXd> &increment,
-                      const Vector &wall_way,
-                      const std::vector<double> &force)
+template <int dim>
+void FrameState<dim>::look(const FrameScene<dim> &scene,
+                           const std::vector<Eigen::VectorXd> &displacement,
+                           const std::vector<Eigen::VectorXd> &increment,
+                           const Vector &wall_way,
+                           const std::vector<double> &force)
 {
   const double wall_height =
       !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
@@ -292,7 +317,8 @@ void FrameState::look(const FrameScene &scene,
   }
 }
 
-bool FrameState::meets(const std::vector<double> &force) const
+template <int dim>
+bool FrameState<dim>::meets(const std::vector<double> &force) const
 {
   for (unsigned int k = 0; k < rays.size(); ++k)
     if (rays[k].near && !rays[k].met && force[k] != 0.)
@@ -300,14 +326,16 @@ bool FrameState::meets(const std::vector<double> &force) const
   return true;
 }
 
-void FrameState::keep_dent()
+template <int dim>
+void FrameState<dim>::keep_dent()
 {
   dent_depth = dent_at_start;
   by_force = 0.;
   keeps_dent = true;
 }
 
-bool FrameState::leave_unmet(std::vector<double> &force, std::vector<double> &rubbing)
+template <int dim>
+bool FrameState<dim>::leave_unmet(std::vector<double> &force, std::vector<double> &rubbing)
 {
   bool any = false;
   for (unsigned int k = 0; k < rays.size(); ++k)
@@ -319,9 +347,10 @@ bool FrameState::leave_unmet(std::vector<double> &force, std::vector<double> &ru
   return any;
 }
 
-double FrameState::twice_by(const std::vector<double> &force,
-                            const std::array<Vector, 2> &v,
-                            const std::array<Vector, 2> &w) const
+template <int dim>
+double FrameState<dim>::twice_by(const std::vector<double> &force,
+                                 const std::array<Vector, 2> &v,
+                                 const std::array<Vector, 2> &w) const
 {
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
@@ -331,31 +360,38 @@ double FrameState::twice_by(const std::vector<double> &force,
   return sum;
 }
 
-double FrameState::tangential(const std::vector<double> &force) const
+template <int dim>
+typename FrameState<dim>::Across FrameState<dim>::tangential(const std::vector<double> &force) const
 {
-  double sum = 0.;
+  Across sum;
   for (unsigned int k = 0; k < rays.size(); ++k)
     sum -= force[k] * rays[k].by_motion;
   return sum;
 }
 
-ContactFrame<2> FrameState::after(const FrameScene &scene,
-                                  const std::vector<double> &force,
-                                  const std::vector<double> &rubbing) const
+template <int dim>
+ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
+                                         const std::vector<double> &force,
+                                         const std::vector<double> &rubbing) const
 {
-  ContactFrame<2> result = frame;
-  result.origin += moved * frame.across[0];
+  ContactFrame<dim> result = frame;
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    result.origin += moved[m] * frame.across[m];
   result.origin += (carried[1] * frame.direction) * frame.direction;
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     result.rays[k].force = force[k];
     result.rays[k].friction = rubbing[k];
     result.rays[k].pull = rays[k].pull;
-    result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k]);
+    if constexpr (dim == 2)
+      result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k]);
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)
         result.rays[k].place[side] = rays[k].side[side].place;
   }
   return result;
 }
+
+template class FrameState<2>;
+template class FrameState<3>;
 } // namespace softgrain::mpm

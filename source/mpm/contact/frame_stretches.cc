@@ -11,14 +11,11 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Frame = ContactFrame<2>;
-using Vector = dealii::Tensor<1, 2>;
-using Point = dealii::Point<2>;
-
+constexpr unsigned int none = ContactFrame<2>::none;
 constexpr double facing_plane = 0.5; ///< least cosine between an outline's normal and what it faces
 } // namespace
 
-SampledSurface<2> sample_outline(const Body<2> &body, const OutlineSurface &outline)
+SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outline)
 {
   SampledSurface<2> surface;
   const Boundary<2> &boundary = body.boundary;
@@ -31,16 +28,16 @@ SampledSurface<2> sample_outline(const Body<2> &body, const OutlineSurface &outl
     {
       if ((m - begin) % stride != 0 && !boundary.corner[m])
         continue;
-      const Point &x = boundary.position[m];
-      Vector before = x - boundary.position[boundary.previous(m)],
-             after = boundary.position[boundary.next(m)] - x;
+      const dealii::Point<2> &x = boundary.position[m];
+      dealii::Tensor<1, 2> before = x - boundary.position[boundary.previous(m)],
+                           after = boundary.position[boundary.next(m)] - x;
       before /= before.norm();
       after /= after.norm();
-      Vector t = before + after;
+      dealii::Tensor<1, 2> t = before + after;
       t /= t.norm();
       SampledSurface<2>::Sample s;
       s.position = x;
-      s.normal = Vector({t[1], -t[0]});
+      s.normal = dealii::Tensor<1, 2>({t[1], -t[0]});
       // What is a dent has no cone of normals.
       if (boundary.corner[m] && before[0] * after[1] > before[1] * after[0])
         s.corner = 0.5 * std::acos(std::clamp(before * after, -1., 1.));
@@ -58,8 +55,39 @@ SampledSurface<2> sample_outline(const Body<2> &body, const OutlineSurface &outl
   return surface;
 }
 
-std::vector<FrameStretch>
-stretches_at_plane(const SampledSurface<2> &surface, const WallMotion<2> &wall, const double reach)
+SampledSurface<3> sample_surface(const Body<3> &body, const SphereSurface &ball)
+{
+  SampledSurface<3> surface;
+  const Boundary<3> &boundary = body.boundary;
+  surface.samples.resize(boundary.position.size());
+  for (const auto &[a, b, c] : ball.triangles)
+  {
+    const dealii::Point<3> &x = boundary.position[a];
+    const dealii::Tensor<1, 3> area =
+        dealii::cross_product_3d(boundary.position[b] - x, boundary.position[c] - x);
+    for (const unsigned int m : {a, b, c})
+      surface.samples[m].normal += area;
+    // Every side belongs to two triangles, which run against each other along it.
+    for (const auto &[i, j] : {std::make_pair(a, b), std::make_pair(b, c), std::make_pair(c, a)})
+      if (i < j)
+      {
+        surface.neighbours.emplace_back(i, j);
+        surface.spacing = std::max(surface.spacing, boundary.position[i].distance(boundary.position[j]));
+      }
+  }
+  for (unsigned int m = 0; m < surface.samples.size(); ++m)
+  {
+    auto &sample = surface.samples[m];
+    sample.position = boundary.position[m];
+    sample.normal /= sample.normal.norm();
+    sample.place = ball.at(boundary.grid_position[m]);
+  }
+  return surface;
+}
+
+template <int dim>
+std::vector<FrameStretch<dim>>
+stretches_at_plane(const SampledSurface<dim> &surface, const WallMotion<dim> &wall, const double reach)
 {
   std::vector<char> near(surface.samples.size(), 0);
   for (unsigned int i = 0; i < near.size(); ++i)
@@ -78,18 +106,18 @@ stretches_at_plane(const SampledSurface<2> &surface, const WallMotion<2> &wall, 
   for (const auto &[i, j] : surface.neighbours)
     if (near[i] && near[j])
       group[std::max(of(i), of(j))] = std::min(of(i), of(j));
-  std::map<unsigned int, FrameStretch> stretches;
+  std::map<unsigned int, FrameStretch<dim>> stretches;
   for (unsigned int i = 0; i < near.size(); ++i)
     if (near[i])
-      stretches[of(i)].facing.push_back({{Frame::none, i}});
-  std::vector<FrameStretch> result;
+      stretches[of(i)].facing.push_back({{none, i}});
+  std::vector<FrameStretch<dim>> result;
   for (auto &[first, stretch] : stretches)
   {
     stretch.direction = wall.normal;
     double nearest = std::numeric_limits<double>::max();
     for (const auto &pair : stretch.facing)
     {
-      const Point &x = surface.samples[pair[1]].position;
+      const dealii::Point<dim> &x = surface.samples[pair[1]].position;
       if ((x - wall.point) * wall.normal < nearest)
       {
         nearest = (x - wall.point) * wall.normal;
@@ -101,13 +129,14 @@ stretches_at_plane(const SampledSurface<2> &surface, const WallMotion<2> &wall, 
   return result;
 }
 
-std::vector<FrameStretch>
-stretches_between(const SampledSurface<2> &partner, const SampledSurface<2> &body, const double reach)
+template <int dim>
+std::vector<FrameStretch<dim>>
+stretches_between(const SampledSurface<dim> &partner, const SampledSurface<dim> &body, const double reach)
 {
-  std::vector<FrameStretch> result;
-  for (const NearStretch<2> &near : near_stretches(partner, body, reach))
+  std::vector<FrameStretch<dim>> result;
+  for (const NearStretch<dim> &near : near_stretches(partner, body, reach))
   {
-    FrameStretch stretch;
+    FrameStretch<dim> stretch;
     stretch.direction = near.direction;
     stretch.middle = near.middle;
     for (const auto &[i, j] : near.facing)
@@ -117,20 +146,21 @@ stretches_between(const SampledSurface<2> &partner, const SampledSurface<2> &bod
   return result;
 }
 
-void add_corners(const SampledSurface<2> *partner,
-                 const SampledSurface<2> &body,
-                 std::vector<FrameStretch> &stretches)
+template <int dim>
+void add_corners(const SampledSurface<dim> *partner,
+                 const SampledSurface<dim> &body,
+                 std::vector<FrameStretch<dim>> &stretches)
 {
-  std::map<std::pair<unsigned int, unsigned int>, FrameStretch> corners; // by side and sample
+  std::map<std::pair<unsigned int, unsigned int>, FrameStretch<dim>> corners; // by side and sample
   std::map<std::pair<unsigned int, unsigned int>, double> nearest;
-  for (const FrameStretch &stretch : stretches)
+  for (const FrameStretch<dim> &stretch : stretches)
     for (const auto &pair : stretch.facing)
       for (unsigned int side = partner == nullptr ? 1 : 0; side < 2; ++side)
       {
-        const SampledSurface<2>::Sample &own = (side == 0 ? *partner : body).samples[pair[side]];
+        const typename SampledSurface<dim>::Sample &own = (side == 0 ? *partner : body).samples[pair[side]];
         if (own.corner == 0.)
           continue;
-        FrameStretch corner;
+        FrameStretch<dim> corner;
         corner.direction = stretch.direction;
         corner.middle = own.position;
         // The ray may meet what lies beside the sample that is nearest.
@@ -140,7 +170,8 @@ void add_corners(const SampledSurface<2> *partner,
         double distance = 0.;
         if (partner != nullptr)
         {
-          const SampledSurface<2>::Sample &other = (side == 0 ? body : *partner).samples[pair[1 - side]];
+          const typename SampledSurface<dim>::Sample &other =
+              (side == 0 ? body : *partner).samples[pair[1 - side]];
           distance = own.position.distance(other.position);
           if (other.corner == 0.)
             corner.direction = side == 0 ? -other.normal : other.normal;
@@ -160,7 +191,7 @@ SampledSurface<2> part_in(const dealii::BoundingBox<2> &box, const SampledSurfac
 {
   SampledSurface<2> part;
   part.spacing = surface.spacing;
-  std::vector<unsigned int> here(surface.samples.size(), Frame::none); // number in the part
+  std::vector<unsigned int> here(surface.samples.size(), none); // number in the part
   for (unsigned int i = 0; i < here.size(); ++i)
     if (box.point_inside(surface.samples[i].position))
     {
@@ -168,8 +199,21 @@ SampledSurface<2> part_in(const dealii::BoundingBox<2> &box, const SampledSurfac
       part.samples.push_back(surface.samples[i]);
     }
   for (const auto &[i, j] : surface.neighbours)
-    if (here[i] != Frame::none && here[j] != Frame::none)
+    if (here[i] != none && here[j] != none)
       part.neighbours.emplace_back(here[i], here[j]);
   return part;
 }
+
+template std::vector<FrameStretch<2>>
+stretches_at_plane(const SampledSurface<2> &, const WallMotion<2> &, double);
+template std::vector<FrameStretch<3>>
+stretches_at_plane(const SampledSurface<3> &, const WallMotion<3> &, double);
+template std::vector<FrameStretch<2>>
+stretches_between(const SampledSurface<2> &, const SampledSurface<2> &, double);
+template std::vector<FrameStretch<3>>
+stretches_between(const SampledSurface<3> &, const SampledSurface<3> &, double);
+template void
+add_corners(const SampledSurface<2> *, const SampledSurface<2> &, std::vector<FrameStretch<2>> &);
+template void
+add_corners(const SampledSurface<3> *, const SampledSurface<3> &, std::vector<FrameStretch<3>> &);
 } // namespace softgrain::mpm

@@ -11,10 +11,11 @@ namespace
 constexpr double slips_from = 1. - 1e-9; ///< share of its bound from which friction slips when a step begins
 } // namespace
 
-FrameSystem::FrameSystem(const BodyShare &share,
-                         const std::vector<Body<2>> &bodies,
-                         std::vector<std::unique_ptr<RankOneSolver>> &solvers,
-                         const double scale)
+template <int dim>
+FrameSystem<dim>::FrameSystem(const BodyShare &share,
+                              const std::vector<Body<dim>> &bodies,
+                              std::vector<std::unique_ptr<BodySolver<dim>>> &solvers,
+                              const double scale)
     : share(share)
     , bodies(bodies)
     , solvers(solvers)
@@ -26,16 +27,18 @@ FrameSystem::FrameSystem(const BodyShare &share,
 {
 }
 
-void FrameSystem::take(const std::vector<FrameState> &frames)
+template <int dim>
+void FrameSystem<dim>::take(const std::vector<FrameState<dim>> &frames)
 {
   frames_of.assign(bodies.size(), {});
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int side = 0; side < 2; ++side)
-      if (const unsigned int b = frames[f].unknown(side); b != FrameState::none)
+      if (const unsigned int b = frames[f].unknown(side); b != FrameState<dim>::none)
         frames_of[b].emplace_back(f, side);
 }
 
-void FrameSystem::find_order()
+template <int dim>
+void FrameSystem<dim>::find_order()
 {
   std::vector<int> frame_of; // numbers of frames with columns, by column
   std::vector<unsigned int> first;
@@ -79,32 +82,40 @@ void FrameSystem::find_order()
 }
 
 /// Columns of the motion of a frame and of the force that it takes, after those of its rays.
-void FrameSystem::add_motion(const FrameState &frame,
-                             const std::vector<double> &force,
-                             const unsigned int first,
-                             const unsigned int f)
+template <int dim>
+void FrameSystem<dim>::add_motion(const FrameState<dim> &frame,
+                                  const std::vector<double> &force,
+                                  const unsigned int first,
+                                  const unsigned int f)
 {
-  const unsigned int motion = columns.size(), tangential = motion + 1;
-  ++n_frames;
-  columns.push_back({Column::motion, f, 0});
-  columns.push_back({Column::tangential, f, 0});
-  active.insert(active.end(), 2, 1);
-  gap.insert(gap.end(), 2, 0.);
-  for (unsigned int i = first; i < motion; ++i)
-    if (columns[i].kind == Column::ray)
-      own.emplace_back(motion, i, frame.ray(columns[i].ray_number).by_motion);
-  own.emplace_back(motion, motion, frame.twice_by_motion(force));
-  own.emplace_back(tangential, motion, 1.);
+  const unsigned int motion = columns.size(), tangential = motion + dim - 1;
+  n_motions += dim - 1;
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    columns.push_back({Column::motion, f, m});
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    columns.push_back({Column::tangential, f, m});
+  active.insert(active.end(), 2 * (dim - 1), 1);
+  gap.insert(gap.end(), 2 * (dim - 1), 0.);
+  for (unsigned int m = 0; m < dim - 1; ++m)
+  {
+    for (unsigned int i = first; i < motion; ++i)
+      if (columns[i].kind == Column::ray)
+        own.emplace_back(motion + m, i, frame.ray(columns[i].ray_number).by_motion[m]);
+    for (unsigned int n = 0; n <= m; ++n)
+      own.emplace_back(motion + m, motion + n, frame.twice_by_motion(force, m, n));
+    own.emplace_back(tangential + m, motion + m, 1.);
+  }
 }
 
-void FrameSystem::add_columns(const FrameScene &scene,
-                              const std::vector<FrameState> &frames,
-                              const RayForces &force,
-                              const RayForces &rubbing,
-                              const unsigned int f,
-                              const double within)
+template <int dim>
+void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
+                                   const std::vector<FrameState<dim>> &frames,
+                                   const RayForces &force,
+                                   const RayForces &rubbing,
+                                   const unsigned int f,
+                                   const double within)
 {
-  const FrameState &frame = frames[f];
+  const FrameState<dim> &frame = frames[f];
   if (slipping[f].empty())
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
       slipping[f].push_back(frame.rubs(k) && std::abs(rubbing[f][k]) >=
@@ -114,7 +125,7 @@ void FrameSystem::add_columns(const FrameScene &scene,
   const unsigned int first = columns.size();
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
-    const FrameState::RayHere &ray = frame.ray(k);
+    const typename FrameState<dim>::RayHere &ray = frame.ray(k);
     found[f][k] = found_rubbing[f][k] = 0.;
     if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
       continue;
@@ -147,7 +158,7 @@ void FrameSystem::add_columns(const FrameScene &scene,
         own.emplace_back(i, j, frame.dent_slope());
   for (unsigned int w = 0; w < ways.size(); ++w)
   {
-    const std::array<FrameState::Vector, 2> moves = ways[w].moves(scene, frame);
+    const std::array<typename FrameState<dim>::Vector, 2> moves = ways[w].moves(scene, frame);
     if (moves[0].norm_square() + moves[1].norm_square() == 0.)
       continue;
     for (unsigned int i = first; i < columns.size(); ++i)
@@ -155,15 +166,15 @@ void FrameSystem::add_columns(const FrameScene &scene,
         own.emplace_back(i, w,
                          columns[i].kind == Column::ray     ? frame.gap_by(columns[i].ray_number, moves)
                          : columns[i].kind == Column::slide ? frame.slide_by(columns[i].ray_number, moves)
-                                                            : -frame.motion_by(moves));
-    const std::array<FrameState::Vector, 2> as_motion{{frame.as_motion(), frame.as_motion()}};
-    if (frame.rides())
-      own.emplace_back(motion, w, frame.twice_by(force[f], as_motion, moves));
+                                                            : -frame.motion_by(moves)[columns[i].ray_number]);
+    for (unsigned int m = 0; m < dim - 1 && frame.rides(); ++m)
+      own.emplace_back(motion + m, w,
+                       frame.twice_by(force[f], {{frame.as_motion(m), frame.as_motion(m)}}, moves));
     for (unsigned int v = 0; v <= w; ++v)
       own.emplace_back(w, v, frame.twice_by(force[f], ways[v].moves(scene, frame), moves));
   }
   for (unsigned int side = 0; side < 2; ++side)
-    if (frame.unknown(side) != FrameState::none)
+    if (frame.unknown(side) != FrameState<dim>::none)
     {
       const unsigned int b = frame.unknown(side);
       for (unsigned int i = first; i < columns.size(); ++i)
@@ -171,15 +182,16 @@ void FrameSystem::add_columns(const FrameScene &scene,
     }
 }
 
-void FrameSystem::gather(const FrameScene &scene,
-                         const std::vector<FrameState> &frames,
-                         const Column &column,
-                         const unsigned int b,
-                         const RayForces &force,
-                         const unsigned int i,
-                         LinearSolver::Rows &rows) const
+template <int dim>
+void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
+                              const std::vector<FrameState<dim>> &frames,
+                              const Column &column,
+                              const unsigned int b,
+                              const RayForces &force,
+                              const unsigned int i,
+                              LinearSolver::Rows &rows) const
 {
-  using Vector = FrameState::Vector;
+  using Vector = typename FrameState<dim>::Vector;
   std::vector<std::pair<unsigned int, Vector>> entries;
   const auto add = [&](const unsigned int node, const Vector &value) { entries.emplace_back(node, value); };
   if (column.kind == Column::wall)
@@ -189,7 +201,7 @@ void FrameSystem::gather(const FrameScene &scene,
   }
   else
   {
-    const FrameState &frame = frames[column.frame];
+    const FrameState<dim> &frame = frames[column.frame];
     const unsigned int side = frame.body(1) == b ? 1 : 0;
     switch (column.kind)
     {
@@ -200,10 +212,10 @@ void FrameSystem::gather(const FrameScene &scene,
       frame.for_slide(column.ray_number, side, 1., add);
       break;
     case Column::motion:
-      frame.for_mixed(side, force[column.frame], frame.as_motion(), add);
+      frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
       break;
     default:
-      frame.for_mean(side, -1., add);
+      frame.for_mean(side, column.ray_number, -1., add);
     }
   }
   std::stable_sort(entries.begin(), entries.end(),
@@ -214,17 +226,18 @@ void FrameSystem::gather(const FrameScene &scene,
     Vector sum;
     for (; e < entries.size() && entries[e].first == node; ++e)
       sum += entries[e].second;
-    for (unsigned int d = 0; d < 2; ++d)
-      rows.insertBack(2 * node + d, i) = sum[d];
+    for (unsigned int d = 0; d < dim; ++d)
+      rows.insertBack(dim * node + d, i) = sum[d];
   }
 }
 
-void FrameSystem::condense(const FrameScene &scene,
-                           const std::vector<FrameState> &frames,
-                           const RayForces &force,
-                           const RayForces &rubbing,
-                           const double within,
-                           const std::vector<Eigen::VectorXd> &way_without)
+template <int dim>
+void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
+                                const std::vector<FrameState<dim>> &frames,
+                                const RayForces &force,
+                                const RayForces &rubbing,
+                                const double within,
+                                const std::vector<Eigen::VectorXd> &way_without)
 {
   columns.clear();
   own.clear();
@@ -235,11 +248,11 @@ void FrameSystem::condense(const FrameScene &scene,
   found = force;
   found_rubbing = rubbing;
   slipping.resize(frames.size());
-  n_frames = 0;
+  n_motions = 0;
   any_slides = false;
   for (unsigned int w = 0; w < ways.size(); ++w)
   {
-    columns.push_back({Column::wall, FrameState::none, w});
+    columns.push_back({Column::wall, FrameState<dim>::none, w});
     active.push_back(1);
     gap.push_back(ways[w].load - ways[w].stiffness * ways[w].at);
     own.emplace_back(w, w, -ways[w].stiffness);
@@ -255,7 +268,7 @@ void FrameSystem::condense(const FrameScene &scene,
   find_order();
   share.for_mine(
       bodies,
-      [&](const Body<2> &body)
+      [&](const Body<dim> &body)
       {
         const unsigned int b = body.index;
         const std::vector<unsigned int> &list = of_body[b];
@@ -286,7 +299,8 @@ void FrameSystem::condense(const FrameScene &scene,
       });
 }
 
-Eigen::VectorXd FrameSystem::z_of(const unsigned int b) const
+template <int dim>
+Eigen::VectorXd FrameSystem<dim>::z_of(const unsigned int b) const
 {
   Eigen::VectorXd of_columns(of_body[b].size());
   for (unsigned int i = 0; i < of_body[b].size(); ++i)
@@ -294,8 +308,12 @@ Eigen::VectorXd FrameSystem::z_of(const unsigned int b) const
   return of_columns;
 }
 
-Eigen::VectorXd FrameSystem::force_on(const unsigned int b) const
+template <int dim>
+Eigen::VectorXd FrameSystem<dim>::force_on(const unsigned int b) const
 {
   return V[b] * z_of(b);
 }
+
+template class FrameSystem<2>;
+template class FrameSystem<3>;
 } // namespace softgrain::mpm

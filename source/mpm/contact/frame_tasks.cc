@@ -13,64 +13,66 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Vector = dealii::Tensor<1, 2>;
-using Point = dealii::Point<2>;
-
 /// Boxes around the outlines as they stand in the cell, grown by half the reach, and the copies in which the
 /// bodies are.
+template <int dim>
 struct Boxes
 {
-  std::vector<dealii::BoundingBox<2>> box;
-  std::vector<PeriodicCell<2>::Image> fold;
+  std::vector<dealii::BoundingBox<dim>> box;
+  std::vector<typename PeriodicCell<dim>::Image> fold;
 };
 
-Boxes boxes_of(const FrameScene &scene, const std::vector<SampledSurface<2>> &samples)
+template <int dim>
+Boxes<dim> boxes_of(const FrameScene<dim> &scene, const std::vector<SampledSurface<dim>> &samples)
 {
-  Boxes boxes;
+  Boxes<dim> boxes;
   for (unsigned int b = 0; b < samples.size(); ++b)
   {
     boxes.fold.emplace_back();
-    Vector back;
-    if (scene.cell != nullptr)
-    {
-      boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
-      back = scene.cell->cell.shift(boxes.fold.back());
-    }
+    dealii::Tensor<1, dim> back;
+    if constexpr (dim == 2)
+      if (scene.cell != nullptr)
+      {
+        boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
+        back = scene.cell->cell.shift(boxes.fold.back());
+      }
     const double reach = 0.5 * scene.reach + scene.way_of(b);
-    Point lower = samples[b].samples.front().position, upper = lower;
+    dealii::Point<dim> lower = samples[b].samples.front().position, upper = lower;
     for (const auto &s : samples[b].samples)
-      for (unsigned int d = 0; d < 2; ++d)
+      for (unsigned int d = 0; d < dim; ++d)
       {
         lower[d] = std::min(lower[d], s.position[d] - reach);
         upper[d] = std::max(upper[d], s.position[d] + reach);
       }
-    boxes.box.push_back(dealii::BoundingBox<2>({lower - back, upper - back}));
+    boxes.box.push_back(dealii::BoundingBox<dim>({lower - back, upper - back}));
   }
   return boxes;
 }
 
 } // namespace
 
-std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
-                                        const std::vector<SampledSurface<2>> &samples)
+template <int dim>
+std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
+                                             const std::vector<SampledSurface<dim>> &samples)
 {
-  const Boxes boxes = boxes_of(scene, samples);
-  std::vector<FrameTask> tasks;
-  const auto add = [&](unsigned int body, unsigned int partner, PeriodicCell<2>::Image image)
+  const Boxes<dim> boxes = boxes_of(scene, samples);
+  std::vector<FrameTask<dim>> tasks;
+  const auto add = [&](unsigned int body, unsigned int partner, typename PeriodicCell<dim>::Image image)
   {
-    const std::vector<Body<2>> &bodies = scene.bodies;
+    const std::vector<Body<dim>> &bodies = scene.bodies;
     if (bodies[body].driven && bodies[partner].driven)
       return;
     // A body that is driven is always the partner.
     if (bodies[body].driven || (!bodies[partner].driven && partner > body))
     {
       std::swap(body, partner);
-      image = {{-image[0], -image[1]}};
+      for (int &n : image)
+        n = -n;
     }
-    FrameTask task;
+    FrameTask<dim> task;
     task.named.body = body;
     task.named.partner = partner;
-    for (unsigned int d = 0; d < 2; ++d)
+    for (unsigned int d = 0; d < dim; ++d)
       task.named.image[d] = image[d] + boxes.fold[body][d] - boxes.fold[partner][d] + bodies[body].home[d] -
                             bodies[partner].home[d];
     task.apart = scene.apart(task.named);
@@ -82,7 +84,7 @@ std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
     for (unsigned int w = 0; w < scene.walls.size() && !scene.bodies[b].driven; ++w)
       if (scene.walls[w].plane)
       {
-        FrameTask task;
+        FrameTask<dim> task;
         task.named.body = b;
         task.named.wall = w;
         tasks.push_back(std::move(task));
@@ -90,7 +92,7 @@ std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
     for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size() && !scene.bodies[b].driven;
          ++o)
     {
-      FrameTask task;
+      FrameTask<dim> task;
       task.named.body = b;
       task.named.wall = scene.walls.size() + o;
       task.near = boxes.box[b];
@@ -104,14 +106,20 @@ std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
       if (a < b)
         add(b, a, {});
   }
-  if (scene.cell != nullptr)
-    for (const ImagePair &pair : pairs_across(boxes.box, scene.cell->cell))
-    {
-      if (pair.a == pair.b)
-        throw ComputationError("the cell that repeats has become too small: body '" +
-                               scene.bodies[pair.a].name + "' meets itself");
-      add(pair.a, pair.b, pair.image);
-    }
+  if constexpr (dim == 2)
+    if (scene.cell != nullptr)
+      for (const ImagePair &pair : pairs_across(boxes.box, scene.cell->cell))
+      {
+        if (pair.a == pair.b)
+          throw ComputationError("the cell that repeats has become too small: body '" +
+                                 scene.bodies[pair.a].name + "' meets itself");
+        add(pair.a, pair.b, pair.image);
+      }
   return tasks;
 }
+
+template std::vector<FrameTask<2>> find_frame_tasks(const FrameScene<2> &,
+                                                    const std::vector<SampledSurface<2>> &);
+template std::vector<FrameTask<3>> find_frame_tasks(const FrameScene<3> &,
+                                                    const std::vector<SampledSurface<3>> &);
 } // namespace softgrain::mpm

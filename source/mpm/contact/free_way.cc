@@ -3,13 +3,14 @@
 
 namespace softgrain::mpm
 {
-FreeWay::FreeWay(const FreeWall<2> &free,
-                 const unsigned int slab,
-                 const PeriodicCell<2> *repeats,
-                 const double net,
-                 const double load,
-                 const double limit,
-                 const double stiffness)
+template <int dim>
+FreeWay<dim>::FreeWay(const FreeWall<dim> &free,
+                      const unsigned int slab,
+                      const PeriodicCell<dim> *repeats,
+                      const double net,
+                      const double load,
+                      const double limit,
+                      const double stiffness)
     : stopped(net > 0.   ? 1
               : net < 0. ? -1
                          : 0)
@@ -22,28 +23,38 @@ FreeWay::FreeWay(const FreeWall<2> &free,
 {
   if (repeats == nullptr)
     return;
-  cell.emplace();
-  cell->cell = *repeats;
-  cell->add_side(free.normal, free.way);
+  if constexpr (dim == 2)
+  {
+    cell.emplace();
+    cell->cell = *repeats;
+    cell->add_side(free.normal, free.way);
+  }
 }
 
-std::array<FreeWay::Vector, 2> FreeWay::moves(const FrameScene &scene, const FrameState &frame) const
+template <int dim>
+std::array<typename FreeWay<dim>::Vector, 2> FreeWay<dim>::moves(const FrameScene<dim> &scene,
+                                                                 const FrameState<dim> &frame) const
 {
   std::array<Vector, 2> result;
-  const ContactFrame<2> &layout = frame.layout();
-  const bool at_wall = layout.partner == FrameState::none;
+  const ContactFrame<dim> &layout = frame.layout();
+  const bool at_wall = layout.partner == FrameState<dim>::none;
   if (at_wall && layout.wall == wall)
     result[0] = way;
   for (unsigned int side = 0; side < 2; ++side)
-    if (const unsigned int b = frame.body(side); b != FrameState::none)
+    if (const unsigned int b = frame.body(side); b != FrameState<dim>::none)
     {
       if (b == slab)
         result[side] = way;
-      else if (cell && !scene.bodies[b].driven)
-        result[side] = cell->velocity(scene.bodies[b].center());
+      else if constexpr (dim == 2)
+        if (cell && !scene.bodies[b].driven)
+          result[side] = cell->velocity(scene.bodies[b].center());
     }
-  if (cell)
-    result[0] += cell->gradient * frame.image_shift();
+  if constexpr (dim == 2)
+    if (cell)
+      result[0] += cell->gradient * frame.image_shift();
   return result;
 }
+
+template struct FreeWay<2>;
+template struct FreeWay<3>;
 } // namespace softgrain::mpm

@@ -8,12 +8,11 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double beta = 1.1;              ///< what the grid shows of a contact
 constexpr double narrowest_contact = .05; ///< [cells]
 } // namespace
 
-HertzDent::HertzDent(const double modulus, const double radius, const double cell_size)
-    : modulus(modulus), radius(radius), cell_size(cell_size)
+HertzDent::HertzDent(const double modulus, const double radius, const double cell_size, const double beta)
+    : modulus(modulus), radius(radius), cell_size(cell_size), beta(beta)
 {
   const double a = narrowest_contact * cell_size;
   smallest = 4. / 3. * modulus * a * a * a / radius;
@@ -28,6 +27,13 @@ double HertzDent::operator()(const double force) const
     return force / smallest * of_smallest;
   const double a = std::cbrt(0.75 * force * radius / modulus);
   return 0.75 * cell_size / a > beta ? a * a / radius - beta * force / (modulus * cell_size) : 0.;
+}
+
+double HertzDent::per_force(const double force) const
+{
+  if (modulus == 0.)
+    return 0.;
+  return force < smallest ? of_smallest / smallest : (*this)(force) / force;
 }
 
 double HertzDent::energy(const double force) const

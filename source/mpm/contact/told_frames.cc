@@ -8,56 +8,66 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Frame = ContactFrame<2>;
-
-constexpr std::size_t numbers_of_ray = (sizeof(Frame::RayPlace) + sizeof(double) - 1) / sizeof(double);
-static_assert(std::is_trivially_destructible<Frame::RayPlace>::value, "a ray is more than its numbers");
+template <int dim>
+constexpr std::size_t numbers_of_ray = (sizeof(typename ContactFrame<dim>::RayPlace) + sizeof(double) - 1) /
+                                       sizeof(double);
+static_assert(std::is_trivially_destructible<ContactFrame<3>::RayPlace>::value,
+              "a ray is more than its numbers");
 } // namespace
 
-void tell_frames(const std::vector<Frame> &frames, std::vector<double> &numbers)
+template <int dim>
+void tell_frames(const std::vector<ContactFrame<dim>> &frames, std::vector<double> &numbers)
 {
   numbers.push_back(frames.size());
-  for (const Frame &frame : frames)
+  for (const ContactFrame<dim> &frame : frames)
   {
-    for (const double n : {static_cast<double>(frame.rays.size()), static_cast<double>(frame.id),
-                           static_cast<double>(frame.corner), static_cast<double>(frame.home[0]),
-                           static_cast<double>(frame.home[1]), frame.spacing, frame.log_full_width[0],
-                           frame.log_full_width[1]})
+    for (const double n :
+         {static_cast<double>(frame.rays.size()), static_cast<double>(frame.id),
+          static_cast<double>(frame.corner), frame.spacing, frame.log_full_width[0], frame.log_full_width[1]})
       numbers.push_back(n);
-    for (unsigned int d = 0; d < 2; ++d)
-      for (const double n : {frame.origin[d], frame.direction[d], frame.across[0][d]})
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const double n : {static_cast<double>(frame.home[d]), frame.origin[d], frame.direction[d]})
         numbers.push_back(n);
-    for (const Frame::RayPlace &ray : frame.rays)
+    for (const typename ContactFrame<dim>::RayPlace &ray : frame.rays)
     {
       // As it is in memory: nothing that a ray comes to have can be forgotten here.
-      numbers.resize(numbers.size() + numbers_of_ray);
-      std::memcpy(&numbers[numbers.size() - numbers_of_ray], static_cast<const void *>(&ray), sizeof(ray));
+      numbers.resize(numbers.size() + numbers_of_ray<dim>);
+      std::memcpy(&numbers[numbers.size() - numbers_of_ray<dim>], static_cast<const void *>(&ray),
+                  sizeof(ray));
     }
   }
 }
 
-std::vector<Frame> take_frames(const Frame &named, const double *&at)
+template <int dim>
+std::vector<ContactFrame<dim>> take_frames(const ContactFrame<dim> &named, const double *&at)
 {
-  std::vector<Frame> frames(static_cast<std::size_t>(*at++), named);
-  for (Frame &frame : frames)
+  std::vector<ContactFrame<dim>> frames(static_cast<std::size_t>(*at++), named);
+  for (ContactFrame<dim> &frame : frames)
   {
     frame.rays.resize(static_cast<std::size_t>(*at++));
     frame.id = static_cast<std::uint64_t>(*at++);
     frame.corner = static_cast<unsigned int>(*at++);
-    for (int &n : frame.home)
-      n = static_cast<int>(*at++);
     frame.spacing = *at++;
     for (double &width : frame.log_full_width)
       width = *at++;
-    for (unsigned int d = 0; d < 2; ++d)
-      for (double *const n : {&frame.origin[d], &frame.direction[d], &frame.across[0][d]})
-        *n = *at++;
-    for (Frame::RayPlace &ray : frame.rays)
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      frame.home[d] = static_cast<int>(*at++);
+      frame.origin[d] = *at++;
+      frame.direction[d] = *at++;
+    }
+    frame.turn(frame.direction);
+    for (typename ContactFrame<dim>::RayPlace &ray : frame.rays)
     {
       std::memcpy(static_cast<void *>(&ray), at, sizeof(ray));
-      at += numbers_of_ray;
+      at += numbers_of_ray<dim>;
     }
   }
   return frames;
 }
+
+template void tell_frames(const std::vector<ContactFrame<2>> &, std::vector<double> &);
+template std::vector<ContactFrame<2>> take_frames(const ContactFrame<2> &, const double *&);
+template void tell_frames(const std::vector<ContactFrame<3>> &, std::vector<double> &);
+template std::vector<ContactFrame<3>> take_frames(const ContactFrame<3> &, const double *&);
 } // namespace softgrain::mpm

@@ -40,57 +40,67 @@ struct Unpacker
   }
 };
 
-template <class Part>
-void for_place(SurfacePlace<2> &place, const Part &part)
+template <int dim, class Part>
+void for_place(SurfacePlace<dim> &place, const Part &part)
 {
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
   {
     part(place.position[d]);
-    part(place.tangent[0][d]);
     part(place.normal[d]);
   }
-  part(place.bend[0][0]);
+  for (unsigned int k = 0; k < dim - 1; ++k)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      part(place.tangent[k][d]);
+    for (unsigned int l = 0; l < dim - 1; ++l)
+      part(place.bend[k][l]);
+  }
   part(place.piece);
   part(place.along);
   part(place.at_edge);
 }
 
 /// Whether a rank does work on a body of the frame.
-bool is_here(const BodyShare &share, const FrameState &frame)
+template <int dim>
+bool is_here(const BodyShare &share, const FrameState<dim> &frame)
 {
   const unsigned int partner = frame.unknown(0);
-  return share.mine(frame.body(1)) || (partner != FrameState::none && share.mine(partner));
+  return share.mine(frame.body(1)) || (partner != FrameState<dim>::none && share.mine(partner));
 }
 } // namespace
 
+template <int dim>
 template <class Part>
-void FrameState::for_told(RayHere &ray, const Part &part) const
+void FrameState<dim>::for_told(RayHere &ray, const Part &part) const
 {
   part(ray.met);
   part(ray.gap);
-  part(ray.by_motion);
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    part(ray.by_motion[m]);
   part(ray.bound);
   part(ray.slide);
   part(ray.known_slide);
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
     part(ray.e[d]);
   for (unsigned int s = flat_partner() ? 1 : 0; s < 2; ++s)
   {
-    RaySide<2> &side = ray.side[s];
+    RaySide<dim> &side = ray.side[s];
     part(side.met);
     part(side.height);
-    for (unsigned int d = 0; d < 2; ++d)
+    for (unsigned int d = 0; d < dim; ++d)
     {
       part(side.normal[d]);
-      part(side.way[0][d]);
-      for (unsigned int e = 0; e < 2; ++e)
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        part(side.way[k][d]);
+      for (unsigned int e = 0; e < dim; ++e)
         part(side.sliding_twice[d][e]);
     }
     for_place(side.place, part);
   }
 }
 
-std::size_t FrameState::n_told() const
+template <int dim>
+std::size_t FrameState<dim>::n_told() const
 {
   std::size_t of_ray = 0;
   RayHere any;
@@ -98,26 +108,29 @@ std::size_t FrameState::n_told() const
   return of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
 }
 
-void FrameState::tell(double *numbers)
+template <int dim>
+void FrameState<dim>::tell(double *numbers)
 {
   for (RayHere &ray : rays)
     if (ray.near)
       for_told(ray, Packer{numbers});
 }
 
-void FrameState::take(const double *numbers)
+template <int dim>
+void FrameState<dim>::take(const double *numbers)
 {
   for (RayHere &ray : rays)
     if (ray.near)
       for_told(ray, Unpacker{numbers});
 }
 
+template <int dim>
 void look_and_tell(const BodyShare &share,
-                   std::vector<FrameState> &frames,
+                   std::vector<FrameState<dim>> &frames,
                    const std::function<void(unsigned int f)> &look)
 {
   std::vector<std::size_t> first(1, 0); // of the numbers of every frame
-  for (const FrameState &frame : frames)
+  for (const FrameState<dim> &frame : frames)
     first.push_back(first.back() + (share.alone() ? 0 : frame.n_told()));
   std::vector<double> told(first.back());
   share.together(
@@ -144,4 +157,12 @@ void look_and_tell(const BodyShare &share,
     if (!is_here(share, frames[f]))
       frames[f].take(told.data() + first[f]);
 }
+
+template void
+look_and_tell(const BodyShare &, std::vector<FrameState<2>> &, const std::function<void(unsigned int)> &);
+template void
+look_and_tell(const BodyShare &, std::vector<FrameState<3>> &, const std::function<void(unsigned int)> &);
+template std::size_t FrameState<2>::n_told() const;
+template void FrameState<2>::tell(double *);
+template void FrameState<2>::take(const double *);
 } // namespace softgrain::mpm

@@ -94,9 +94,9 @@ Eigen::VectorXd RayEquations::end_velocity(const unsigned int b, const Eigen::Ve
 }
 
 /// By which bodies move beside what their nodes do, see FrameScene::carried.
-std::vector<FrameState::Vector> RayEquations::ways_of_bodies() const
+std::vector<FrameState<2>::Vector> RayEquations::ways_of_bodies() const
 {
-  std::vector<FrameState::Vector> ways(state.bodies.size());
+  std::vector<FrameState<2>::Vector> ways(state.bodies.size());
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       ways[body.index] = plan.dt * work.drive[body.index];
@@ -169,7 +169,7 @@ bool RayEquations::meet(const Vectors &to)
                 {
                   const unsigned int w = frames[f].layout().wall;
                   frames[f].look(scene, displacement, to,
-                                 w < motion.size() ? way_of(motion[w]) : FrameState::Vector(), force[f]);
+                                 w < motion.size() ? way_of(motion[w]) : FrameState<2>::Vector(), force[f]);
                 });
   for (unsigned int f = 0; f < frames.size() && not_met == none; ++f)
     if (!frames[f].meets(force[f]))
@@ -204,14 +204,14 @@ std::string RayEquations::why_not() const
 Eigen::VectorXd RayEquations::contact_forces(const unsigned int b) const
 {
   Eigen::VectorXd contact = at_rest[b];
-  const auto add = [&](const unsigned int node, const FrameState::Vector &value)
+  const auto add = [&](const unsigned int node, const FrameState<2>::Vector &value)
   {
     for (unsigned int d = 0; d < 2; ++d)
       contact[2 * node + d] += value[d];
   };
   for (const auto &[f, side] : system.frames_of[b])
   {
-    const FrameState &frame = frames[f];
+    const FrameState<2> &frame = frames[f];
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
       if (force[f][k] != 0.)
@@ -219,7 +219,7 @@ Eigen::VectorXd RayEquations::contact_forces(const unsigned int b) const
       if (rubbing[f][k] != 0.)
         frame.for_slide(k, side, rubbing[f][k], add);
     }
-    frame.for_mean(side, -frame.tangential(force[f]), add);
+    frame.for_mean(side, 0, -frame.tangential(force[f])[0], add);
   }
   return contact;
 }
@@ -227,7 +227,7 @@ Eigen::VectorXd RayEquations::contact_forces(const unsigned int b) const
 /// How far the rays of a frame are from their conditions.
 void RayEquations::measure_frame(const unsigned int f, double &wrong_friction)
 {
-  const FrameState &frame = frames[f];
+  const FrameState<2> &frame = frames[f];
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
     if (!frame.ray(k).met)
@@ -280,7 +280,7 @@ void RayEquations::measure()
     worst = std::max(worst, unbalanced);
     scale = std::max(scale, largest);
   }
-  for (const FreeWay &free : system.ways)
+  for (const FreeWay<2> &free : system.ways)
     scale = std::max(scale, std::abs(free.load));
   residual = std::max({worst, wrong_friction, unbalanced_free_walls()}) / scale;
 }
@@ -356,7 +356,7 @@ void RayEquations::find_free_walls()
   for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
     const Wall &wall = state.walls[free.wall];
-    const unsigned int slab = wall.body == Wall::no_body ? FrameState::none : wall.body;
+    const unsigned int slab = wall.body == Wall::no_body ? FrameState<2>::none : wall.body;
     const PeriodicCell<2> *const side = wall.repeats() ? repeats : nullptr;
     if (inertia)
     {
@@ -382,7 +382,7 @@ void RayEquations::find_free_walls()
 double RayEquations::unbalanced_free_walls() const
 {
   double worst = 0.;
-  for (const FreeWay &way : system.ways)
+  for (const FreeWay<2> &way : system.ways)
   {
     if (way.stopped != 0)
       continue;

@@ -143,7 +143,7 @@ bool RayStep::keep_dents()
 {
   if (dents_kept || plan.regularisation * outcome.raised < keeps_dents_from)
     return false;
-  for (FrameState &frame : frames)
+  for (FrameState<2> &frame : frames)
     frame.keep_dent();
   return dents_kept = true;
 }
@@ -235,7 +235,7 @@ std::string RayStep::iterate()
 /// Adhesion is that of the gaps at the start of the step. Where it holds what is apart, rays begin with it.
 void RayStep::begin_to_pull()
 {
-  for (FrameState &frame : frames)
+  for (FrameState<2> &frame : frames)
     frame.find_pulls(scene, plan.held);
   take_forces_of_start();
 }
@@ -319,7 +319,7 @@ void RayStep::accept(State &state_to_change)
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        const FrameState::Vector resistance = equations.resistance(b);
+        const FrameState<2>::Vector resistance = equations.resistance(b);
         told[b] = {equations.regularisation_work(b), equations.scheme_damping(b, trial[b]), resistance[0],
                    resistance[1], inertia ? 0. : equations.held_back(b)};
         if (inertia)
@@ -352,14 +352,14 @@ void RayStep::accept(State &state_to_change)
     found.scheme_damping[b] = told[b][1];
     if (!inertia)
     {
-      found.resistance.push_back(FrameState::Vector({told[b][2], told[b][3]}));
+      found.resistance.push_back(FrameState<2>::Vector({told[b][2], told[b][3]}));
       state_to_change.held_back[b] = told[b][4];
     }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
     for (const unsigned int side : {0, 1})
-      if (const unsigned int b = frames[f].unknown(side); b != FrameState::none)
+      if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)
         state_to_change.held_back[b] += frames[f].pull_to_come(scene);
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;
   kept.clear();

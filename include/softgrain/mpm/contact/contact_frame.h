@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -58,6 +59,22 @@ struct ContactFrame
   };
   std::vector<RayPlace> rays; ///< in ascending order of their indices
 
+  /// Where a ray of the lattice stands, from the origin [m]. In space the lattice is hexagonal.
+  dealii::Tensor<1, dim - 1> offset(const std::array<int, dim - 1> &index) const
+  {
+    dealii::Tensor<1, dim - 1> way;
+    way[0] = index[0] * spacing;
+    if constexpr (dim == 3)
+    {
+      way[0] += 0.5 * index[1] * spacing;
+      way[1] = 0.86602540378443864676 * index[1] * spacing;
+    }
+    return way;
+  }
+
+  /// Turns it to another direction. @param to unit
+  void turn(const dealii::Tensor<1, dim> &to);
+
   /// What a frame and its successor have in common.
   using Key = std::tuple<unsigned int,
                          unsigned int,
@@ -71,6 +88,31 @@ struct ContactFrame
             image, corner,  corner == none || rays.empty() ? none : rays[0].place[corner].piece};
   }
 };
+
+template <>
+inline void ContactFrame<2>::turn(const dealii::Tensor<1, 2> &to)
+{
+  direction = to;
+  across[0] = dealii::Tensor<1, 2>({to[1], -to[0]});
+}
+
+/// The first of the unit vectors across the rays goes along the axis of space that is nearest to lying across
+/// them, so lattices of mirrored scenes are mirror images.
+template <>
+inline void ContactFrame<3>::turn(const dealii::Tensor<1, 3> &to)
+{
+  constexpr double rounding = 1e-6;
+  direction = to;
+  unsigned int axis = 0;
+  for (unsigned int d = 1; d < 3; ++d)
+    if (std::abs(to[d]) < std::abs(to[axis]) - rounding)
+      axis = d;
+  dealii::Tensor<1, 3> along;
+  along[axis] = 1.;
+  along -= to[axis] * to;
+  across[0] = along / along.norm();
+  across[1] = dealii::cross_product_3d(to, across[0]);
+}
 } // namespace softgrain::mpm
 
 #endif

@@ -8,58 +8,61 @@
 namespace softgrain::mpm
 {
 /// Lays the rays of frames over the stretches of one pair.
+template <int dim>
 class FrameLayout
 {
 public:
-  using Vector = dealii::Tensor<1, 2>;
+  using Vector = dealii::Tensor<1, dim>;
+  using Across = dealii::Tensor<1, dim - 1>;
 
   /// @param apart   from the partner to the image that the body meets [m]
   /// @param partner samples of that image, or of an obstacle; null: a wall
-  FrameLayout(const FrameScene &scene,
+  FrameLayout(const FrameScene<dim> &scene,
               const Vector &apart,
-              const SampledSurface<2> *partner,
-              const SampledSurface<2> &body)
+              const SampledSurface<dim> *partner,
+              const SampledSurface<dim> &body)
       : scene(scene), apart(apart), partner(partner), body(body)
   {
   }
 
   /// Gives a frame the rays that a stretch wants; forces of rays that stay are kept.
-  void lay(const FrameStretch &stretch, ContactFrame<2> &frame) const;
+  void lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
   /// Moves a new frame to where the two are nearest, and turns it to their normals there: a light contact is
   /// met at its middle.
-  void center(const FrameStretch &stretch, ContactFrame<2> &frame) const;
+  void center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
 private:
   /// Places of the samples of a side, with where they lie across the rays [m].
-  using Guesses = std::vector<std::pair<double, SurfacePlace<2>>>;
+  using Guesses = std::vector<std::pair<Across, SurfacePlace<dim>>>;
 
-  Guesses guesses_of(const FrameStretch &stretch, const ContactFrame<2> &frame, unsigned int side) const;
-  bool meet_from(const SurfacePlace<2> &guess,
-                 const ContactFrame<2> &frame,
+  Guesses
+  guesses_of(const FrameStretch<dim> &stretch, const ContactFrame<dim> &frame, unsigned int side) const;
+  bool meet_from(const SurfacePlace<dim> &guess,
+                 const ContactFrame<dim> &frame,
                  unsigned int side,
-                 ContactFrame<2>::RayPlace &ray,
+                 typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
-  bool near_corner(const ContactFrame<2> &frame, unsigned int side, const SurfacePlace<2> &place) const;
-  bool meet_side(const FrameStretch &stretch,
-                 const ContactFrame<2> &frame,
+  bool near_corner(const ContactFrame<dim> &frame, unsigned int side, const SurfacePlace<dim> &place) const;
+  bool meet_side(const FrameStretch<dim> &stretch,
+                 const ContactFrame<dim> &frame,
                  unsigned int side,
                  const Guesses &guesses,
-                 const ContactFrame<2>::RayPlace *old,
-                 ContactFrame<2>::RayPlace &ray,
+                 const typename ContactFrame<dim>::RayPlace *old,
+                 typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
-  void note_dent(const std::array<SurfacePlace<2>, 2> &place, ContactFrame<2> &frame) const;
-  const SampledSurface<2> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }
+  void note_dent(const std::array<SurfacePlace<dim>, 2> &place, ContactFrame<dim> &frame) const;
+  const SampledSurface<dim> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }
   Vector away(const unsigned int side) const { return side == 0 ? apart : Vector(); }
-  RaySide<2> meet_surface(const ContactFrame<2> &frame,
-                          unsigned int side,
-                          double offset,
-                          const SurfacePlace<2> &guess) const;
+  RaySide<dim> meet_surface(const ContactFrame<dim> &frame,
+                            unsigned int side,
+                            const Across &offset,
+                            const SurfacePlace<dim> &guess) const;
 
-  const FrameScene &scene;
+  const FrameScene<dim> &scene;
   const Vector &apart;
-  const SampledSurface<2> *partner;
-  const SampledSurface<2> &body;
+  const SampledSurface<dim> *partner;
+  const SampledSurface<dim> &body;
 };
 } // namespace softgrain::mpm
 

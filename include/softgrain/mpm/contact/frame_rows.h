@@ -20,8 +20,8 @@ namespace softgrain::mpm
  * @param rubbing friction of the rays [N/m]
  * @param memory takes their impulses over its step
  */
-std::vector<ContactRow<2>> rows_of_frames(const FrameScene &scene,
-                                          const std::vector<FrameState> &frames,
+std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
+                                          const std::vector<FrameState<2>> &frames,
                                           const RayForces &force,
                                           const RayForces &rubbing,
                                           ContactMemory<2> &memory);

@@ -5,34 +5,46 @@
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/geometry/outline_surface.h>
+#include <softgrain/geometry/sphere_surface.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/hertz_compliance.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
 #include <softgrain/mpm/contact/ray.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 #include <softgrain/scene/contact_pairs.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// What rays meet of a body.
+template <int dim>
+using BodySurface = std::conditional_t<dim == 2, OutlineSurface, SphereSurface>;
+
+/// The law of dents that a grid misses.
+template <int dim>
+using SubgridLaw = std::conditional_t<dim == 2, SubgridCompliance, HertzCompliance>;
+
 /// What a search for frames looks at.
+template <int dim>
 struct FrameScene
 {
-  const std::vector<Body<2>> &bodies;
-  const std::vector<OutlineSurface> &outlines; ///< of the bodies, in the configuration of their grids
-  const std::vector<WallMotion<2>> &walls;
+  const std::vector<Body<dim>> &bodies;
+  const std::vector<BodySurface<dim>> &outlines; ///< of the bodies, in the configuration of their grids
+  const std::vector<WallMotion<dim>> &walls;
   double cell_size;                    ///< [m]
-  SubgridCompliance subgrid;           ///< what the grid misses of dents
+  SubgridLaw<dim> subgrid;             ///< what the grid misses of dents
   double reach;                        ///< gap up to which places of bodies at rest are looked at [m]
   const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
   const CellMotion *cell = nullptr;    ///< that repeats; null: nothing does
   double dt = 0.;                      ///< [s]
   /// By which bodies move beside what their nodes do over the step, since they are driven or a cell takes
   /// them along; empty: by nothing [m].
-  std::vector<dealii::Tensor<1, 2>> carried = {};
+  std::vector<dealii::Tensor<1, dim>> carried = {};
   /// Share of the step after which rays meet surfaces. 1: its end, where a step without inertia is in
   /// balance; 1/2: with inertia, so that forces between rest places do no work.
   double met_at = 1.;
@@ -45,34 +57,38 @@ struct FrameScene
   const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].
-  double reach_of(const ContactFrame<2> &frame) const
+  double reach_of(const ContactFrame<dim> &frame) const
   {
-    return reach + way_of(frame.body) + (frame.partner == ContactFrame<2>::none ? 0. : way_of(frame.partner));
+    return reach + way_of(frame.body) +
+           (frame.partner == ContactFrame<dim>::none ? 0. : way_of(frame.partner));
   }
   /// The obstacle that a frame belongs to; null: none.
-  const ObstacleLine *line_of(const ContactFrame<2> &frame) const
+  const ObstacleLine *line_of(const ContactFrame<dim> &frame) const
   {
-    const bool at_line = frame.partner == ContactFrame<2>::none && frame.wall >= walls.size();
+    const bool at_line =
+        lines != nullptr && frame.partner == ContactFrame<dim>::none && frame.wall >= walls.size();
     return at_line ? &(*lines)[frame.wall - walls.size()] : nullptr;
   }
   /// The surface of a side, 0 the partner, which is no wall, and 1 the body.
-  const RestSurface<2> &surface_of(const ContactFrame<2> &frame, const unsigned int side) const
+  const RestSurface<dim> &surface_of(const ContactFrame<dim> &frame, const unsigned int side) const
   {
-    if (side == 0 && frame.partner == ContactFrame<2>::none)
-      return line_of(frame)->surface;
+    if constexpr (dim == 2)
+      if (side == 0 && frame.partner == ContactFrame<dim>::none)
+        return line_of(frame)->surface;
     return outlines[side == 0 ? frame.partner : frame.body];
   }
   double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
 
   /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].
-  dealii::Tensor<1, 2> apart(const ContactFrame<2> &frame) const;
+  dealii::Tensor<1, dim> apart(const ContactFrame<dim> &frame) const;
 };
 
 /// The ray of a frame at @p offset [m] from its origin, as a body sees it that stands @p away [m] from where
 /// the frame has it.
-Ray<2> ray_of(const ContactFrame<2> &frame,
-              double offset,
-              const dealii::Tensor<1, 2> &away = dealii::Tensor<1, 2>());
+template <int dim>
+Ray<dim> ray_of(const ContactFrame<dim> &frame,
+                const dealii::Tensor<1, dim - 1> &offset,
+                const dealii::Tensor<1, dim> &away = dealii::Tensor<1, dim>());
 
 /**
  * @brief The frames of all that is near each other where the bodies are now.
@@ -80,7 +96,9 @@ Ray<2> ray_of(const ContactFrame<2> &frame,
  * A stretch that is already covered by one of the frames @p before, whose direction it has kept within 11
  * degrees, keeps that frame and the forces of its rays.
  */
-std::vector<ContactFrame<2>> find_frames(const FrameScene &scene, std::vector<ContactFrame<2>> before);
+template <int dim>
+std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
+                                           std::vector<ContactFrame<dim>> before);
 } // namespace softgrain::mpm
 
 #endif

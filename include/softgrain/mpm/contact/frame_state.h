@@ -30,14 +30,16 @@ namespace softgrain::mpm
  * the ray's force does: linear in the unknowns, without a second derivative, and nothing need be remembered
  * from step to step but the force.
  */
+template <int dim>
 class FrameState
 {
 public:
-  using Vector = dealii::Tensor<1, 2>;
-  static constexpr unsigned int none = ContactFrame<2>::none;
+  using Vector = dealii::Tensor<1, dim>;
+  using Across = dealii::Tensor<1, dim - 1>; ///< a component for each direction across the rays
+  static constexpr unsigned int none = ContactFrame<dim>::none;
 
   /// Takes weights of the mean from the forces that the rays have, or from the ray with the smallest gap.
-  FrameState(const ContactFrame<2> &frame, const FrameScene &scene);
+  FrameState(const ContactFrame<dim> &frame, const FrameScene<dim> &scene);
 
   /// The gap that forces see: dents that the grid misses let both come nearer, and what softness has given to
   /// the force at the start of a step without inertia is taken back [m].
@@ -65,15 +67,15 @@ public:
   /// Finds by how much rays pull in this step: what adhesion does where surfaces are as the step begins, as
   /// they have just been met.
   /// @param held the step seeks balance only: pulls go half-way there
-  void find_pulls(const FrameScene &scene, bool held);
+  void find_pulls(const FrameScene<dim> &scene, bool held);
   /// By how much what rays pull differs from what they would pull where they were last met [N/m].
-  double pull_to_come(const FrameScene &scene) const;
+  double pull_to_come(const FrameScene<dim> &scene) const;
 
   /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
   /// those without force that cannot have come within @p within since they were last met. No place has moved
   /// by more than @p path in all since the first call.
   /// @param increment displacement of all bodies in this step, none in the first call [m]
-  void prepare(const FrameScene &scene,
+  void prepare(const FrameScene<dim> &scene,
                const std::vector<Eigen::VectorXd> &increment,
                const std::vector<double> &force,
                double path,
@@ -82,7 +84,7 @@ public:
   /// @param displacement of all bodies since the grid was laid [m]
   /// @param increment part of it that belongs to this step [m]
   /// @param wall_way of the wall over the step [m]
-  void look(const FrameScene &scene,
+  void look(const FrameScene<dim> &scene,
             const std::vector<Eigen::VectorXd> &displacement,
             const std::vector<Eigen::VectorXd> &increment,
             const Vector &wall_way,
@@ -106,27 +108,27 @@ public:
 
   struct RayHere
   {
-    std::array<RaySide<2>, 2> side; ///< of the partner and the body
+    std::array<RaySide<dim>, 2> side; ///< of the partner and the body
     bool met = false;
     bool met_at_start = false; ///< with inertia; else no gap at the end is known
     bool near = true;          ///< looked at
     bool first = true;         ///< for the first time
-    bool left = false;    ///< has slid off one of its surfaces, so that it is no more looked at in this step
-    double gap = 0;       ///< [m]
-    double path = 0;      ///< when it was last looked at
-    double by_motion = 0; ///< dg/dc
-    double at_start = 0;  ///< gap at the start of the step, with inertia [m]
-    double stays = 0;     ///< what the step leaves closed of an overlap with which it began [m]
-    double pull = 0;      ///< with which adhesion holds the surfaces together [N/m]
-    double memory = 0;    ///< of a contact law that remembers
+    bool left = false;   ///< has slid off one of its surfaces, so that it is no more looked at in this step
+    double gap = 0;      ///< [m]
+    double path = 0;     ///< when it was last looked at
+    Across by_motion;    ///< dg/dc
+    double at_start = 0; ///< gap at the start of the step, with inertia [m]
+    double stays = 0;    ///< what the step leaves closed of an overlap with which it began [m]
+    double pull = 0;     ///< with which adhesion holds the surfaces together [N/m]
+    double memory = 0;   ///< of a contact law that remembers
 
     // Of friction; e is 0 where there is none.
-    std::array<SurfacePlace<2>, 2> start;  ///< places under the ray at the start of the step
-    std::array<PlaceFunctions<2>, 2> hold; ///< of the field there
-    Vector e;                              ///< unit
-    double bound = 0;                      ///< largest friction over force
-    double slide = 0;                      ///< [m]
-    double known_slide = 0;                ///< what velocities at the start have in it, with inertia [m]
+    std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
+    std::array<PlaceFunctions<dim>, 2> hold; ///< of the field there
+    Vector e;                                ///< unit
+    double bound = 0;                        ///< largest friction over force
+    double slide = 0;                        ///< [m]
+    double known_slide = 0;                  ///< what velocities at the start have in it, with inertia [m]
   };
 
   /// Whether a ray is closed: its surfaces part where adhesion alone is left of its force.
@@ -158,17 +160,17 @@ public:
   }
   /// From the partner to the image of it that the body meets, at the start of the step [m].
   const Vector &image_shift() const { return apart; }
-  const ContactFrame<2> &layout() const { return frame; }
+  const ContactFrame<dim> &layout() const { return frame; }
   /// Whether its motion depends on unknowns: at a corner of an obstacle it does not.
   bool rides() const { return !mean[0].empty() || !mean[1].empty(); }
   /// c [m].
-  double motion() const { return moved; }
+  const Across &motion() const { return moved; }
 
   /// Calls add(node, vector) for dg_k/du of a side, @p factor times.
   template <class F>
   void for_gradient(const unsigned int k, const unsigned int side, const double factor, const F &add) const
   {
-    const RaySide<2> &here = rays[k].side[side];
+    const RaySide<dim> &here = rays[k].side[side];
     const Vector along = sign(side) * factor * here.normal;
     for (unsigned int i = 0; i < here.function.node.size(); ++i)
       add(here.function.node[i], here.function.value[i] * along);
@@ -178,16 +180,16 @@ public:
   void for_slide(const unsigned int k, const unsigned int side, const double factor, const F &add) const
   {
     const Vector along = sign(side) * factor * rays[k].e;
-    const PlaceFunctions<2> &hold = rays[k].hold[side];
+    const PlaceFunctions<dim> &hold = rays[k].hold[side];
     for (unsigned int i = 0; i < hold.node.size(); ++i)
       add(hold.node[i], hold.value[i] * along);
   }
-  /// The same for dc/du.
+  /// The same for the derivative of component @p m of c.
   template <class F>
-  void for_mean(const unsigned int side, const double factor, const F &add) const
+  void for_mean(const unsigned int side, const unsigned int m, const double factor, const F &add) const
   {
     for (const auto &[i, weight] : mean[side])
-      add(i, factor * weight * frame.across[0]);
+      add(i, factor * weight * frame.across[m]);
   }
   /// Factor from second derivatives of heights to those of gaps.
   double bend() const { return met_at; }
@@ -200,35 +202,40 @@ public:
     {
       if (force[k] == 0. || !rays[k].met)
         continue;
-      const RaySide<2> &here = rays[k].side[side];
+      const RaySide<dim> &here = rays[k].side[side];
       const Vector twice = here.sliding_twice * v;
-      const double along = here.way[0] * v;
       for (unsigned int i = 0; i < here.function.node.size(); ++i)
+      {
+        double along = (here.function.slope[i] * here.place.tangent[0]) * (here.way[0] * v);
+        if constexpr (dim == 3)
+          along += (here.function.slope[i] * here.place.tangent[1]) * (here.way[1] * v);
         add(here.function.node[i],
-            sign(side) * bend() * force[k] *
-                (here.function.value[i] * twice +
-                 (here.function.slope[i] * here.place.tangent[0]) * along * here.normal));
+            sign(side) * bend() * force[k] * (here.function.value[i] * twice + along * here.normal));
+      }
     }
   }
-  /// The motion of a side that does what the frame's own does: a ray that moves by c meets a body that has
-  /// moved by -c.
-  Vector as_motion() const { return -frame.across[0]; }
+  /// The motion of a side that does what the frame's own does in its component @p m: a ray that moves by c
+  /// meets a body that has moved by -c.
+  Vector as_motion(const unsigned int m) const { return -frame.across[m]; }
   /// sum_k P_k d^2 g_k/dv dw, where the sides move by @p v and by @p w [N/m^2].
   double twice_by(const std::vector<double> &force,
                   const std::array<Vector, 2> &v,
                   const std::array<Vector, 2> &w) const;
-  /// sum_k P_k d^2 g_k/dc^2 [N/m^2].
-  double twice_by_motion(const std::vector<double> &force) const
+  /// sum_k P_k d^2 g_k/dc_m dc_n [N/m^2].
+  double twice_by_motion(const std::vector<double> &force, const unsigned int m, const unsigned int n) const
   {
-    return twice_by(force, {{as_motion(), as_motion()}}, {{as_motion(), as_motion()}});
+    return twice_by(force, {{as_motion(m), as_motion(m)}}, {{as_motion(n), as_motion(n)}});
   }
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
   Vector resultant(unsigned int k) const
   {
-    return rays[k].side[1].normal + share(1) * rays[k].by_motion * frame.across[0];
+    Vector result = rays[k].side[1].normal;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result += share(1) * rays[k].by_motion[m] * frame.across[m];
+    return result;
   }
   /// tau [N/m].
-  double tangential(const std::vector<double> &force) const;
+  Across tangential(const std::vector<double> &force) const;
 
   /// What it does to the gap of a ray, at a place of the frame that stays, that its sides move, and to its
   /// slide.
@@ -242,14 +249,18 @@ public:
     return rays[k].e * (moves[1] - moves[0]);
   }
   /// What it does to the mean motion across the rays.
-  double motion_by(const std::array<Vector, 2> &moves) const
+  Across motion_by(const std::array<Vector, 2> &moves) const
   {
-    return (share(0) * moves[0] + share(1) * moves[1]) * frame.across[0];
+    Across result;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result[m] = (share(0) * moves[0] + share(1) * moves[1]) * frame.across[m];
+    return result;
   }
 
   /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
-  ContactFrame<2>
-  after(const FrameScene &scene, const std::vector<double> &force, const std::vector<double> &rubbing) const;
+  ContactFrame<dim> after(const FrameScene<dim> &scene,
+                          const std::vector<double> &force,
+                          const std::vector<double> &rubbing) const;
 
 private:
   /// Of the mean motion, that a side has.
@@ -262,47 +273,51 @@ private:
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
   /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
-  Vector way_of_partner(const Vector &wall_way, const SurfacePlace<2> &place) const
+  Vector way_of_partner(const Vector &wall_way, const SurfacePlace<dim> &place) const
   {
-    return line != nullptr ? line->way_of(place) : frame.partner == none ? wall_way : Vector();
+    if constexpr (dim == 2)
+      if (line != nullptr)
+        return line->way_of(place);
+    return frame.partner == none ? wall_way : Vector();
   }
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
   /// By which a side stands away from where its nodes say.
   Vector away(const unsigned int side) const { return at * carried[side] + (side == 0 ? apart : Vector()); }
-  bool meet_ray(const FrameScene &scene,
+  bool meet_ray(const FrameScene<dim> &scene,
                 const std::vector<Eigen::VectorXd> &displacement,
                 double wall_height,
                 unsigned int k);
-  void begin_to_rub(const FrameScene &scene, const Vector &wall_way, unsigned int k);
-  RaySide<2> meet_surface(const FrameScene &scene,
-                          const std::vector<Eigen::VectorXd> &displacement,
-                          unsigned int side,
-                          const Ray<2> &ray,
-                          const SurfacePlace<2> &guess) const;
-  void meet_corner(const FrameScene &scene, const std::vector<Eigen::VectorXd> &displacement, unsigned int k);
-  double share_that_opens(const FrameScene &scene) const;
+  void begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, unsigned int k);
+  RaySide<dim> meet_surface(const FrameScene<dim> &scene,
+                            const std::vector<Eigen::VectorXd> &displacement,
+                            unsigned int side,
+                            const Ray<dim> &ray,
+                            const SurfacePlace<dim> &guess) const;
+  void
+  meet_corner(const FrameScene<dim> &scene, const std::vector<Eigen::VectorXd> &displacement, unsigned int k);
+  double share_that_opens(const FrameScene<dim> &scene) const;
   /// Of the length of outline that a ray stands for, to one side of it [m].
   struct HalfLength
   {
     double length = 0; ///< across the rays
     double gap = 0;    ///< at its end
   };
-  std::array<HalfLength, 2> half_lengths(const FrameScene &scene, unsigned int k) const;
-  double pull_now(const FrameScene &scene, unsigned int k) const;
+  std::array<HalfLength, 2> half_lengths(const FrameScene<dim> &scene, unsigned int k) const;
+  double pull_now(const FrameScene<dim> &scene, unsigned int k) const;
   bool has_neighbour(unsigned int k, int direction) const;
-  double way_to_edge(const FrameScene &scene, unsigned int k, double direction) const;
-  double memory_after(const FrameScene &scene, unsigned int k, double force, double rubbing) const;
+  double way_to_edge(const FrameScene<dim> &scene, unsigned int k, double direction) const;
+  double memory_after(const FrameScene<dim> &scene, unsigned int k, double force, double rubbing) const;
   void draw_on(unsigned int k);
   template <class Part>
   void for_told(RayHere &ray, const Part &part) const;
 
-  ContactFrame<2> frame;
+  ContactFrame<dim> frame;
   std::vector<RayHere> rays;
   std::array<std::vector<std::pair<unsigned int, double>>, 2> mean; ///< of the places: node, weight
-  double moved = 0;
+  Across moved;
   Vector apart;
   std::array<Vector, 2> carried;
-  void carry(const FrameScene &scene);
+  void carry(const FrameScene<dim> &scene);
   bool partner_is_driven = false;
   const ObstacleLine *line = nullptr;
   double met_at = 1., theta = 1.;
@@ -310,8 +325,8 @@ private:
   double looks_within = 0.;           ///< gap up to which more is asked of rays than their gaps [m]
   double at = 1.;                     ///< share of the step after which rays were last met
   double dent_at_start = 0., opens = 1.;
-  SubgridCompliance subgrid;
-  SubgridCompliance::Dent dent;
+  SubgridLaw<dim> subgrid;
+  typename SubgridLaw<dim>::Dent dent;
   double young = 0, softness = 0, friction = 0, strength = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
   bool keeps_dent = false;

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_frame_system_h
 #define softgrain_mpm_contact_frame_system_h
 
+#include <softgrain/linear/low_rank_solver.h>
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/frame_state.h>
@@ -11,10 +12,15 @@
 #include <Eigen/SparseCholesky>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// A solver that holds what a body may do as a whole: its turn in the plane, its three rotations in space.
+template <int dim>
+using BodySolver = std::conditional_t<dim == 2, RankOneSolver, LowRankSolver>;
+
 /// Forces of the rays of all frames [N/m].
 using RayForces = std::vector<std::vector<double>>;
 
@@ -42,24 +48,25 @@ using RayForces = std::vector<std::vector<double>>;
  * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
  * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
  */
+template <int dim>
 class FrameSystem
 {
 public:
   /// @param scale of A: A = scale * (what solvers have factorised)^-1 as displacement per force
   FrameSystem(const BodyShare &share,
-              const std::vector<Body<2>> &bodies,
-              std::vector<std::unique_ptr<RankOneSolver>> &solvers,
+              const std::vector<Body<dim>> &bodies,
+              std::vector<std::unique_ptr<BodySolver<dim>>> &solvers,
               double scale);
 
   /// Learns which bodies the frames of a step have to do with, once.
-  void take(const std::vector<FrameState> &frames);
+  void take(const std::vector<FrameState<dim>> &frames);
 
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
   /// @param force   of the rays [N/m]
   /// @param rubbing friction of the rays [N/m]
   /// @param way_without y above, of this rank's bodies [m]
-  void condense(const FrameScene &scene,
-                const std::vector<FrameState> &frames,
+  void condense(const FrameScene<dim> &scene,
+                const std::vector<FrameState<dim>> &frames,
                 const RayForces &force,
                 const RayForces &rubbing,
                 double within,
@@ -73,7 +80,7 @@ public:
   /// in a minimum.
   int wrong_inertia(unsigned int negative_of_bodies) const
   {
-    return static_cast<int>(negative) - static_cast<int>(n_frames) - static_cast<int>(negative_of_bodies) -
+    return static_cast<int>(negative) - static_cast<int>(n_motions) - static_cast<int>(negative_of_bodies) -
            static_cast<int>(n_free);
   }
 
@@ -83,7 +90,7 @@ public:
   /// Of every body, with the side of the frame that it is.
   std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of;
 
-  std::vector<FreeWay> ways;      ///< of walls under loads; RayStep sets FreeWay::at
+  std::vector<FreeWay<dim>> ways; ///< of walls under loads; RayStep sets FreeWay::at
   std::vector<double> found_ways; ///< of the last solve [m]
 
   RayForces found;         ///< P of the last solve [N/m]
@@ -103,24 +110,26 @@ private:
     };
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
     Kind kind;
-    unsigned int frame, ray_number; ///< the latter of a ray; of a wall its own
+    unsigned int frame, ray_number; ///< the latter of a ray; of a wall its own; of a motion its component
     unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
     double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
     double bound = 0;               ///< of a slide: largest friction over force
     double threshold = 0;           ///< largest friction for the force of the last iterate [N/m]
     double pull = 0; ///< of a ray, FrameState::RayHere::pull: what is left where it opens [N/m]
   };
-  void add_columns(const FrameScene &scene,
-                   const std::vector<FrameState> &frames,
+  void add_columns(const FrameScene<dim> &scene,
+                   const std::vector<FrameState<dim>> &frames,
                    const RayForces &force,
                    const RayForces &rubbing,
                    unsigned int f,
                    double within);
-  void
-  add_motion(const FrameState &frame, const std::vector<double> &force, unsigned int first, unsigned int f);
+  void add_motion(const FrameState<dim> &frame,
+                  const std::vector<double> &force,
+                  unsigned int first,
+                  unsigned int f);
   /// Fills column @p i of those of a body.
-  void gather(const FrameScene &scene,
-              const std::vector<FrameState> &frames,
+  void gather(const FrameScene<dim> &scene,
+              const std::vector<FrameState<dim>> &frames,
               const Column &column,
               unsigned int b,
               const RayForces &force,
@@ -165,8 +174,8 @@ private:
   bool set_known();
 
   const BodyShare &share;
-  const std::vector<Body<2>> &bodies;
-  std::vector<std::unique_ptr<RankOneSolver>> &solvers;
+  const std::vector<Body<dim>> &bodies;
+  std::vector<std::unique_ptr<BodySolver<dim>>> &solvers;
   const double scale;
 
   /// Order of the columns in the factors: frame by frame, rays and slides first, then the force and last the
@@ -184,7 +193,7 @@ private:
   Eigen::VectorXd z, wrong;
   bool any_slides = false;
   bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
-  unsigned int n_frames = 0, n_free = 0, negative = 0;
+  unsigned int n_motions = 0, n_free = 0, negative = 0;
 };
 } // namespace softgrain::mpm
 

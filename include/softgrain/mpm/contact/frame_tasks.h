@@ -13,21 +13,23 @@
 namespace softgrain::mpm
 {
 /// A body and what it may touch, and what is found there.
+template <int dim>
 struct FrameTask
 {
-  ContactFrame<2> named;                    ///< without place and rays
-  dealii::Tensor<1, 2> apart;               ///< from the partner to the image that the body meets [m]
-  std::unique_ptr<SampledSurface<2>> image; ///< of the partner, where that is not the body itself
-  dealii::BoundingBox<2> near;              ///< in which an obstacle is looked at
-  const SampledSurface<2> *partner = nullptr;
-  std::vector<FrameStretch> stretches;
-  std::vector<ContactFrame<2>> found;
+  ContactFrame<dim> named;                    ///< without place and rays
+  dealii::Tensor<1, dim> apart;               ///< from the partner to the image that the body meets [m]
+  std::unique_ptr<SampledSurface<dim>> image; ///< of the partner, where that is not the body itself
+  dealii::BoundingBox<dim> near;              ///< in which an obstacle is looked at
+  const SampledSurface<dim> *partner = nullptr;
+  std::vector<FrameStretch<dim>> stretches;
+  std::vector<ContactFrame<dim>> found;
 };
 
 /// All that may touch, in an order that depends on nothing but the bodies.
 /// @throw ComputationError when a body meets its own image
-std::vector<FrameTask> find_frame_tasks(const FrameScene &scene,
-                                        const std::vector<SampledSurface<2>> &samples);
+template <int dim>
+std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
+                                             const std::vector<SampledSurface<dim>> &samples);
 } // namespace softgrain::mpm
 
 #endif

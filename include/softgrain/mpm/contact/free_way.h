@@ -18,9 +18,10 @@ namespace softgrain::mpm
  * inertia that of its mass, and the load holds what the wall has of speed. A wall goes no further than its
  * stop.
  */
+template <int dim>
 struct FreeWay
 {
-  using Vector = dealii::Tensor<1, 2>;
+  using Vector = dealii::Tensor<1, dim>;
 
   /// @param free of the step
   /// @param slab body that the wall is made of; none: it is a plane, or a side of a cell
@@ -29,19 +30,19 @@ struct FreeWay
   /// @param load   along its way [N/m]
   /// @param limit of its way [m]
   /// @param stiffness of the spring [N/m^2]
-  FreeWay(const FreeWall<2> &free,
+  FreeWay(const FreeWall<dim> &free,
           unsigned int slab,
-          const PeriodicCell<2> *cell,
+          const PeriodicCell<dim> *cell,
           double net,
           double load,
           double limit,
           double stiffness);
 
   /// By which the partner, or the wall, and the body of a frame move per unit of the way.
-  std::array<Vector, 2> moves(const FrameScene &scene, const FrameState &frame) const;
+  std::array<Vector, 2> moves(const FrameScene<dim> &scene, const FrameState<dim> &frame) const;
 
   /// Whether it moves bodies, or what they have outlines with, and not a plane alone.
-  bool carries() const { return cell.has_value() || slab != FrameState::none; }
+  bool carries() const { return cell.has_value() || slab != FrameState<dim>::none; }
 
   int stopped = 0;      ///< 0: it is free; 1 or -1: it stands at its stop on that side
   double at = 0;        ///< how far it has gone [m]

@@ -10,10 +10,8 @@ namespace softgrain::mpm
  *
  * Hertz's contact of radius a = (3 F R / 4 E*)^(1/3) gives way by a²/R. A grid with cells of edge h spreads
  * the force over about a cell, and shows β F / (E* h) of that. What is left is
- * δ = F / (E* h) (3 h / 4 a - β), as long as it is positive. β was measured against finite elements, with
- * B-splines: .89 where a grid line goes through the middle of the contact, 1.34 in the middle of a cell; one
- * mean is used. Below a force whose contact is a twentieth of a cell wide the dent is linear, so that its
- * slope stays finite.
+ * δ = F / (E* h) (3 h / 4 a - β), as long as it is positive: β is measured. Below a force whose contact is a
+ * twentieth of a cell wide the dent is linear, so that its slope stays finite.
  */
 class HertzDent
 {
@@ -21,17 +19,19 @@ public:
   /// No dent.
   HertzDent() = default;
   /// @param modulus E/(1 - ν²) [Pa]
-  HertzDent(const double modulus, const double radius, const double cell_size);
+  HertzDent(double modulus, double radius, double cell_size, double beta = 1.1);
 
   /// δ for a force, not negative [m].
   double operator()(double force) const;
+  /// δ/F; of the smallest contact where there is no force [m/N]
+  double per_force(double force) const;
   /// dδ/dF [m/N]
   double slope(double force) const;
   /// Work of a force on the way to it [J]; below zero when the contact is wide, for δ falls again.
   double energy(double force) const;
 
 private:
-  double modulus = 0., radius = 0., cell_size = 0., smallest = 0., of_smallest = 0.;
+  double modulus = 0., radius = 0., cell_size = 0., beta = 0., smallest = 0., of_smallest = 0.;
 };
 } // namespace softgrain::mpm
 

@@ -9,12 +9,14 @@
 namespace softgrain::mpm
 {
 /// Adds the frames of one pair to what is told to other ranks.
-void tell_frames(const std::vector<ContactFrame<2>> &frames, std::vector<double> &numbers);
+template <int dim>
+void tell_frames(const std::vector<ContactFrame<dim>> &frames, std::vector<double> &numbers);
 
 /// Frames of one pair as tell_frames() has told them.
 /// @param named body, partner, wall and image that they have
 /// @param at    where they begin; becomes the place behind them
-std::vector<ContactFrame<2>> take_frames(const ContactFrame<2> &named, const double *&at);
+template <int dim>
+std::vector<ContactFrame<dim>> take_frames(const ContactFrame<dim> &named, const double *&at);
 } // namespace softgrain::mpm
 
 #endif

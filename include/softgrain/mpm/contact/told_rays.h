@@ -12,8 +12,9 @@ namespace softgrain::mpm
 {
 /// Looks along the rays of frames that are prepared for it: every rank does so at its bodies, and learns from
 /// the others what they have found at theirs. @param look calls FrameState::look() of a frame
+template <int dim>
 void look_and_tell(const BodyShare &share,
-                   std::vector<FrameState> &frames,
+                   std::vector<FrameState<dim>> &frames,
                    const std::function<void(unsigned int f)> &look);
 } // namespace softgrain::mpm
 

@@ -74,10 +74,10 @@ protected:
   std::optional<CellMotion> cell;
   std::vector<ObstacleLine> lines;
   StepEquations equations;
-  FrameScene scene;
-  std::vector<FrameState> frames;
+  FrameScene<2> scene;
+  std::vector<FrameState<2>> frames;
   RayForces force, rubbing; ///< normal forces and friction of rays [N/m]
-  FrameSystem system;
+  FrameSystem<2> system;
   Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
   double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
@@ -85,11 +85,11 @@ protected:
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
 
 private:
-  FrameState::Vector way_of(const WallMotion<2> &wall) const
+  FrameState<2>::Vector way_of(const WallMotion<2> &wall) const
   {
     return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
   }
-  std::vector<FrameState::Vector> ways_of_bodies() const;
+  std::vector<FrameState<2>::Vector> ways_of_bodies() const;
   Eigen::VectorXd end_velocity(unsigned int b, const Eigen::VectorXd &way) const;
   std::vector<double> own_ways() const;
   void move_free_walls();
@@ -99,7 +99,7 @@ private:
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
-  static constexpr unsigned int none = FrameState::none;
+  static constexpr unsigned int none = FrameState<2>::none;
   unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 };
 } // namespace softgrain::mpm
