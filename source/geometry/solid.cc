@@ -144,31 +144,24 @@ std::pair<double, double> Sphere::distances_from_plane(const Place &point,
   return {middle - radius, middle + radius};
 }
 
-std::vector<Sphere::Place> Sphere::places_facing(const dealii::Tensor<1, 3> &normal,
-                                                 const double spacing) const
+/// Between the place of the box that is nearest to the centre and the corner that is farthest from it.
+std::optional<Sphere::Place> Sphere::surface_in_box(const Place &lower, const Place &upper) const
 {
-  unsigned int least = 0;
-  for (unsigned int d = 1; d < 3; ++d)
-    if (std::abs(normal[d]) < std::abs(normal[least]))
-      least = d;
-  dealii::Tensor<1, 3> across, first = -normal;
-  across[least] = 1.;
-  across -= (across * normal) * normal;
-  across /= across.norm();
-  const dealii::Tensor<1, 3> other = dealii::cross_product_3d(first, across);
-  const double widest = widest_angle * radius;
-  const int n = static_cast<int>(2. * widest / spacing) + 1;
-  std::vector<Place> places;
-  for (int i = -n; i <= n; ++i)
-    for (int j = -n; j <= n; ++j)
-    {
-      const double x = spacing * (i + 0.5 * j), y = spacing * std::sqrt(0.75) * j, way = std::hypot(x, y);
-      if (way > widest)
-        continue;
-      const double angle = way / radius, side = way > 0. ? std::sin(angle) / way : 0.;
-      places.push_back(center + radius * (std::cos(angle) * first + side * (x * across + y * other)));
-    }
-  return places;
+  Place near = center, far = lower;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    near[d] = std::clamp(center[d], lower[d], upper[d]);
+    if (upper[d] - center[d] > center[d] - lower[d])
+      far[d] = upper[d];
+  }
+  if (!(depth(near) > 0. && depth(far) < 0.))
+    return std::nullopt;
+  for (unsigned int halving = 0; halving < 50; ++halving)
+  {
+    const Place middle = near + 0.5 * (far - near);
+    (depth(middle) > 0. ? near : far) = middle;
+  }
+  return near;
 }
 
 TriangulatedSurface Sphere::surface(const double spacing) const

@@ -55,7 +55,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Newton/Maximum iterations",
                                         "Newton/Largest strain",
                                         "Linear solver/Type",
-                                        "Quasi-static/Regularisation",
+                                        "Quasi-static/",
                                         "Contact/Sub-grid compliance",
                                         "Stop/"};
 
@@ -98,6 +98,15 @@ void check_section(const ParameterSection &section, std::vector<std::string> &pa
   }
 }
 
+/// By which two balls, the only shape there is, lie in each other [m].
+double overlap_of(const BodyDescription<3> &a, const BodyDescription<3> &b)
+{
+  const std::vector<double> one = a.shape->numbers(), other = b.shape->numbers();
+  const dealii::Point<3> center(one[0], one[1], one[2]);
+  const double radii = one[3] + other[3];
+  return (1. - 1e-9) * radii - center.distance(dealii::Point<3>(other[0], other[1], other[2]));
+}
+
 void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
 {
   std::vector<std::string> names;
@@ -106,11 +115,21 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
     names.push_back(body.name);
     mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); });
   }
-  if (names.size() != 1)
-    mistakes.add(
-        InputError("'Bodies/Names' = '" + join(names) +
-                   "' is not allowed with 'Dimension' = '3': it must name one body, since contact between "
-                   "bodies is not there yet"));
+  if (names.empty())
+    mistakes.add(InputError(
+        "'Bodies/Names' = '' is not allowed with 'Dimension' = '3': it must name at least one body"));
+  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    for (unsigned int a = 0; a < b; ++a)
+    {
+      const double overlap = overlap_of(scene.bodies[a], scene.bodies[b]);
+      if (overlap > 0.)
+      {
+        std::ostringstream text;
+        text << "'Bodies/" << names[a] << "' and 'Bodies/" << names[b] << "' overlap by " << overlap
+             << " m: they must lie beside each other at the start";
+        mistakes.add(InputError(text.str()));
+      }
+    }
 }
 
 void check_walls(const Scene<3> &scene, Mistakes &mistakes)

@@ -32,13 +32,7 @@ struct Ball
     prm.set("Poisson's ratio", poisson_ratio);
     prm.leave_subsection();
     store.cover_all();
-    // Where walls below and above meet it.
-    std::vector<dealii::Point<3>> markers = sphere.surface(0.7 * cell).vertices;
-    for (const double side : {1., -1.})
-    {
-      places.push_back(sphere.places_facing(dealii::Tensor<1, 3>({0., 0., side}), 0.7 * cell));
-      markers.insert(markers.end(), places.back().begin(), places.back().end());
-    }
+    const std::vector<dealii::Point<3>> markers = sphere.surface(0.7 * cell).vertices;
     body = mpm::make_solid("ball", sphere, constitutive::create_law<3>(law, prm), 1., mpm::Settings(), *shape,
                            lattice, markers, store);
   }
@@ -53,7 +47,6 @@ struct Ball
   softgrain::mpm::Lattice<3> lattice;
   std::unique_ptr<softgrain::mpm::ShapeFunction> shape;
   softgrain::Sphere sphere;
-  std::vector<std::vector<dealii::Point<3>>> places;
   softgrain::mpm::PointStore<3> store;
   softgrain::mpm::Body<3> body;
 };

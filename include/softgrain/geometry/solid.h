@@ -5,6 +5,7 @@
 #include <softgrain/geometry/shape.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace softgrain
@@ -49,20 +50,11 @@ public:
   virtual std::pair<double, double> distances_from_plane(const Place &point,
                                                          const dealii::Tensor<1, 3> &normal) const = 0;
 
-  /// Radius of the ball that curves as the surface does where it is met along @p normal, outward [m].
-  virtual double radius_of_curvature(const dealii::Tensor<1, 3> &normal) const = 0;
-
   /// Triangles whose vertices lie on the surface, about @p spacing apart and hardly farther [m].
   virtual TriangulatedSurface surface(double spacing) const = 0;
 
-  /**
-   * @brief Places of the surface that a flat wall will meet: a hexagonal pattern about the one that is
-   * farthest against @p normal of the wall.
-   *
-   * A wall that comes nearer meets that place first, so light contacts are where the surface is round.
-   * @param spacing of the pattern, about [m]
-   */
-  virtual std::vector<Place> places_facing(const dealii::Tensor<1, 3> &normal, double spacing) const = 0;
+  /// A place of the surface in the box between two corners; none where it does not go through it.
+  virtual std::optional<Place> surface_in_box(const Place &lower, const Place &upper) const = 0;
 
   /// Every number that places and shapes it: two are the same when these are.
   virtual std::vector<double> numbers() const = 0;
@@ -88,11 +80,9 @@ public:
   double volume() const override;
   std::pair<double, double> distances_from_plane(const Place &point,
                                                  const dealii::Tensor<1, 3> &normal) const override;
-  double radius_of_curvature(const dealii::Tensor<1, 3> &) const override { return radius; }
   /// A geodesic sphere: an icosahedron with divided sides, the same in the mirrors of all three axes.
   TriangulatedSurface surface(double spacing) const override;
-  /// The pattern is laid on the sphere by distance and direction from the first place.
-  std::vector<Place> places_facing(const dealii::Tensor<1, 3> &normal, double spacing) const override;
+  std::optional<Place> surface_in_box(const Place &lower, const Place &upper) const override;
   std::vector<double> numbers() const override { return {center[0], center[1], center[2], radius}; }
 
   Place center;      ///< [m]

@@ -24,6 +24,8 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
   young = scene.bodies[frame.body].law->young_modulus();
   if (frame.partner != none)
     young = std::min(young, scene.bodies[frame.partner].law->young_modulus());
+  if constexpr (dim == 3)
+    young *= scene.cell_size;
   softness = softness_of_rays / young;
   // The law of dents is one of smooth surfaces; at a corner it would let go where the force grows.
   if (subgrid.on && frame.corner == none)

@@ -111,15 +111,13 @@ public:
   std::unique_ptr<Model<3>> create_in_space(const Scene<3> &scene,
                                             dealii::ParameterHandler &prm) const override
   {
-    auto [settings, law] = read_in_space(scene, prm);
-    return std::make_unique<SpaceModel>(scene, settings, std::move(law));
+    const auto [settings, laws] = read_in_space(scene, prm);
+    return std::make_unique<SpaceModel>(scene, settings, laws);
   }
 
 private:
-  using SpaceLaw = std::shared_ptr<const constitutive::Law<3>>;
-
-  /// Settings and the law of the one body.
-  static std::pair<Settings, SpaceLaw> read_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm)
+  /// Settings and the laws of the materials.
+  static std::pair<Settings, SpaceModel::Laws> read_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm, 3);
@@ -130,16 +128,19 @@ private:
       throw InputError(
           "'Time/Time step' = '0' is not allowed with 'Dimension' = '3': set it, or 'Time/Wall way', "
           "greater than 0");
-    const MaterialDescription &material = scene.materials[scene.bodies.front().material];
-    SpaceLaw law = law_of<3>(material, prm);
-    if (law->n_history() > 0)
-      throw InputError(
-          "'Materials/" + material.name + "/Law' = '" + material.law +
-          "' is not allowed with 'Dimension' = '3': it must be an elastic law, which keeps no history");
-    if (!law->symmetric_tangent())
-      throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
-                       "' is not allowed with 'Dimension' = '3': its tangent must be symmetric");
-    return {settings, law};
+    SpaceModel::Laws laws;
+    for (const MaterialDescription &material : scene.materials)
+    {
+      laws.push_back(law_of<3>(material, prm));
+      if (laws.back()->n_history() > 0)
+        throw InputError(
+            "'Materials/" + material.name + "/Law' = '" + material.law +
+            "' is not allowed with 'Dimension' = '3': it must be an elastic law, which keeps no history");
+      if (!laws.back()->symmetric_tangent())
+        throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
+                         "' is not allowed with 'Dimension' = '3': its tangent must be symmetric");
+    }
+    return {settings, laws};
   }
 
   template <int dim>

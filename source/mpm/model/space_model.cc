@@ -2,22 +2,25 @@
 #include <softgrain/analysis/wall_position.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
-#include <softgrain/model/state_file.h>
+#include <softgrain/geometry/solid.h>
+#include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/stress.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <iostream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace softgrain::mpm
 {
 namespace
 {
-/// Distance of the places that meet walls: there are about as many of them as the field has shapes for.
-constexpr double spacing_of_places = 0.7; ///< [cells]
+/// Distance of the places of a surface where contact is looked for.
+constexpr double spacing_of_samples = 0.5; ///< [cells]
 
 PointNeeds needs_of(const constitutive::Law<3> &law)
 {
@@ -27,57 +30,89 @@ PointNeeds needs_of(const constitutive::Law<3> &law)
   return needs;
 }
 
-std::vector<std::vector<dealii::Point<3>>> places_for(const Scene<3> &scene, const double cell_size)
+/// The part of a lattice around a shape, a cell wider.
+Lattice<3> part_around(const Shape<3> &shape, const Lattice<3> &lattice)
 {
-  std::vector<std::vector<dealii::Point<3>>> places;
-  for (const WallDescription<3> &wall : scene.walls)
-    places.push_back(scene.bodies.front().shape->places_facing(wall.normal, spacing_of_places * cell_size));
+  const double h = lattice.cell_size();
+  auto [lower, upper] = shape.bounding_box();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    lower[d] = lattice.lower()[d] + h * (std::floor((lower[d] - lattice.lower()[d]) / h) - 1.);
+    upper[d] = lattice.lower()[d] + h * (std::ceil((upper[d] - lattice.lower()[d]) / h) + 1.);
+  }
+  return {lower, upper, h};
+}
+
+/// A place of the surface in every cell that it goes through, so that the field is known on all of it.
+std::vector<dealii::Point<3>> places_in_cells(const Shape<3> &shape, const Lattice<3> &lattice)
+{
+  std::vector<dealii::Point<3>> places;
+  const double h = lattice.cell_size();
+  const Lattice<3>::Index n = lattice.n_cells();
+  for (int i = 0; i < n[0]; ++i)
+    for (int j = 0; j < n[1]; ++j)
+      for (int k = 0; k < n[2]; ++k)
+      {
+        const dealii::Point<3> lower =
+            lattice.lower() + h * dealii::Tensor<1, 3>({double(i), double(j), double(k)});
+        if (const auto place = shape.surface_in_box(lower, lower + dealii::Tensor<1, 3>({h, h, h})))
+          places.push_back(*place);
+      }
   return places;
-}
-
-/// All places where the field must be known.
-std::vector<dealii::Point<3>> markers(const TriangulatedSurface &surface,
-                                      const std::vector<std::vector<dealii::Point<3>>> &places)
-{
-  std::vector<dealii::Point<3>> all = surface.vertices;
-  for (const auto &of_wall : places)
-    all.insert(all.end(), of_wall.begin(), of_wall.end());
-  return all;
-}
-
-PointStore<3> &covered(PointStore<3> &store)
-{
-  store.cover_all();
-  return store;
 }
 } // namespace
 
-SpaceModel::SpaceModel(const Scene<3> &scene,
-                       const Settings &settings,
-                       std::shared_ptr<const constitutive::Law<3>> law)
+SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const Laws &laws)
     : settings(settings)
-    , description(scene.bodies.front())
     , function(create_shape_function(settings.shape))
     , lattice(settings.space_lower, settings.space_upper, settings.cell_size)
-    , surface(description.shape->surface(spacing_of_places * settings.cell_size))
-    , places(places_for(scene, settings.cell_size))
-    , store(lattice, PointLayout<3>(needs_of(*law)))
-    , body(make_solid(description.name,
-                      *description.shape,
-                      std::move(law),
-                      scene.materials[description.material].density,
-                      this->settings,
-                      *function,
-                      lattice,
-                      markers(surface, places),
-                      covered(store)))
-    , pressed(body, places, this->settings, settings.cell_size)
+    , subgrid{settings.subgrid, settings.cell_size, settings.space_lower}
+    , timer(std::make_unique<dealii::TimerOutput>(
+          std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
+  for (const BodyDescription<3> &description : scene.bodies)
+    add_body(description, laws[description.material], scene.materials[description.material].density);
+  work.timer = timer.get();
+  work.reinit(state.bodies, settings.linear_solver);
   for (const WallDescription<3> &wall : scene.walls)
   {
     driven.emplace_back();
     driven.back().description = wall;
+    wall_names.push_back(wall.name);
   }
+  state.wall_force.assign(driven.size(), 0.);
+}
+
+void SpaceModel::add_body(const BodyDescription<3> &description,
+                          const std::shared_ptr<const constitutive::Law<3>> &law,
+                          const double density)
+{
+  const Shape<3> &shape = *description.shape;
+  const TriangulatedSurface surface = shape.surface(spacing_of_samples * settings.cell_size);
+  grounds.push_back(
+      std::make_unique<Ground>(part_around(shape, lattice), PointLayout<3>(needs_of(*law))));
+  Ground &ground = *grounds.back();
+  std::vector<dealii::Point<3>> markers = surface.vertices;
+  try
+  {
+    for (const dealii::Point<3> &x : markers)
+      lattice.check_inside(x, "surface");
+  }
+  catch (const ComputationError &error)
+  {
+    throw InputError("'Bodies/" + description.name + "': " + error.what());
+  }
+  const std::vector<dealii::Point<3>> more = places_in_cells(shape, ground.lattice);
+  markers.insert(markers.end(), more.begin(), more.end());
+  Body<3> body = make_solid(description.name, shape, law, density, settings, *function, ground.lattice,
+                            markers, ground.store);
+  body.index = state.bodies.size();
+  body.boundary.grid_position = body.boundary.position = surface.vertices;
+  body.boundary.smooth = body.boundary.circular = true;
+  state.bodies.push_back(std::move(body));
+  const std::vector<double> numbers = shape.numbers(); // of a ball, the only shape there is
+  state.surfaces.emplace_back(dealii::Point<3>(numbers[0], numbers[1], numbers[2]), numbers[3],
+                              surface.triangles);
 }
 
 double SpaceModel::DrivenWall::velocity(const double time, const double dt) const
@@ -91,20 +126,9 @@ void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>>
     if (drives[w])
     {
       driven[w].description.drive = drives[w];
-      driven[w].drive_begin = now;
+      driven[w].drive_begin = state.time;
       driven[w].travel_before = driven[w].travel;
     }
-}
-
-PressedBody<3>::FlatWall SpaceModel::flat(const DrivenWall &wall) const
-{
-  Pressed::FlatWall result{wall.point(), wall.description.normal, HertzDent()};
-  const double nu = body.law->poisson_ratio();
-  if (settings.subgrid)
-    result.dent =
-        HertzDent(body.law->young_modulus() / (1. - nu * nu),
-                  description.shape->radius_of_curvature(-wall.description.normal), settings.cell_size);
-  return result;
 }
 
 double SpaceModel::wanted_step() const
@@ -114,62 +138,79 @@ double SpaceModel::wanted_step() const
     for (const DrivenWall &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
-      const double dt = std::min(wanted, 1e3 * settings.cell_size), speed = std::abs(wall.velocity(now, dt));
+      const double dt = std::min(wanted, 1e3 * settings.cell_size), speed = std::abs(wall.velocity(state.time, dt));
       if (speed > 0.)
         wanted = std::min(wanted, settings.wall_way * settings.cell_size / speed);
     }
   return wanted;
 }
 
-std::string SpaceModel::try_step(const double dt, StepReport &report)
+std::vector<WallMotion<3>> SpaceModel::motion() const
 {
-  std::vector<DrivenWall> moved = driven;
-  std::vector<Pressed::FlatWall> walls;
-  for (DrivenWall &wall : moved)
+  std::vector<WallMotion<3>> walls;
+  for (const DrivenWall &wall : driven)
+    walls.push_back({wall.point(), wall.description.normal, 0.});
+  return walls;
+}
+
+void SpaceModel::note(const StepOutcome &outcome, StepReport &report) const
+{
+  report.newton_iterations += outcome.newton_iterations;
+  report.contact_sweeps += outcome.contact_sweeps;
+  if (!outcome.accepted)
+    return;
+  report.newton_residual = outcome.newton_residual;
+  report.contact_residual = outcome.max_penetration / settings.cell_size;
+  report.max_penetration = outcome.max_penetration;
+}
+
+Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &report)
+{
+  std::vector<WallMotion<3>> walls = motion();
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    walls[w].velocity = driven[w].velocity(state.time, dt);
+  const StepOutcome outcome =
+      SpaceAtRest(state, work, settings, subgrid, walls, wall_names).go(dt, wanted);
+  note(outcome, report);
+  if (!outcome.accepted)
+    return {false, outcome.reason, true, outcome.share};
+  for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    wall.speed = wall.velocity(now, dt);
+    DrivenWall &wall = driven[w];
+    wall.speed = walls[w].velocity;
     wall.travel += dt * wall.speed;
-    walls.push_back(flat(wall));
+    wall.work += 0.5 * (wall.force + state.wall_force[w]) * dt * wall.speed;
+    wall.force = state.wall_force[w];
   }
-  const Pressed::Outcome outcome = pressed.balance(walls);
-  report.newton_iterations += outcome.iterations;
-  report.contact_sweeps += outcome.passes;
-  if (!outcome.trouble.empty())
-    return outcome.trouble;
-  report.newton_residual = outcome.residual;
-  report.contact_residual = outcome.deepest / settings.cell_size;
-  report.max_penetration = outcome.deepest;
-  report.n_contacts = 0;
-  for (std::size_t w = 0; w < moved.size(); ++w)
-  {
-    const double force = pressed.total_force(w);
-    moved[w].work += 0.5 * (moved[w].force + force) * dt * moved[w].speed;
-    moved[w].force = force;
-    report.n_contacts += std::count_if(pressed.forces(w).begin(), pressed.forces(w).end(),
-                                       [](const double P) { return P > 0.; });
-  }
-  driven = std::move(moved);
-  return "";
+  return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
 }
 
 StepReport SpaceModel::advance(const double dt_limit)
 {
-  const auto begin = std::chrono::steady_clock::now();
   StepReport report;
-  const StepTaken taken =
-      step_control.advance(settings.step, std::min(wanted_step(), dt_limit), dt_limit, now,
-                           [&](const double dt)
-                           {
-                             stop_if_interrupted();
-                             const std::string trouble = try_step(dt, report);
-                             return Attempt{trouble.empty(), trouble};
-                           });
-  report.dt = taken.dt;
+  const double wanted = std::min(wanted_step(), dt_limit);
+  const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, state.time,
+                                               [&](const double dt)
+                                               {
+                                                 stop_if_interrupted();
+                                                 return try_step(dt, wanted, report);
+                                               });
+  report.dt = last_dt = taken.dt;
   report.attempts = taken.attempts;
-  now += taken.dt;
+  report.n_contacts = state.contacts.size();
+  state.time += taken.dt;
   ++steps;
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
+}
+
+void SpaceModel::settle(StepReport &report)
+{
+  if (last_dt == 0.)
+    return;
+  note(SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt), report);
+  for (std::size_t w = 0; w < driven.size(); ++w)
+    driven[w].force = state.wall_force[w];
+  report.n_contacts = state.contacts.size();
 }
 
 std::vector<WallState<3>> SpaceModel::walls() const
@@ -192,39 +233,63 @@ std::vector<WallState<3>> SpaceModel::walls() const
 Energies SpaceModel::energies() const
 {
   Energies energies;
-  energies.elastic =
-      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
+  energies.elastic = state.dent_energy;
+  for (const Body<3> &body : state.bodies)
+    energies.elastic +=
+        measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
+  energies.dissipated = state.regularisation_work;
   for (const DrivenWall &wall : driven)
-  {
-    energies.elastic += flat(wall).dent.energy(wall.force);
     energies.external_work += wall.work;
-  }
   return energies;
 }
 
 double SpaceModel::energy_of_rounding() const
 {
-  return 1e-12 * body.law->young_modulus() * body.rest_area;
+  double sum = 0.;
+  for (const Body<3> &body : state.bodies)
+    sum += 1e-12 * body.law->young_modulus() * body.rest_area;
+  return sum;
+}
+
+StepState<3> SpaceModel::stress_of(const Body<3> &body) const
+{
+  StepState<3> stress;
+  Trial asked;
+  asked.tangent = false;
+  evaluate_stress(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()), asked, stress);
+  return stress;
 }
 
 double SpaceModel::solid_area() const
 {
   double volume = 0.;
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-    volume += body.points[p].rest_volume() * determinant(pressed.points().gradient[p]);
+  for (const Body<3> &body : state.bodies)
+  {
+    const StepState<3> stress = stress_of(body);
+    for (unsigned int p = 0; p < body.points.size(); ++p)
+      volume += body.points[p].rest_volume() * determinant(stress.gradient[p]);
+  }
   return volume;
 }
 
 double SpaceModel::coordination() const
 {
-  return std::count_if(driven.begin(), driven.end(), [](const DrivenWall &wall) { return wall.force > 0.; });
+  // Partners and walls, once each.
+  std::set<std::array<unsigned int, 3>> pairs;
+  for (const SpaceContact &contact : state.contacts)
+  {
+    pairs.insert({{contact.body, contact.partner, contact.wall}});
+    if (contact.partner != ContactFrame<3>::none)
+      pairs.insert({{contact.partner, contact.body, contact.wall}});
+  }
+  return static_cast<double>(pairs.size()) / state.bodies.size();
 }
 
-std::size_t SpaceModel::n_places() const
+std::size_t SpaceModel::n_points() const
 {
   std::size_t n = 0;
-  for (const auto &of_wall : places)
-    n += of_wall.size();
+  for (const Body<3> &body : state.bodies)
+    n += body.n_points;
   return n;
 }
 
@@ -232,11 +297,13 @@ SizeReport SpaceModel::size_report() const
 {
   std::ostringstream cells;
   cells << settings.cell_size << " m";
-  return {{"bodies", "1"},
+  std::size_t nodes = 0;
+  for (const Body<3> &body : state.bodies)
+    nodes += body.field.n_independent();
+  return {{"bodies", std::to_string(state.bodies.size())},
           {"cell size", cells.str()},
-          {"material points", std::to_string(body.n_points)},
-          {"nodes", std::to_string(body.field.n_independent())},
-          {"places that may meet walls", std::to_string(n_places())}};
+          {"material points", std::to_string(n_points())},
+          {"nodes", std::to_string(nodes)}};
 }
 
 std::vector<std::pair<std::string, double>> SpaceModel::works() const
@@ -247,52 +314,8 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
   return columns;
 }
 
-void SpaceModel::save(StateWriter &out) const
+std::map<std::string, double> SpaceModel::phases() const
 {
-  out.write("space/time", std::vector<double>{now, step_control.scale, seconds});
-  out.write("space/steps", std::vector<std::uint64_t>{steps});
-  out.write("space/displacement", std::vector<double>(body.displacement.data(),
-                                                      body.displacement.data() + body.displacement.size()));
-  std::vector<double> walls, forces;
-  for (std::size_t w = 0; w < driven.size(); ++w)
-  {
-    walls.insert(walls.end(), {driven[w].travel, driven[w].speed, driven[w].work, driven[w].force,
-                               driven[w].drive_begin, driven[w].travel_before});
-    forces.insert(forces.end(), pressed.forces(w).begin(), pressed.forces(w).end());
-  }
-  out.write("space/walls", walls);
-  out.write("space/forces", forces);
-}
-
-void SpaceModel::load(StateReader &in)
-{
-  const std::vector<double> times = in.read_doubles("space/time", 3);
-  const std::vector<double> nodes = in.read_doubles("space/displacement", body.displacement.size());
-  const std::vector<double> walls = in.read_doubles("space/walls", 6 * driven.size());
-  const std::vector<double> forces = in.read_doubles("space/forces", n_places());
-  std::vector<std::vector<double>> of_walls;
-  std::size_t first = 0;
-  for (const auto &of_wall : places)
-  {
-    of_walls.emplace_back(forces.begin() + first, forces.begin() + first + of_wall.size());
-    first += of_wall.size();
-  }
-  if (const std::string trouble =
-          pressed.take(Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size()), of_walls);
-      !trouble.empty())
-    in.refuse("space/displacement", trouble);
-  now = times[0];
-  step_control.scale = times[1];
-  seconds = times[2];
-  steps = in.read_integers("space/steps", 1)[0];
-  for (std::size_t w = 0; w < driven.size(); ++w)
-  {
-    driven[w].travel = walls[6 * w];
-    driven[w].speed = walls[6 * w + 1];
-    driven[w].work = walls[6 * w + 2];
-    driven[w].force = walls[6 * w + 3];
-    driven[w].drive_begin = walls[6 * w + 4];
-    driven[w].travel_before = walls[6 * w + 5];
-  }
+  return timer->get_summary_data(dealii::TimerOutput::total_wall_time);
 }
 } // namespace softgrain::mpm

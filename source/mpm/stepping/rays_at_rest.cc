@@ -25,13 +25,59 @@ constexpr double most_if_shorter = 0.1;
 constexpr double short_enough = 0.125;   ///< of the wanted step
 constexpr double most_on_the_way = 1e-3; ///< likewise with walls on their way, which resistance hinders
 
-/// The largest force that holds back a body over the mean force of a contact. Frames tell the
-/// forces: they are part of the state.
-double unbalanced(const Problem &problem, const State &state)
+/// Of the plane, with walls under loads.
+class PlaneAtRest final : public RaysAtRest
+{
+public:
+  PlaneAtRest(const Problem &problem, State &state, Workspace &work)
+      : RaysAtRest(problem.settings), problem(problem), state(state), work(work), ways(problem, state)
+  {
+  }
+
+  double unbalanced() override
+  {
+    if (state.held_back.empty())
+      return 0.;
+    return std::max(
+        unbalanced_rays(state.bodies, state.frames, state.held_back, problem.lattice->cell_size()),
+        unbalanced_walls(problem, state));
+  }
+
+protected:
+  StepOutcome step(const StepPlan &plan, const bool careful, const double most_resistance) override
+  {
+    dt = plan.dt;
+    return ray_step(problem, state, work, plan, careful, most_resistance);
+  }
+
+  void held(StepOutcome &sum) override
+  {
+    slid += slid_on_their_way(work, dt);
+    check_room_of_walls(problem, state, slid);
+    if (sum.largest_move > problem.lattice->cell_size())
+      ways.check(state, work, sum.held_steps);
+  }
+
+  double time() const override { return state.time; }
+
+private:
+  const Problem &problem;
+  State &state;
+  Workspace &work;
+  const WaysOfBodies ways;
+  double dt = 0., slid = 0.;
+};
+} // namespace
+
+template <int dim>
+double unbalanced_rays(const std::vector<Body<dim>> &bodies,
+                       const std::vector<ContactFrame<dim>> &frames,
+                       const std::vector<double> &held_back,
+                       const double cell_size)
 {
   double sum = 0., worst = 0., floor = 0.;
   unsigned int n_pressed = 0;
-  for (const ContactFrame<2> &frame : state.frames)
+  for (const ContactFrame<dim> &frame : frames)
   {
     double force = 0.;
     for (const auto &ray : frame.rays)
@@ -39,78 +85,93 @@ double unbalanced(const Problem &problem, const State &state)
     sum += force;
     n_pressed += force > 0.;
   }
-  for (const Body<2> &body : state.bodies)
+  for (const Body<dim> &body : bodies)
   {
-    worst = std::max(worst, state.held_back[body.index]);
-    floor = std::max(floor, least_force * body.law->young_modulus() * problem.lattice->cell_size());
+    worst = std::max(worst, held_back[body.index]);
+    floor = std::max(floor, least_force * body.law->young_modulus() *
+                                (dim == 2 ? cell_size : cell_size * cell_size));
   }
-  return std::max(worst / std::max(sum / std::max(n_pressed, 1u), floor), unbalanced_walls(problem, state));
+  return worst / std::max(sum / std::max(n_pressed, 1u), floor);
 }
-} // namespace
 
-StepOutcome
-rays_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
+template double unbalanced_rays(const std::vector<Body<2>> &,
+                                const std::vector<ContactFrame<2>> &,
+                                const std::vector<double> &,
+                                double);
+template double unbalanced_rays(const std::vector<Body<3>> &,
+                                const std::vector<ContactFrame<3>> &,
+                                const std::vector<double> &,
+                                double);
+
+StepOutcome RaysAtRest::go(const double dt, const double wanted)
 {
-  double resistance = problem.settings.regularisation;
+  double resistance = settings.regularisation;
   const double most = dt > short_enough * wanted ? most_if_shorter : std::numeric_limits<double>::max();
   for (bool careful = false;; careful = true)
   {
-    StepOutcome step = ray_step(problem, state, work, {dt, false, resistance}, careful, most);
-    if (step.accepted)
-      step.unbalanced = unbalanced(problem, state);
-    if (step.accepted || resistance > most_on_the_way)
-      return step;
+    StepOutcome outcome = step({dt, false, resistance}, careful, most);
+    if (outcome.accepted)
+      outcome.unbalanced = unbalanced();
+    if (outcome.accepted || resistance > most_on_the_way)
+      return outcome;
     if (careful)
       resistance *= rise;
   }
 }
 
-StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, const double dt)
+StepOutcome RaysAtRest::settle(const double dt)
 {
-  const Settings &settings = problem.settings;
   StepOutcome sum;
   sum.accepted = true;
-  sum.unbalanced = state.held_back.empty() ? 0. : unbalanced(problem, state);
-  double resistance = settings.regularisation, slid = 0.;
+  sum.unbalanced = unbalanced();
+  double resistance = settings.regularisation;
   bool careful = false;
-  const WaysOfBodies ways(problem, state);
   while (sum.unbalanced > settings.unbalanced_force)
   {
     if (sum.held_steps >= settings.max_held_steps)
     {
       if (settings.max_held_steps == 0)
         break;
-      throw ComputationError("at time " + short_number(state.time) +
+      throw ComputationError("at time " + short_number(time()) +
                              " s the bodies are not in balance after " + std::to_string(sum.held_steps) +
                              " held steps ('Quasi-static/Held steps'): unbalanced force " +
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + ")");
     }
-    const StepOutcome held = ray_step(problem, state, work, {dt, true, resistance}, careful);
-    sum.newton_iterations += held.newton_iterations;
-    sum.contact_sweeps += held.contact_sweeps;
-    sum.newton_residual = held.newton_residual;
-    sum.max_penetration = held.max_penetration;
-    if (!held.accepted)
+    const StepOutcome outcome =
+        step({dt, true, resistance}, careful, std::numeric_limits<double>::max());
+    sum.newton_iterations += outcome.newton_iterations;
+    sum.contact_sweeps += outcome.contact_sweeps;
+    sum.newton_residual = outcome.newton_residual;
+    sum.max_penetration = outcome.max_penetration;
+    if (!outcome.accepted)
     {
       if (careful)
         resistance *= rise;
       careful = true;
       if (resistance > most_resistance)
-        throw ComputationError("no balance is found with the walls at rest: " + held.reason);
+        throw ComputationError("no balance is found with the walls at rest: " + outcome.reason);
       continue;
     }
     careful = false;
     ++sum.held_steps;
-    slid += slid_on_their_way(work, dt);
-    check_room_of_walls(problem, state, slid);
-    sum.largest_move = std::max(sum.largest_move, held.largest_move);
-    if (sum.largest_move > problem.lattice->cell_size())
-      ways.check(state, work, sum.held_steps);
-    sum.unbalanced = unbalanced(problem, state);
+    sum.largest_move = std::max(sum.largest_move, outcome.largest_move);
+    held(sum);
+    sum.unbalanced = unbalanced();
     resistance =
-        std::max(std::min(settings.regularisation, least_when_held), ease * resistance * held.raised);
+        std::max(std::min(settings.regularisation, least_when_held), ease * resistance * outcome.raised);
   }
   return sum;
+}
+
+StepOutcome
+rays_step(const Problem &problem, State &state, Workspace &work, const double dt, const double wanted)
+{
+  return PlaneAtRest(problem, state, work).go(dt, wanted);
+}
+
+StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, const double dt)
+{
+  return PlaneAtRest(problem, state, work).settle(dt);
 }
 } // namespace softgrain::mpm

@@ -14,7 +14,8 @@ std::string short_number(const double value)
   return text.str();
 }
 
-std::string why_not(const Body<2> &body, const StressOutcome &outcome)
+template <int dim>
+std::string why_not(const Body<dim> &body, const StressOutcome &outcome)
 {
   std::ostringstream text;
   text << "a material point of body '" << body.name << "' "
@@ -25,6 +26,9 @@ std::string why_not(const Body<2> &body, const StressOutcome &outcome)
        << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
   return text.str();
 }
+
+template std::string why_not(const Body<2> &, const StressOutcome &);
+template std::string why_not(const Body<3> &, const StressOutcome &);
 
 void SharedOutcomes::add_to(BodyShare::Message &message)
 {

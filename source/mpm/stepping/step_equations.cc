@@ -21,22 +21,7 @@ StepEquations::StepEquations(const Problem &problem,
                              const State &state,
                              Workspace &work,
                              const StepPlan &plan)
-    : increment(state.bodies.size())
-    , internal(state.bodies.size())
-    , external(external_forces(
-          state.bodies,
-          work.share,
-          problem.scene.gravity,
-          // Loads at the middle of the step: second order, and the same work whatever
-          // theta is. newmark takes those at the end, (3.21), and has those at the start
-          // in the acceleration. So do steps with rays, which end in balance.
-          state.time + (plan.held ? 0.
-                        : problem.settings.scheme.stored_acceleration ||
-                                (problem.settings.meets_by_rays() && !problem.settings.scheme.inertia)
-                            ? 1.
-                            : 0.5) *
-                           plan.dt))
-    , problem(problem)
+    : problem(problem)
     , state(state)
     , work(work)
     , scheme(problem.settings.scheme)
@@ -55,6 +40,14 @@ StepEquations::StepEquations(const Problem &problem,
     , holding(state.bodies.size(), 0.)
     , measured(state.bodies.size(), std::array<double, 4>{})
 {
+  increment.resize(state.bodies.size());
+  internal.resize(state.bodies.size());
+  // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes those
+  // at the end, (3.21), and has those at the start in the acceleration. So do steps with rays, which end in
+  // balance.
+  const bool at_end = scheme.stored_acceleration || (problem.settings.meets_by_rays() && !scheme.inertia);
+  external = external_forces(state.bodies, work.share, problem.scene.gravity,
+                             state.time + (plan.held ? 0. : at_end ? 1. : 0.5) * plan.dt);
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());

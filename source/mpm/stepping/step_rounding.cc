@@ -8,25 +8,41 @@
 
 namespace softgrain::mpm
 {
-double StepEquations::rounding(const Body<2> &body, const double contact) const
+template <int dim>
+double summed_in_forces(const Body<dim> &body,
+                        const StepState<dim> &trial,
+                        const double cell_size,
+                        const double contact,
+                        const double internal,
+                        const double dt)
 {
-  const unsigned int b = body.index, n = body.field.nodes_per_cell();
-  const StepState<2> &trial = work.trial[b];
+  const unsigned int n = body.field.nodes_per_cell();
   // A strain is a difference of numbers of order one, and of displacements over the size of a cell: that is
   // what stresses round by, times the modulus, whatever their own size.
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * body.field.n_nodes()), own;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const unsigned int *const nodes = body.field.point_nodes(p);
-    const dealii::Tensor<1, 2> *const slope = body.field.slopes(p);
+    const dealii::Tensor<1, dim> *const slope = body.field.slopes(p);
     for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        all[2 * nodes[k] + d] += trial.volume[p] * slope[k].norm();
+      for (unsigned int d = 0; d < dim; ++d)
+        all[dim * nodes[k] + d] += trial.volume[p] * slope[k].norm();
   }
   body.field.restrict(all, own);
-  const double moved = body.displacement.lpNorm<Eigen::Infinity>() / problem.settings.finest_cell();
-  double summed =
-      dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal[b].norm();
+  const double moved = body.displacement.template lpNorm<Eigen::Infinity>() / cell_size;
+  return dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal;
+}
+
+template double
+summed_in_forces(const Body<2> &, const StepState<2> &, double, double, double, double);
+template double
+summed_in_forces(const Body<3> &, const StepState<3> &, double, double, double, double);
+
+double StepEquations::rounding(const Body<2> &body, const double contact) const
+{
+  const unsigned int b = body.index;
+  double summed = summed_in_forces(body, work.trial[b], problem.settings.finest_cell(), contact,
+                                   internal[b].norm(), dt);
   if (external[b].size() > 0)
     summed += dt * external[b].norm();
   if (scheme.inertia)

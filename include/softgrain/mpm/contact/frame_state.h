@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
 namespace softgrain::mpm
@@ -51,9 +52,14 @@ public:
   /// nowhere, but where there are more rays than the field of a body has shapes for them, it shares the force
   /// out.
   double ray_softness() const { return softness; }
-  /// Young's modulus of the softer one [N/m^2].
+  /// Young's modulus of the softer one, times the edge of a cell in space [N/m^2; N/m].
   double stiffness() const { return young; }
   double dent_slope() const { return by_force; }
+  /// Energy in the dent that the grid misses, for these forces of the rays [J/m^(3-dim)].
+  double dent_energy(const std::vector<double> &force) const
+  {
+    return subgrid.energy(dent, std::accumulate(force.begin(), force.end(), 0.));
+  }
   double total_force() const { return sum_of_forces; }
 
   /// The force of a ray as the step begins: no less than adhesion leaves of it [N/m].
@@ -229,10 +235,12 @@ public:
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
   Vector resultant(unsigned int k) const
   {
-    Vector result = rays[k].side[1].normal;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      result += share(1) * rays[k].by_motion[m] * frame.across[m];
-    return result;
+    const Vector &normal = rays[k].side[1].normal;
+    const Across &moves = rays[k].by_motion;
+    if constexpr (dim == 2)
+      return normal + share(1) * moves[0] * frame.across[0];
+    else
+      return normal + share(1) * (moves[0] * frame.across[0] + moves[1] * frame.across[1]);
   }
   /// tau [N/m].
   Across tangential(const std::vector<double> &force) const;

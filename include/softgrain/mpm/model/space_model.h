@@ -3,11 +3,14 @@
 #define softgrain_mpm_model_space_model_h
 
 #include <softgrain/driving/step_control.h>
-#include <softgrain/geometry/solid.h>
 #include <softgrain/model/model.h>
-#include <softgrain/mpm/body/solid_builder.h>
-#include <softgrain/mpm/stepping/pressed_body.h>
+#include <softgrain/mpm/body/point_store.h>
+#include <softgrain/mpm/field/lattice.h>
+#include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/stepping/space_step.h>
 #include <softgrain/scene/scene.h>
+
+#include <deal.II/base/timer.h>
 
 #include <map>
 #include <memory>
@@ -17,24 +20,25 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The material point model of a scene in space, as far as it goes: one elastic body at rest between
- * flat walls that are told how to move.
+ * @brief The material point model of a scene in space, as far as it goes: elastic balls at rest between flat
+ * walls that are told how to move, without friction. Contacts are met by rays, as in the plane.
  *
- * Every state is in balance, so there is nothing to settle, and works of walls are those of the mean of their
- * forces at both ends of a step.
+ * Works of walls are those of the mean of their forces at both ends of a step.
  */
 class SpaceModel final : public Model<3>
 {
 public:
-  /// @throw InputError when the body reaches out of the mesh
-  SpaceModel(const Scene<3> &scene,
-             const Settings &settings,
-             std::shared_ptr<const constitutive::Law<3>> law);
+  using Laws = std::vector<std::shared_ptr<const constitutive::Law<3>>>;
+
+  /// @param laws of the materials
+  /// @throw InputError when a body reaches out of the mesh
+  SpaceModel(const Scene<3> &scene, const Settings &settings, const Laws &laws);
 
   std::string name() const override { return "mpm"; }
   StepReport advance(double dt_limit) override;
+  void settle(StepReport &report) override;
   void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) override;
-  double time() const override { return now; }
+  double time() const override { return state.time; }
   std::size_t step() const override { return steps; }
   Snapshot<3> snapshot() const override;
   std::vector<WallState<3>> walls() const override;
@@ -43,13 +47,16 @@ public:
   double solid_area() const override;
   double coordination() const override;
   double momentum_error() const override { return 0.; }
-  std::size_t n_points() const override { return body.n_points; }
-  std::size_t n_bodies() const override { return 1; }
+  std::size_t n_points() const override;
+  std::size_t n_bodies() const override { return state.bodies.size(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> works() const override;
-  std::map<std::string, double> phases() const override { return {{"steps", seconds}}; }
+  std::map<std::string, double> phases() const override;
   void save(StateWriter &out) const override;
   void load(StateReader &in) override;
+
+  /// What tests look at.
+  const SpaceState &space() const { return state; }
 
 private:
   /// A wall on its way.
@@ -58,37 +65,50 @@ private:
     WallDescription<3> description;
     double travel = 0.;                          ///< along the normal since the start [m]
     double speed = 0.;                           ///< mean over the last step [m/s]
-    double work = 0.;                            ///< done on the body since the start [J]
-    double force = 0.;                           ///< on the body along the normal [N]
+    double work = 0.;                            ///< done on the bodies since the start [J]
+    double force = 0.;                           ///< on the bodies along the normal [N]
     double drive_begin = 0., travel_before = 0.; ///< when it was last driven otherwise, and how far it was
 
     dealii::Point<3> point() const { return description.point + travel * description.normal; }
     double velocity(double time, double dt) const;
   };
-  using Pressed = PressedBody<3>;
+  /// What the points of a body stand on: a lattice of its own, whose cells are those of the mesh.
+  struct Ground
+  {
+    Ground(const Lattice<3> &lattice, const PointLayout<3> &layout) : lattice(lattice), store(this->lattice, layout)
+    {
+      store.cover_all();
+    }
+    const Lattice<3> lattice;
+    PointStore<3> store;
+  };
 
+  void add_body(const BodyDescription<3> &description,
+                const std::shared_ptr<const constitutive::Law<3>> &law,
+                double density);
   double wanted_step() const;
   /// One step. @return why it is no good
-  std::string try_step(double dt, StepReport &report);
-  Pressed::FlatWall flat(const DrivenWall &wall) const;
-  BodyState<3> body_state() const;
-  /// Of all walls.
-  std::size_t n_places() const;
+  Attempt try_step(double dt, double wanted, StepReport &report);
+  std::vector<WallMotion<3>> motion() const;
+  void note(const StepOutcome &outcome, StepReport &report) const;
+  BodyState<3> body_state(const Body<3> &body) const;
+  void add_points(const Body<3> &body, BodyState<3> &of_body, PointStates<3> &points) const;
+  /// Stress of a body as it is.
+  StepState<3> stress_of(const Body<3> &body) const;
 
   const Settings settings;
-  const BodyDescription<3> description;
   const std::unique_ptr<ShapeFunction> function;
-  const Lattice<3> lattice;
-  const TriangulatedSurface surface; ///< for pictures, in the configuration of the grid [m]
-  const std::vector<std::vector<dealii::Point<3>>> places; ///< of the surface, that walls may meet [m]
-  PointStore<3> store;
-  Body<3> body;
-  Pressed pressed;
+  const Lattice<3> lattice; ///< of the mesh
+  const HertzCompliance subgrid;
+  std::vector<std::unique_ptr<Ground>> grounds;
+  SpaceState state;
+  SpaceWorkspace work;
   std::vector<DrivenWall> driven;
+  std::vector<std::string> wall_names;
   StepControl step_control{1.5};
-  double now = 0.; ///< [s]
+  double last_dt = 0.; ///< [s]
   std::size_t steps = 0;
-  double seconds = 0.; ///< spent in steps
+  std::unique_ptr<dealii::TimerOutput> timer;
 };
 } // namespace softgrain::mpm
 

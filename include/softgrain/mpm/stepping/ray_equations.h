@@ -2,35 +2,66 @@
 #ifndef softgrain_mpm_stepping_ray_equations_h
 #define softgrain_mpm_stepping_ray_equations_h
 
-#include <softgrain/driving/cell_motion.h>
+#include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/contact/frame_state.h>
 #include <softgrain/mpm/contact/frame_system.h>
-#include <softgrain/mpm/stepping/step_equations.h>
+#include <softgrain/mpm/model/settings.h>
+#include <softgrain/mpm/stepping/body_equations.h>
+#include <softgrain/mpm/stepping/step.h>
 
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// What a step whose contacts are met by rays works on, in the plane and in space.
+template <int dim>
+struct RayWorld
+{
+  const std::vector<Body<dim>> &bodies;
+  const std::vector<BodySurface<dim>> &surfaces;
+  const std::vector<ContactFrame<dim>> &frames; ///< of the step before
+  const std::vector<WallMotion<dim>> &motion;
+  const Settings &settings;
+  double cell_size; ///< [m]
+  SubgridLaw<dim> subgrid;
+  const BodyShare &share;
+  std::vector<SystemMatrix> &matrices;
+  std::vector<std::unique_ptr<BodySolver<dim>>> &solvers;
+  dealii::TimerOutput &timer;
+};
+
 /**
  * @brief What is unknown in a step whose contacts are met by rays, and how far it is from balance.
  *
  * Unknown are the ways of the nodes, the forces and the friction of all rays, and how far walls under loads
  * go.
  */
+template <int dim>
 class RayEquations
 {
 public:
-  using Vectors = StepEquations::Vectors;
+  using Vectors = std::vector<Eigen::VectorXd>;
+  using Vector = dealii::Tensor<1, dim>;
 
-  RayEquations(const Problem &problem,
-               const State &state,
-               Workspace &work,
-               const StepPlan &plan,
-               std::vector<WallMotion<2>> &motion);
+  RayEquations(const RayWorld<dim> &world, const StepPlan &plan, BodyEquations<dim> &equations);
+  virtual ~RayEquations() = default;
 
 protected:
+  /// Makes walls under loads unknowns of the step.
+  virtual void find_free_walls() {}
+  /// Puts walls under loads where they have come to.
+  virtual void move_free_walls() {}
+  /// Largest by which something that is no unknown, beside walls, brings two places nearer [m].
+  virtual double other_way() const { return 0.; }
+  /// What is on the other side of a frame, for messages.
+  virtual std::string partner_of(const ContactFrame<dim> &frame) const = 0;
+
   /// Gap of rays that may become pressed [m]. With inertia bodies go nearly where they are expected.
   double candidates_within() const { return (inertia ? 0.05 : 0.15) * h; }
 
@@ -52,7 +83,7 @@ protected:
   std::string why_not() const;
   /// Finds residual and deepest for what was last evaluated.
   void measure();
-  /// What rays do to the nodes of a body [N/m].
+  /// What rays do to the nodes of a body [N/m^(3-dim)].
   Eigen::VectorXd contact_forces(unsigned int b) const;
   /// Whether what is unbalanced is what forces round by: nothing smaller is found, whatever is asked for.
   bool at_rounding() const;
@@ -61,45 +92,35 @@ protected:
   /// @return negative pivots of all bodies, if all could be factorised
   std::optional<unsigned int> factorise();
   /// The largest by which something that is no unknown brings two places nearer [m].
-  double largest_way() const;
+  double largest_way() const { return std::max(walls_way(), other_way()); }
+  /// Of a wall over the step [m].
+  Vector way_of(const WallMotion<dim> &wall) const;
 
-  const Problem &problem;
-  const State &state;
-  Workspace &work;
+  const RayWorld<dim> world;
   const StepPlan &plan;
-  std::vector<WallMotion<2>> &motion;
   const double h;
   const bool inertia;
   const double theta; ///< of TimeScheme: a change of the end velocity times theta dt is one of the way
-  std::optional<CellMotion> cell;
-  std::vector<ObstacleLine> lines;
-  StepEquations equations;
-  FrameScene<2> scene;
-  std::vector<FrameState<2>> frames;
-  RayForces force, rubbing; ///< normal forces and friction of rays [N/m]
-  FrameSystem<2> system;
+  BodyEquations<dim> &equations;
+  FrameScene<dim> scene;
+  std::vector<FrameState<dim>> frames;
+  RayForces force, rubbing; ///< normal forces and friction of rays [N/m^(3-dim)]
+  FrameSystem<dim> system;
   Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
   double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
       0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
+  static constexpr unsigned int none = FrameState<dim>::none;
 
 private:
-  FrameState<2>::Vector way_of(const WallMotion<2> &wall) const
-  {
-    return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
-  }
-  std::vector<FrameState<2>::Vector> ways_of_bodies() const;
+  double walls_way() const;
   Eigen::VectorXd end_velocity(unsigned int b, const Eigen::VectorXd &way) const;
-  std::vector<double> own_ways() const;
-  void move_free_walls();
-  void find_free_walls();
   double unbalanced_free_walls() const;
-  double momentum_of_nodes(const Body<2> &body) const;
+  double momentum_of_nodes(const Body<dim> &body) const;
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
-  static constexpr unsigned int none = FrameState<2>::none;
   unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 };
 } // namespace softgrain::mpm

@@ -4,15 +4,55 @@
 
 #include <softgrain/mpm/stepping/step.h>
 
+#include <vector>
+
 namespace softgrain::mpm
 {
-/// quasi_static_step() where contact is found by rays: bodies that find no minimum with walls on their way
-/// resist more.
+/**
+ * @brief How `quasi_static` goes on where contact is found by rays, in the plane and in space: steps with
+ * walls on their way, in which bodies that find no minimum resist more, and held ones until what resists them
+ * is small.
+ */
+class RaysAtRest
+{
+public:
+  explicit RaysAtRest(const Settings &settings) : settings(settings) {}
+  virtual ~RaysAtRest() = default;
+
+  /// A step with walls on their way. @param wanted length of a step that is not made shorter [s]
+  StepOutcome go(double dt, double wanted);
+
+  /// Held steps until the unbalanced force is no more than 'Quasi-static/Unbalanced force'.
+  /// @throw ComputationError where there is no end of it
+  StepOutcome settle(double dt);
+
+protected:
+  /// One step, see ray_step().
+  virtual StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) = 0;
+  /// What holds bodies back where they are, over the mean force of a contact.
+  virtual double unbalanced() = 0;
+  /// After every held step that was accepted. @param sum of all so far
+  virtual void held(StepOutcome & /*sum*/) {}
+  virtual double time() const = 0; ///< [s]
+
+private:
+  const Settings &settings;
+};
+
+/// The largest force that holds back a body over the mean force of a contact. Forces below a hundredth of
+/// Young's modulus times a cell, or its side in space, count as that much: between bodies that hardly touch
+/// nothing else than resistance acts.
+/// @param held_back see State::held_back
+template <int dim>
+double unbalanced_rays(const std::vector<Body<dim>> &bodies,
+                       const std::vector<ContactFrame<dim>> &frames,
+                       const std::vector<double> &held_back,
+                       double cell_size);
+
+/// quasi_static_step() where contact is found by rays.
 StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, double dt, double wanted);
 
-/// Held steps of it, until what resists the bodies is no more than 'Quasi-static/Unbalanced force' of the
-/// mean force of a contact. Forces below a hundredth of Young's modulus times a cell count as that much:
-/// between bodies that hardly touch nothing else than resistance acts.
+/// Held steps of it.
 /// @throw ComputationError as find_balance()
 StepOutcome settle_rays(const Problem &problem, State &state, Workspace &work, double dt);
 } // namespace softgrain::mpm

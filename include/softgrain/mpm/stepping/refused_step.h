@@ -17,7 +17,8 @@ struct StepOutcome;
 std::string short_number(double value);
 
 /// Why a step is no good in which the points of @p body came out as @p outcome tells.
-std::string why_not(const Body<2> &body, const StressOutcome &outcome);
+template <int dim>
+std::string why_not(const Body<dim> &body, const StressOutcome &outcome);
 
 /// How the stress of every body came out, for all ranks to know. Of refusals they learn the first, which is
 /// the one that is told.

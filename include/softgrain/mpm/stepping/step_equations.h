@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_step_equations_h
 #define softgrain_mpm_stepping_step_equations_h
 
+#include <softgrain/mpm/stepping/body_equations.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -23,10 +24,9 @@ namespace softgrain::mpm
  * velocities and what is unbalanced are those of this rank's bodies alone, and so are increments where every
  * rank looks for contact of its own bodies.
  */
-class StepEquations
+class StepEquations : public BodyEquations<2>
 {
 public:
-  using Vectors = std::vector<Eigen::VectorXd>;
 
   /// Takes forces and loads at the start of the step from @p state.
   StepEquations(const Problem &problem, const State &state, Workspace &work, const StepPlan &plan);
@@ -35,7 +35,7 @@ public:
 
   /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
   /// or deforms by too much over the step.
-  bool evaluate(const Vectors &v);
+  bool evaluate(const Vectors &v) override;
 
   /// A way from end velocities @p x, for which increments were @p from.
   struct Way
@@ -45,7 +45,7 @@ public:
   /// The same for @p v, which becomes the velocities @p fraction of the way along; bodies turn along circles.
   bool evaluate_on_way(const Way &way, double fraction, Vectors &v);
   /// Why the last evaluate() failed.
-  std::string why_not() const { return mpm::why_not(state.bodies[bad_body], trouble); }
+  std::string why_not() const override { return mpm::why_not(state.bodies[bad_body], trouble); }
   /// How the last evaluate() came out, body by body.
   const std::vector<StressOutcome> &stress_outcome() const { return stress; }
 
@@ -60,7 +60,7 @@ public:
   bool at_rounding() const;
   /// By what the unbalanced impulse of a body of this rank may be off by rounding, as last evaluated [N s/m].
   /// @param contact norm of the impulses of contacts on its nodes
-  double rounding(const Body<2> &body, double contact) const;
+  double rounding(const Body<2> &body, double contact) const override;
   /// The body of which most is unbalanced, in words; for messages.
   std::string worst_body() const;
   /// Norm of the end velocities as last evaluated [m/s].
@@ -111,21 +111,15 @@ public:
 
   /// A x = the missing impulse of a body that touches nothing, with the change of forces that turn with it
   /// [m/s].
-  void solve_free(unsigned int b, Eigen::VectorXd &x) const;
+  void solve_free(unsigned int b, Eigen::VectorXd &x) const override;
 
   /// Impulse that is missing for balance without contact, as last evaluated [N s/m].
-  const Eigen::VectorXd &missing(const unsigned int b) const { return missing_impulse[b]; }
+  const Eigen::VectorXd &missing(const unsigned int b) const override { return missing_impulse[b]; }
   /// A of one body as its forces have it, nothing held stable.
-  void assemble_exact(const Body<2> &body);
+  void assemble_exact(const Body<2> &body) override;
   /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
-  void resist_more(double factor);
+  void resist_more(double factor) override;
 
-  /// Displacements over the step for the velocities last evaluated [m].
-  Vectors increment;
-  /// Internal forces for them, of this rank's bodies [N].
-  Vectors internal;
-  /// Loads of the bodies, empty where there are none [N].
-  Vectors external;
   /// H v at the start of the step, empty when theta is 1 [m/s].
   std::vector<double> start_relative;
 

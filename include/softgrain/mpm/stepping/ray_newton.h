@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_ray_newton_h
+#define softgrain_mpm_stepping_ray_newton_h
+
+#include <softgrain/mpm/stepping/ray_equations.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief Newton's method for a step whose contacts are met by rays, in the plane and in space.
+ *
+ * Without inertia the step ends in a minimum of the energy of the bodies and of what resists their motion:
+ * where the signs of the factors tell that there is none near, bodies resist more. See
+ * doc/results/contact-geometry.md.
+ */
+template <int dim>
+class RayNewton : protected RayEquations<dim>
+{
+  using Base = RayEquations<dim>;
+
+public:
+  using typename Base::Vectors;
+  using Base::RayEquations;
+
+  StepOutcome outcome;
+  bool careful = false;                                        ///< bodies go no further than rays have looked
+  double most_resistance = std::numeric_limits<double>::max(); ///< from which on the step has failed
+
+protected:
+  using Base::assemble;
+  using Base::at_rest;
+  using Base::at_rounding;
+  using Base::candidates_within;
+  using Base::deepest;
+  using Base::equations;
+  using Base::evaluate;
+  using Base::factorise;
+  using Base::force;
+  using Base::frames;
+  using Base::free_way;
+  using Base::h;
+  using Base::inertia;
+  using Base::largest_way;
+  using Base::lay;
+  using Base::leave_unmet_rays;
+  using Base::measure;
+  using Base::meet;
+  using Base::path;
+  using Base::plan;
+  using Base::residual;
+  using Base::rubbing;
+  using Base::scene;
+  using Base::system;
+  using Base::take_forces_of_start;
+  using Base::theta;
+  using Base::trial;
+  using Base::way;
+  using Base::why_not;
+  using Base::world;
+
+  /// Finds ways and forces. @return why there are none
+  std::string converge();
+
+private:
+  bool converged() const;
+  bool begin();
+  void begin_to_pull();
+  std::string find_forces();
+  bool resist_more();
+  bool go_back();
+  bool keep_dents();
+  bool goes_too_far(const Vectors &direction) const;
+  void find_direction(Vectors &direction);
+  std::string iterate();
+
+  bool right_inertia = false;
+  bool dents_kept = false;
+  std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
+  bool factors_serve = false;           ///< these serve for another iteration
+};
+} // namespace softgrain::mpm
+
+#endif

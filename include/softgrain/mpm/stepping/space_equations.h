@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_space_equations_h
+#define softgrain_mpm_stepping_space_equations_h
+
+#include <softgrain/linear/low_rank_solver.h>
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/body/body_share.h>
+#include <softgrain/mpm/body/step_state.h>
+#include <softgrain/mpm/model/settings.h>
+#include <softgrain/mpm/stepping/body_equations.h>
+#include <softgrain/mpm/stepping/step.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <deal.II/base/timer.h>
+
+#include <memory>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What steps in space work with and every step fills anew.
+struct SpaceWorkspace
+{
+  BodyShare share;                                     ///< of one rank
+  std::vector<StepState<3>> trial;                     ///< one per body
+  std::vector<SystemMatrix> matrices;                  ///< likewise
+  std::vector<std::unique_ptr<LowRankSolver>> solvers; ///< likewise
+  dealii::TimerOutput *timer = nullptr;
+
+  /// Lays out matrices and solvers of the bodies.
+  void reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings);
+};
+
+/// Mean rotations of a body about the three axes, as it is, per displacement of its nodes [rad/m]: a force of
+/// these times a torque turns the body and does nothing else.
+Eigen::MatrixXd whole_rotations(const Body<3> &body);
+
+/**
+ * @brief The equations of a step at rest in space.
+ *
+ * Bodies resist as in the plane: each with a stiffness of 'Quasi-static/Regularisation' times that of its
+ * material against motion. A round body without friction is the same when it is turned, but its grid is not,
+ * and would turn it on and on: a stiff torque holds it, which is a choice of one of many equal answers.
+ */
+class SpaceEquations final : public BodyEquations<3>
+{
+public:
+  SpaceEquations(const std::vector<Body<3>> &bodies,
+                 const Settings &settings,
+                 SpaceWorkspace &work,
+                 const StepPlan &plan);
+
+  bool evaluate(const Vectors &v) override;
+  std::string why_not() const override;
+  const Eigen::VectorXd &missing(const unsigned int b) const override { return missing_impulse[b]; }
+  double rounding(const Body<3> &body, double contact) const override;
+  void assemble_exact(const Body<3> &body) override;
+  void resist_more(double factor) override;
+  void solve_free(unsigned int b, Eigen::VectorXd &x) const override;
+
+  /// As State::held_back [N].
+  double held_back(unsigned int b) const;
+  /// Work that what resists takes from a body in the step as last evaluated [J].
+  double regularisation_work(unsigned int b) const;
+
+private:
+  const std::vector<Body<3>> &bodies;
+  const Settings &settings;
+  SpaceWorkspace &work;
+  const StepPlan plan;
+  Vectors missing_impulse;
+  std::vector<double> shift;              ///< of a body's mass matrix
+  std::vector<Eigen::MatrixXd> rotations; ///< at the start of the step
+  std::vector<double> rotation_weight;
+  std::vector<StressOutcome> stress;
+  unsigned int bad_body = 0;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_space_step_h
+#define softgrain_mpm_stepping_space_step_h
+
+#include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/stepping/rays_at_rest.h>
+#include <softgrain/mpm/stepping/space_equations.h>
+
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What a ray does in balance.
+struct SpaceContact
+{
+  unsigned int body, partner, wall; ///< one of the latter two is none
+  dealii::Point<3> place;           ///< [m]
+  dealii::Tensor<1, 3> force;       ///< on the body; the partner feels the opposite [N]
+  double gap;                       ///< [m]
+};
+
+/// Where a computation in space has come to.
+struct SpaceState
+{
+  std::vector<Body<3>> bodies;
+  std::vector<SphereSurface> surfaces;  ///< of the bodies, in the configuration of their grids
+  std::vector<ContactFrame<3>> frames;  ///< of the last step
+  std::vector<SpaceContact> contacts;   ///< of the last step
+  std::vector<double> held_back;        ///< see State::held_back [N]
+  std::vector<double> wall_force;       ///< on the bodies, along the normals of the walls [N]
+  double regularisation_work = 0;       ///< taken by what resists, since the start [J]
+  double dent_energy = 0;               ///< in the dents that the grid misses, now [J]
+  double time = 0;                      ///< [s]
+};
+
+/// Steps at rest in space.
+class SpaceAtRest final : public RaysAtRest
+{
+public:
+  /// @param motion of the walls; in held steps they stand still
+  SpaceAtRest(SpaceState &state,
+              SpaceWorkspace &work,
+              const Settings &settings,
+              const HertzCompliance &subgrid,
+              const std::vector<WallMotion<3>> &motion,
+              const std::vector<std::string> &wall_names)
+      : RaysAtRest(settings)
+      , state(state)
+      , work(work)
+      , settings(settings)
+      , subgrid(subgrid)
+      , motion(motion)
+      , wall_names(wall_names)
+  {
+  }
+
+protected:
+  StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) override;
+  double unbalanced() override;
+  double time() const override { return state.time; }
+
+private:
+  SpaceState &state;
+  SpaceWorkspace &work;
+  const Settings &settings;
+  const HertzCompliance &subgrid;
+  const std::vector<WallMotion<3>> motion;
+  const std::vector<std::string> &wall_names;
+};
+
+/// Puts markers of a body where its nodes have moved them.
+void move_markers(Body<3> &body);
+} // namespace softgrain::mpm
+
+#endif

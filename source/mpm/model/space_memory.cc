@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What checkpoints keep of a computation in space.
+#include <softgrain/model/state_file.h>
+#include <softgrain/mpm/model/space_model.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+using Frame = ContactFrame<3>;
+
+constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 9, numbers_of_wall = 6,
+                       counts_of_contact = 3, numbers_of_contact = 7;
+
+template <class Tensor>
+void add(const Tensor &tensor, std::vector<double> &list)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    list.push_back(tensor[d]);
+}
+
+template <class Tensor>
+void take(const double *&from, Tensor &tensor)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    tensor[d] = *from++;
+}
+
+void save_frames(const std::vector<Frame> &frames, StateWriter &out)
+{
+  std::vector<std::uint64_t> who;
+  std::vector<double> where, rays;
+  for (const Frame &frame : frames)
+  {
+    who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.id});
+    add(frame.origin, where);
+    add(frame.direction, where);
+    where.insert(where.end(), {frame.spacing, frame.log_full_width[0], frame.log_full_width[1]});
+    for (const Frame::RayPlace &ray : frame.rays)
+    {
+      rays.insert(rays.end(),
+                  {static_cast<double>(ray.index[0]), static_cast<double>(ray.index[1]), ray.force});
+      add(ray.place[0].position, rays);
+      add(ray.place[1].position, rays);
+    }
+  }
+  out.write("space/frames/who", who);
+  out.write("space/frames/where", where);
+  out.write("space/frames/rays", rays);
+}
+
+void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_walls)
+{
+  const std::vector<std::uint64_t> who =
+      in.read_integers("space/frames/who", ListSize::rows_of(counts_of_frame));
+  const std::size_t n = who.size() / counts_of_frame;
+  std::size_t n_rays = 0;
+  for (std::size_t f = 0; f < n; ++f)
+    n_rays += who[counts_of_frame * f + 3];
+  const std::vector<double> where = in.read_doubles("space/frames/where", n * numbers_of_frame),
+                            rays = in.read_doubles("space/frames/rays", n_rays * numbers_of_ray);
+  const double *at = where.data(), *of_ray = rays.data();
+  state.frames.assign(n, Frame());
+  for (std::size_t f = 0; f < n; ++f)
+  {
+    Frame &frame = state.frames[f];
+    const std::uint64_t *names = &who[counts_of_frame * f];
+    const bool at_wall = names[1] == Frame::none;
+    if (names[0] >= state.bodies.size() || (at_wall ? names[2] >= n_walls : names[1] >= state.bodies.size()))
+      in.refuse("space/frames/who", "there is no such body or wall");
+    frame.body = names[0];
+    frame.partner = names[1];
+    frame.wall = at_wall ? names[2] : Frame::none;
+    frame.id = names[4];
+    dealii::Tensor<1, 3> direction;
+    take(at, frame.origin);
+    take(at, direction);
+    frame.turn(direction);
+    frame.spacing = *at++;
+    frame.log_full_width = {{at[0], at[1]}};
+    at += 2;
+    frame.rays.resize(names[3]);
+    for (Frame::RayPlace &ray : frame.rays)
+    {
+      ray.index = {{static_cast<int>(of_ray[0]), static_cast<int>(of_ray[1])}};
+      ray.force = of_ray[2];
+      of_ray += 3;
+      for (unsigned int side = 0; side < 2; ++side)
+      {
+        dealii::Point<3> position;
+        take(of_ray, position);
+        if (const unsigned int b = side == 0 ? frame.partner : frame.body; b != Frame::none)
+          ray.place[side] = state.surfaces[b].at(position);
+      }
+    }
+  }
+}
+
+void save_contacts(const std::vector<SpaceContact> &contacts, StateWriter &out)
+{
+  std::vector<std::uint64_t> who;
+  std::vector<double> numbers;
+  for (const SpaceContact &contact : contacts)
+  {
+    who.insert(who.end(), {contact.body, contact.partner, contact.wall});
+    add(contact.place, numbers);
+    add(contact.force, numbers);
+    numbers.push_back(contact.gap);
+  }
+  out.write("space/contacts/who", who);
+  out.write("space/contacts/numbers", numbers);
+}
+
+void load_contacts(const StateReader &in, SpaceState &state)
+{
+  const std::vector<std::uint64_t> who =
+      in.read_integers("space/contacts/who", ListSize::rows_of(counts_of_contact));
+  const std::size_t n = who.size() / counts_of_contact;
+  const std::vector<double> numbers = in.read_doubles("space/contacts/numbers", n * numbers_of_contact);
+  const double *at = numbers.data();
+  state.contacts.clear();
+  for (std::size_t c = 0; c < n; ++c)
+  {
+    SpaceContact contact{static_cast<unsigned int>(who[counts_of_contact * c]),
+                         static_cast<unsigned int>(who[counts_of_contact * c + 1]),
+                         static_cast<unsigned int>(who[counts_of_contact * c + 2]),
+                         {},
+                         {},
+                         0.};
+    take(at, contact.place);
+    take(at, contact.force);
+    contact.gap = *at++;
+    state.contacts.push_back(contact);
+  }
+}
+} // namespace
+
+void SpaceModel::save(StateWriter &out) const
+{
+  out.write("space/time", std::vector<double>{state.time, step_control.scale, last_dt,
+                                              state.regularisation_work, state.dent_energy});
+  out.write("space/steps", std::vector<std::uint64_t>{steps});
+  std::vector<double> displacement, walls;
+  for (const Body<3> &body : state.bodies)
+    displacement.insert(displacement.end(), body.displacement.data(),
+                        body.displacement.data() + body.displacement.size());
+  for (const DrivenWall &wall : driven)
+    walls.insert(walls.end(),
+                 {wall.travel, wall.speed, wall.work, wall.force, wall.drive_begin, wall.travel_before});
+  out.write("space/displacement", displacement);
+  out.write("space/held_back", state.held_back);
+  out.write("space/walls", walls);
+  save_frames(state.frames, out);
+  save_contacts(state.contacts, out);
+}
+
+void SpaceModel::load(StateReader &in)
+{
+  const std::vector<double> times = in.read_doubles("space/time", 5);
+  std::size_t n_dofs = 0;
+  for (const Body<3> &body : state.bodies)
+    n_dofs += body.displacement.size();
+  const std::vector<double> nodes = in.read_doubles("space/displacement", n_dofs),
+                            walls = in.read_doubles("space/walls", numbers_of_wall * driven.size());
+  state.held_back = in.read_doubles("space/held_back", ListSize::rows_of(1));
+  if (!state.held_back.empty() && state.held_back.size() != state.bodies.size())
+    in.refuse("space/held_back", "there is another number of bodies");
+  const double *at = nodes.data();
+  for (Body<3> &body : state.bodies)
+  {
+    body.displacement = Eigen::Map<const Eigen::VectorXd>(at, body.displacement.size());
+    at += body.displacement.size();
+    move_markers(body);
+  }
+  state.time = times[0];
+  step_control.scale = times[1];
+  last_dt = times[2];
+  state.regularisation_work = times[3];
+  state.dent_energy = times[4];
+  steps = in.read_integers("space/steps", 1)[0];
+  for (std::size_t w = 0; w < driven.size(); ++w)
+  {
+    const double *const of_wall = &walls[numbers_of_wall * w];
+    driven[w].travel = of_wall[0];
+    driven[w].speed = of_wall[1];
+    driven[w].work = of_wall[2];
+    driven[w].force = state.wall_force[w] = of_wall[3];
+    driven[w].drive_begin = of_wall[4];
+    driven[w].travel_before = of_wall[5];
+  }
+  load_frames(in, state, driven.size());
+  load_contacts(in, state);
+}
+} // namespace softgrain::mpm

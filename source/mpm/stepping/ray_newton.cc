@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/interruption.h>
+#include <softgrain/mpm/stepping/ray_newton.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double gap_tolerance = 1e-5;    ///< cells
+constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
+constexpr unsigned int halvings_with_all_rays = 2;
+constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
+constexpr unsigned int most_rises = 8;
+constexpr double back_from = 100.;         ///< rise from which on a step begins anew
+constexpr double keeps_dents_from = 0.3;   ///< resistance
+constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
+constexpr double longest_way = 0.3;        ///< of a node in an iteration [cells]
+} // namespace
+
+template <int dim>
+bool RayNewton<dim>::converged() const
+{
+  return (residual < world.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h &&
+         right_inertia;
+}
+
+/// Forces of rays for Newton's equations; bodies resist more where these have no minimum.
+template <int dim>
+std::string RayNewton<dim>::find_forces()
+{
+  Vectors y(way.size());
+  for (unsigned int attempt = 0;; ++attempt)
+  {
+    if (!factors_serve)
+    {
+      assemble();
+      negative = factorise();
+    }
+    if (negative)
+    {
+      {
+        dealii::TimerOutput::Scope section(world.timer, "linear solves");
+        world.share.for_mine(world.bodies,
+                            [&](const Body<dim> &body)
+                            {
+                              world.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
+                              y[body.index] *= theta * plan.dt;
+                            });
+      }
+      {
+        dealii::TimerOutput::Scope section(world.timer, "condensation");
+        // In the first iteration walls have moved and bodies have not.
+        system.condense(scene, frames, force, rubbing,
+                        candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.), y);
+      }
+      dealii::TimerOutput::Scope section(world.timer, "contact solve");
+      if (system.solve(h, *negative) && system.wrong_inertia(*negative) == 0)
+        return "";
+    }
+    if (factors_serve)
+    {
+      factors_serve = false;
+      continue;
+    }
+    if (inertia || attempt == most_rises || outcome.raised * plan.regularisation >= most_resistance)
+      return "no forces of contacts are found";
+    if (!resist_more())
+      return why_not();
+  }
+}
+
+template <int dim>
+bool RayNewton<dim>::resist_more()
+{
+  outcome.raised *= rise;
+  equations.resist_more(rise);
+  const bool kept_now = keep_dents();
+  if (outcome.newton_iterations > 0 && outcome.raised >= back_from)
+    return go_back();
+  if (kept_now)
+    return evaluate(way);
+  // Nothing has moved: rays stand as they are.
+  return equations.evaluate(trial);
+}
+
+/// To where the step began: iterates without a minimum may have gone where no resistance brings them back, as
+/// matter that flows does. Walls under loads stay where they have come to.
+template <int dim>
+bool RayNewton<dim>::go_back()
+{
+  way = at_rest;
+  take_forces_of_start();
+  path += h;
+  const bool is_there = evaluate(way);
+  measure();
+  return is_there;
+}
+
+/// Where bodies resist much. @return whether any is now kept that was not before
+template <int dim>
+bool RayNewton<dim>::keep_dents()
+{
+  if (dents_kept || plan.regularisation * outcome.raised < keeps_dents_from)
+    return false;
+  for (FrameState<dim> &frame : frames)
+    frame.keep_dent();
+  return dents_kept = true;
+}
+
+/// Whether a node would go further than rays have looked.
+template <int dim>
+bool RayNewton<dim>::goes_too_far(const Vectors &direction) const
+{
+  double farthest = 0.;
+  for (unsigned int b = 0; b < way.size(); ++b)
+    farthest = std::max(farthest, (way[b] + direction[b]).template lpNorm<Eigen::Infinity>());
+  return farthest > scene.reach;
+}
+
+template <int dim>
+void RayNewton<dim>::find_direction(Vectors &direction)
+{
+  dealii::TimerOutput::Scope section(world.timer, "linear solves");
+  world.share.for_mine(
+      world.bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        if (system.frames_of[b].empty())
+          equations.solve_free(b, direction[b]);
+        else
+          world.solvers[b]->solve(equations.missing(b) + plan.dt * system.force_on(b), direction[b]);
+        direction[b] *= theta * plan.dt;
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (const Body<dim> &body : world.bodies)
+          if (!body.driven)
+            message.add(body.index, direction[body.index].data(), direction[body.index].size());
+      });
+}
+
+template <int dim>
+std::string RayNewton<dim>::iterate()
+{
+  Vectors direction = at_rest;
+  for (unsigned int attempt = 0;; ++attempt)
+  {
+    if (std::string trouble = find_forces(); !trouble.empty())
+      return trouble;
+    find_direction(direction);
+    if (!careful || attempt == most_rises || !goes_too_far(direction))
+      break;
+    if (!resist_more())
+      return why_not();
+  }
+  right_inertia = true;
+  double largest = 0.;
+  for (unsigned int b = 0; b < direction.size(); ++b)
+    if (!system.frames_of[b].empty()) // the others meet nothing on their way
+      largest = std::max(largest, direction[b].template lpNorm<Eigen::Infinity>());
+  std::vector<double> gone;
+  for (unsigned int w = 0; w < system.ways.size(); ++w)
+  {
+    gone.push_back(system.ways[w].at);
+    largest = std::max(largest, std::abs(system.found_ways[w] - gone[w]));
+  }
+  double share = largest > longest_way * h ? longest_way * h / largest : 1.;
+  const RayForces before = force, rubbed = rubbing;
+  const Vectors from = way;
+  for (unsigned int halving = 0;; ++halving, share *= 0.5)
+  {
+    if (halving == most_halvings)
+      return "no way along Newton's direction: " + why_not();
+    path += share * largest;
+    for (unsigned int b = 0; b < way.size(); ++b)
+      way[b] = from[b] + share * direction[b];
+    for (unsigned int f = 0; f < force.size(); ++f)
+      for (unsigned int k = 0; k < force[f].size(); ++k)
+      {
+        // A force that is what adhesion leaves of it is that exactly.
+        force[f][k] =
+            share == 1. ? system.found[f][k] : before[f][k] + share * (system.found[f][k] - before[f][k]);
+        rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
+      }
+    for (unsigned int w = 0; w < gone.size(); ++w)
+      system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
+    if (evaluate(way))
+      break;
+    // A side ends there: the way to its end would be halved again and again.
+    if (halving >= halvings_with_all_rays && leave_unmet_rays() && evaluate(way))
+      break;
+  }
+  const double residual_before = residual;
+  measure();
+  // Masses make most of the matrix: near the end it need not be the latest.
+  factors_serve =
+      inertia && residual < old_factors_below && (!factors_serve || residual < 0.1 * residual_before);
+  return "";
+}
+
+/// Adhesion is that of the gaps at the start of the step. Where it holds what is apart, rays begin with it.
+template <int dim>
+void RayNewton<dim>::begin_to_pull()
+{
+  if constexpr (dim == 2)
+    for (FrameState<2> &frame : frames)
+      frame.find_pulls(scene, plan.held);
+  take_forces_of_start();
+}
+
+/// Goes where bodies go by themselves; what turns inside out there sets out from rest.
+template <int dim>
+bool RayNewton<dim>::begin()
+{
+  const bool adheres = scene.adhesion != nullptr;
+  if (inertia || adheres)
+    if (!meet(way))
+      leave_unmet_rays();
+  if (adheres)
+    begin_to_pull();
+  if (!inertia)
+    return evaluate(way);
+  way = free_way();
+  for (const Eigen::VectorXd &of_body : way)
+    path = std::max(path, h + of_body.template lpNorm<Eigen::Infinity>());
+  if (evaluate(way))
+    return true;
+  path += path;
+  way = at_rest;
+  return evaluate(way);
+}
+
+template <int dim>
+std::string RayNewton<dim>::converge()
+{
+  outcome.unsolved = true;
+  lay();
+  keep_dents();
+  if (!begin() && !(leave_unmet_rays() && evaluate(way)))
+    return why_not();
+  measure();
+  for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
+  {
+    stop_if_interrupted();
+    if (outcome.newton_iterations > 0 && converged())
+      break;
+    if (outcome.newton_iterations == world.settings.max_newton)
+      return "Newton did not converge in " + std::to_string(world.settings.max_newton) +
+             " iterations ('Newton/Maximum iterations'); relative residual " + short_number(residual);
+    if (std::string trouble = iterate(); !trouble.empty())
+      return trouble;
+  }
+  outcome.newton_residual = residual;
+  outcome.unsolved = false;
+  outcome.max_penetration = deepest;
+  outcome.contact_sweeps = system.passes;
+  return "";
+}
+
+template class RayNewton<2>;
+template class RayNewton<3>;
+} // namespace softgrain::mpm

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/space_equations.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// In space factors fill so that a band is best up to some 1500 nodes.
+constexpr unsigned int widest_band = 2000;
+constexpr double locked = 1e4; ///< of the torque that keeps a round body from turning, see StepEquations
+} // namespace
+
+void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings)
+{
+  LinearSolverSettings of_space = settings;
+  of_space.automatic_band = widest_band;
+  trial.resize(bodies.size());
+  matrices = std::vector<SystemMatrix>(bodies.size());
+  solvers.clear();
+  for (const Body<3> &body : bodies)
+  {
+    lay_out_stiffness(body.field, matrices[body.index]);
+    solvers.push_back(std::make_unique<LowRankSolver>(
+        create_linear_solver(of_space, matrices[body.index], 3, true)));
+  }
+}
+
+Eigen::MatrixXd whole_rotations(const Body<3> &body)
+{
+  const unsigned int n = body.field.n_independent();
+  const dealii::Point<3> center = body.center();
+  Eigen::MatrixXd rotations = Eigen::MatrixXd::Zero(3 * n, 3);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const unsigned int from = (axis + 1) % 3, to = (axis + 2) % 3;
+    double inertia = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const dealii::Tensor<1, 3> arm = body.field.position(body.field.node_of_independent(i)) +
+                                       PlaceFunctions<3>::of_node(body.displacement, i) - center;
+      rotations(3 * i + from, axis) = -body.mass[i] * arm[to];
+      rotations(3 * i + to, axis) = body.mass[i] * arm[from];
+      inertia += body.mass[i] * (arm[from] * arm[from] + arm[to] * arm[to]);
+    }
+    rotations.col(axis) /= inertia;
+  }
+  return rotations;
+}
+
+SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
+                               const Settings &settings,
+                               SpaceWorkspace &work,
+                               const StepPlan &plan)
+    : bodies(bodies)
+    , settings(settings)
+    , work(work)
+    , plan(plan)
+    , missing_impulse(bodies.size())
+    , shift(bodies.size())
+    , rotations(bodies.size())
+    , rotation_weight(bodies.size())
+{
+  increment.resize(bodies.size());
+  internal.resize(bodies.size());
+  external.resize(bodies.size());
+  work.share.for_mine(bodies,
+                      [&](const Body<3> &body)
+                      {
+                        const unsigned int b = body.index;
+                        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
+                        shift[b] =
+                            plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
+                        rotations[b] = whole_rotations(body);
+                        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
+                      });
+}
+
+bool SpaceEquations::evaluate(const Vectors &v)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
+  stress.assign(bodies.size(), StressOutcome());
+  work.share.for_mine(
+      bodies,
+      [&](const Body<3> &body)
+      {
+        const unsigned int b = body.index;
+        increment[b] = plan.dt * v[b];
+        Trial asked;
+        asked.tangent = true;
+        asked.max_strain = settings.max_strain;
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
+                                    asked, work.trial[b]);
+        if (!stress[b].good())
+          return;
+        internal_force(body, work.trial[b], internal[b]);
+        missing_impulse[b] = plan.dt * internal[b];
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+          missing_impulse[b].segment<3>(3 * i) -= shift[b] * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
+        missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v[b]));
+      });
+  for (bad_body = 0; bad_body < stress.size(); ++bad_body)
+    if (!stress[bad_body].good())
+      return false;
+  return true;
+}
+
+std::string SpaceEquations::why_not() const
+{
+  return mpm::why_not(bodies[bad_body], stress[bad_body]);
+}
+
+double SpaceEquations::rounding(const Body<3> &body, const double contact) const
+{
+  const unsigned int b = body.index;
+  return std::numeric_limits<double>::epsilon() *
+         summed_in_forces(body, work.trial[b], settings.cell_size, contact, internal[b].norm(), plan.dt);
+}
+
+void SpaceEquations::assemble_exact(const Body<3> &body)
+{
+  const unsigned int b = body.index;
+  SystemMatrix &matrix = work.matrices[b];
+  matrix.set_zero();
+  add_stiffness(body, work.trial[b], plan.dt * plan.dt, matrix);
+  matrix.add_mass<3>(body.mass.cwiseAbs(), shift[b]);
+  work.solvers[b]->set_update(rotations[b], rotation_weight[b]);
+}
+
+void SpaceEquations::resist_more(const double factor)
+{
+  for (double &of_body : shift)
+    of_body *= factor;
+}
+
+void SpaceEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const
+{
+  work.solvers[b]->solve(missing_impulse[b], x);
+}
+
+double SpaceEquations::held_back(const unsigned int b) const
+{
+  const Body<3> &body = bodies[b];
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += shift[b] / (plan.dt * plan.dt) * std::abs(body.mass[i]) * increment[b].segment<3>(3 * i).norm();
+  return sum;
+}
+
+double SpaceEquations::regularisation_work(const unsigned int b) const
+{
+  const Body<3> &body = bodies[b];
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += 0.5 * shift[b] / (plan.dt * plan.dt) * std::abs(body.mass[i]) *
+           increment[b].segment<3>(3 * i).squaredNorm();
+  return sum;
+}
+} // namespace softgrain::mpm
