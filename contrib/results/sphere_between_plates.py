@@ -35,10 +35,11 @@ def forces(program, folder, poisson, cells, cut, last):
 
 
 def draw(folder, picture):
-    """The surface of the last picture of a run, coloured by height."""
+    """The surfaces of all bodies in the last picture of a run, coloured by height."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    import matplotlib.ticker
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
     reader = vtk.vtkXMLUnstructuredGridReader()
@@ -52,7 +53,8 @@ def draw(folder, picture):
     axes.plot_trisurf(*places.T, triangles=triangles, cmap="viridis", edgecolor="0.3", linewidth=0.2)
     axes.set_box_aspect(places.max(axis=0) - places.min(axis=0))
     axes.set(xlabel="x [mm]", ylabel="y [mm]", zlabel="z [mm]")
-    axes.set(xticks=(-5, 0, 5), yticks=(-5, 0, 5))
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_major_locator(matplotlib.ticker.MultipleLocator(5))
     axes.view_init(elev=15)
     figure.savefig(picture, dpi=110)
 

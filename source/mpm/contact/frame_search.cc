@@ -22,7 +22,7 @@ using Frame = ContactFrame<dim>;
 
 /// In space a field has fewer shapes for the forces of rays.
 template <int dim>
-constexpr double spacing_in_cells = dim == 2 ? 0.5 : 1.;
+constexpr double spacing_in_cells = dim == 2 ? 0.5 : 0.6;
 constexpr double keeps_direction = 0.98163;
 /// Finds the stretches of a pair. @param lines samples of the obstacles
 template <int dim>

@@ -117,7 +117,8 @@ public:
 
 private:
   /// Settings and the laws of the materials.
-  static std::pair<Settings, SpaceModel::Laws> read_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm)
+  static std::pair<Settings, SpaceModel::Laws> read_in_space(const Scene<3> &scene,
+                                                             dealii::ParameterHandler &prm)
   {
     Settings settings;
     settings.parse_parameters(prm, 3);

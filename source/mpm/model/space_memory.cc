@@ -138,7 +138,7 @@ void load_contacts(const StateReader &in, SpaceState &state)
 void SpaceModel::save(StateWriter &out) const
 {
   out.write("space/time", std::vector<double>{state.time, step_control.scale, last_dt,
-                                              state.regularisation_work, state.dent_energy});
+                                              state.regularisation_work, state.released_energy, state.dent_energy});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> displacement, walls;
   for (const Body<3> &body : state.bodies)
@@ -156,7 +156,7 @@ void SpaceModel::save(StateWriter &out) const
 
 void SpaceModel::load(StateReader &in)
 {
-  const std::vector<double> times = in.read_doubles("space/time", 5);
+  const std::vector<double> times = in.read_doubles("space/time", 6);
   std::size_t n_dofs = 0;
   for (const Body<3> &body : state.bodies)
     n_dofs += body.displacement.size();
@@ -176,7 +176,8 @@ void SpaceModel::load(StateReader &in)
   step_control.scale = times[1];
   last_dt = times[2];
   state.regularisation_work = times[3];
-  state.dent_energy = times[4];
+  state.released_energy = times[4];
+  state.dent_energy = times[5];
   steps = in.read_integers("space/steps", 1)[0];
   for (std::size_t w = 0; w < driven.size(); ++w)
   {

@@ -89,8 +89,7 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
 {
   const Shape<3> &shape = *description.shape;
   const TriangulatedSurface surface = shape.surface(spacing_of_samples * settings.cell_size);
-  grounds.push_back(
-      std::make_unique<Ground>(part_around(shape, lattice), PointLayout<3>(needs_of(*law))));
+  grounds.push_back(std::make_unique<Ground>(part_around(shape, lattice), PointLayout<3>(needs_of(*law))));
   Ground &ground = *grounds.back();
   std::vector<dealii::Point<3>> markers = surface.vertices;
   try
@@ -138,7 +137,8 @@ double SpaceModel::wanted_step() const
     for (const DrivenWall &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
-      const double dt = std::min(wanted, 1e3 * settings.cell_size), speed = std::abs(wall.velocity(state.time, dt));
+      const double dt = std::min(wanted, 1e3 * settings.cell_size),
+                   speed = std::abs(wall.velocity(state.time, dt));
       if (speed > 0.)
         wanted = std::min(wanted, settings.wall_way * settings.cell_size / speed);
     }
@@ -169,8 +169,7 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   std::vector<WallMotion<3>> walls = motion();
   for (std::size_t w = 0; w < walls.size(); ++w)
     walls[w].velocity = driven[w].velocity(state.time, dt);
-  const StepOutcome outcome =
-      SpaceAtRest(state, work, settings, subgrid, walls, wall_names).go(dt, wanted);
+  const StepOutcome outcome = SpaceAtRest(state, work, settings, subgrid, walls, wall_names).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
@@ -207,7 +206,17 @@ void SpaceModel::settle(StepReport &report)
 {
   if (last_dt == 0.)
     return;
-  note(SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt), report);
+  const auto not_booked = [this]()
+  {
+    const Energies now = energies();
+    return now.elastic + now.dissipated - now.external_work;
+  };
+  const double before = not_booked();
+  const StepOutcome outcome =
+      SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt);
+  note(outcome, report);
+  if (outcome.held_steps > 0)
+    state.released_energy += before - not_booked();
   for (std::size_t w = 0; w < driven.size(); ++w)
     driven[w].force = state.wall_force[w];
   report.n_contacts = state.contacts.size();
@@ -237,7 +246,7 @@ Energies SpaceModel::energies() const
   for (const Body<3> &body : state.bodies)
     energies.elastic +=
         measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
-  energies.dissipated = state.regularisation_work;
+  energies.dissipated = state.regularisation_work + state.released_energy;
   for (const DrivenWall &wall : driven)
     energies.external_work += wall.work;
   return energies;

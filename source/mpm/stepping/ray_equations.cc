@@ -146,8 +146,7 @@ std::string RayEquations<dim>::why_not() const
     return equations.why_not();
   const ContactFrame<dim> &frame = frames[not_met].layout();
   std::ostringstream text;
-  text << "body '" << world.bodies[frame.body].name << "' and "
-       << partner_of(frame)
+  text << "body '" << world.bodies[frame.body].name << "' and " << partner_of(frame)
        << "' turn away from where they press each other, near (" << frame.origin << ") m";
   return text.str();
 }
@@ -226,8 +225,8 @@ void RayEquations<dim>::measure()
       {
         const unsigned int b = body.index;
         const Eigen::VectorXd contact = contact_forces(b);
-        double largest =
-            std::max({contact.norm(), equations.internal[b].norm(), 1e-8 * body.law->wave_modulus() * (dim == 2 ? h : h * h)});
+        double largest = std::max({contact.norm(), equations.internal[b].norm(),
+                                   1e-8 * body.law->wave_modulus() * (dim == 2 ? h : h * h)});
         if (inertia)
           largest =
               std::max({largest, 1e-6 / plan.dt * momentum_of_nodes(body), equations.external[b].norm()});
@@ -246,15 +245,15 @@ void RayEquations<dim>::measure()
 template <int dim>
 bool RayEquations<dim>::at_rounding() const
 {
-  const auto beyond =
-      world.share.template numbers<1>(world.bodies,
-                            [&](const Body<dim> &body)
-                            {
-                              const unsigned int b = body.index;
-                              const Eigen::VectorXd contact = plan.dt * contact_forces(b);
-                              return std::array<double, 1>{(equations.missing(b) + contact).norm() -
-                                                           equations.rounding(body, contact.norm())};
-                            });
+  const auto beyond = world.share.template numbers<1>(
+      world.bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        const Eigen::VectorXd contact = plan.dt * contact_forces(b);
+        return std::array<double, 1>{(equations.missing(b) + contact).norm() -
+                                     equations.rounding(body, contact.norm())};
+      });
   return std::all_of(beyond.begin(), beyond.end(), [](const auto &of_body) { return of_body[0] <= 0.; });
 }
 
@@ -263,26 +262,26 @@ void RayEquations<dim>::assemble()
 {
   dealii::TimerOutput::Scope section(world.timer, "assembly");
   world.share.for_mine(world.bodies,
-                      [&](const Body<dim> &body)
-                      {
-                        const unsigned int b = body.index;
-                        equations.assemble_exact(body);
-                        Eigen::MatrixXd block;
-                        for (const auto &[f, side] : system.frames_of[b])
-                          for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-                            if (force[f][k] != 0.)
-                            {
-                              const RaySide<dim> &ray = frames[f].ray(k).side[side];
-                              const double factor = (side == 0 ? 1. : -1.) * frames[f].bend() * force[f][k] *
-                                                    theta * plan.dt * plan.dt;
-                              ray.second_derivative(block);
-                              world.matrices[b].template add_cell<dim>(
-                                  ray.function.cell,
-                                  [&](const unsigned int i, const unsigned int d, const unsigned int j,
-                                      const unsigned int e) { return block(dim * i + d, dim * j + e); },
-                                  factor);
-                            }
-                      });
+                       [&](const Body<dim> &body)
+                       {
+                         const unsigned int b = body.index;
+                         equations.assemble_exact(body);
+                         Eigen::MatrixXd block;
+                         for (const auto &[f, side] : system.frames_of[b])
+                           for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+                             if (force[f][k] != 0.)
+                             {
+                               const RaySide<dim> &ray = frames[f].ray(k).side[side];
+                               const double factor = (side == 0 ? 1. : -1.) * frames[f].bend() * force[f][k] *
+                                                     theta * plan.dt * plan.dt;
+                               ray.second_derivative(block);
+                               world.matrices[b].template add_cell<dim>(
+                                   ray.function.cell,
+                                   [&](const unsigned int i, const unsigned int d, const unsigned int j,
+                                       const unsigned int e) { return block(dim * i + d, dim * j + e); },
+                                   factor);
+                             }
+                       });
 }
 
 template <int dim>
@@ -290,17 +289,16 @@ std::optional<unsigned int> RayEquations<dim>::factorise()
 {
   dealii::TimerOutput::Scope section(world.timer, "factorisation");
   constexpr double not_factorised = -1.;
-  const auto told =
-      world.share.template numbers<1>(world.bodies,
-                            [&](const Body<dim> &body)
-                            {
-                              BodySolver<dim> &solver = *world.solvers[body.index];
-                              if constexpr (dim == 2)
-                                solver.takes_indefinite = true;
-                              return std::array<double, 1>{solver.factorize(world.matrices[body.index])
-                                                               ? solver.n_negative().value_or(0)
-                                                               : not_factorised};
-                            });
+  const auto told = world.share.template numbers<1>(
+      world.bodies,
+      [&](const Body<dim> &body)
+      {
+        BodySolver<dim> &solver = *world.solvers[body.index];
+        if constexpr (dim == 2)
+          solver.takes_indefinite = true;
+        return std::array<double, 1>{
+            solver.factorize(world.matrices[body.index]) ? solver.n_negative().value_or(0) : not_factorised};
+      });
   unsigned int sum = 0;
   for (const auto &[negative] : told)
   {

@@ -45,11 +45,11 @@ std::string RayNewton<dim>::find_forces()
       {
         dealii::TimerOutput::Scope section(world.timer, "linear solves");
         world.share.for_mine(world.bodies,
-                            [&](const Body<dim> &body)
-                            {
-                              world.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
-                              y[body.index] *= theta * plan.dt;
-                            });
+                             [&](const Body<dim> &body)
+                             {
+                               world.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
+                               y[body.index] *= theta * plan.dt;
+                             });
       }
       {
         dealii::TimerOutput::Scope section(world.timer, "condensation");

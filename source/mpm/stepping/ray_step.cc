@@ -167,10 +167,10 @@ double RayStep::other_way() const
 
 std::string RayStep::partner_of(const ContactFrame<2> &frame) const
 {
-  return frame.partner != none             ? "body '" + state.bodies[frame.partner].name
-         : frame.wall < state.walls.size() ? "wall '" + state.walls[frame.wall].description.name
-                                           : "obstacle '" +
-                                                 state.obstacles[frame.wall - state.walls.size()].description.name;
+  return frame.partner != none ? "body '" + state.bodies[frame.partner].name
+         : frame.wall < state.walls.size()
+             ? "wall '" + state.walls[frame.wall].description.name
+             : "obstacle '" + state.obstacles[frame.wall - state.walls.size()].description.name;
 }
 
 std::string RayStep::find()
@@ -213,8 +213,8 @@ void RayStep::accept(State &state_to_change)
       {
         const unsigned int b = body.index;
         const FrameState<2>::Vector resistance = step_equations.resistance(b);
-        told[b] = {step_equations.regularisation_work(b), step_equations.scheme_damping(b, trial[b]), resistance[0],
-                   resistance[1], inertia ? 0. : step_equations.held_back(b)};
+        told[b] = {step_equations.regularisation_work(b), step_equations.scheme_damping(b, trial[b]),
+                   resistance[0], resistance[1], inertia ? 0. : step_equations.held_back(b)};
         if (inertia)
           spread_imbalance(body, equations.missing(b) + plan.dt * contact_forces(b), trial[b]);
       },

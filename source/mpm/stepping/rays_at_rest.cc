@@ -132,14 +132,13 @@ StepOutcome RaysAtRest::settle(const double dt)
     {
       if (settings.max_held_steps == 0)
         break;
-      throw ComputationError("at time " + short_number(time()) +
-                             " s the bodies are not in balance after " + std::to_string(sum.held_steps) +
+      throw ComputationError("at time " + short_number(time()) + " s the bodies are not in balance after " +
+                             std::to_string(sum.held_steps) +
                              " held steps ('Quasi-static/Held steps'): unbalanced force " +
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + ")");
     }
-    const StepOutcome outcome =
-        step({dt, true, resistance}, careful, std::numeric_limits<double>::max());
+    const StepOutcome outcome = step({dt, true, resistance}, careful, std::numeric_limits<double>::max());
     sum.newton_iterations += outcome.newton_iterations;
     sum.contact_sweeps += outcome.contact_sweeps;
     sum.newton_residual = outcome.newton_residual;

@@ -26,8 +26,8 @@ void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolv
   for (const Body<3> &body : bodies)
   {
     lay_out_stiffness(body.field, matrices[body.index]);
-    solvers.push_back(std::make_unique<LowRankSolver>(
-        create_linear_solver(of_space, matrices[body.index], 3, true)));
+    solvers.push_back(
+        std::make_unique<LowRankSolver>(create_linear_solver(of_space, matrices[body.index], 3, true)));
   }
 }
 
@@ -85,25 +85,26 @@ bool SpaceEquations::evaluate(const Vectors &v)
 {
   dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
   stress.assign(bodies.size(), StressOutcome());
-  work.share.for_mine(
-      bodies,
-      [&](const Body<3> &body)
-      {
-        const unsigned int b = body.index;
-        increment[b] = plan.dt * v[b];
-        Trial asked;
-        asked.tangent = true;
-        asked.max_strain = settings.max_strain;
-        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    asked, work.trial[b]);
-        if (!stress[b].good())
-          return;
-        internal_force(body, work.trial[b], internal[b]);
-        missing_impulse[b] = plan.dt * internal[b];
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          missing_impulse[b].segment<3>(3 * i) -= shift[b] * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
-        missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v[b]));
-      });
+  work.share.for_mine(bodies,
+                      [&](const Body<3> &body)
+                      {
+                        const unsigned int b = body.index;
+                        increment[b] = plan.dt * v[b];
+                        Trial asked;
+                        asked.tangent = true;
+                        asked.max_strain = settings.max_strain;
+                        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]),
+                                                    increment[b], asked, work.trial[b]);
+                        if (!stress[b].good())
+                          return;
+                        internal_force(body, work.trial[b], internal[b]);
+                        missing_impulse[b] = plan.dt * internal[b];
+                        for (unsigned int i = 0; i < body.mass.size(); ++i)
+                          missing_impulse[b].segment<3>(3 * i) -=
+                              shift[b] * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
+                        missing_impulse[b] -=
+                            rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v[b]));
+                      });
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
       return false;

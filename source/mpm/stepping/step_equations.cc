@@ -47,7 +47,10 @@ StepEquations::StepEquations(const Problem &problem,
   // balance.
   const bool at_end = scheme.stored_acceleration || (problem.settings.meets_by_rays() && !scheme.inertia);
   external = external_forces(state.bodies, work.share, problem.scene.gravity,
-                             state.time + (plan.held ? 0. : at_end ? 1. : 0.5) * plan.dt);
+                             state.time + (plan.held ? 0.
+                                           : at_end  ? 1.
+                                                     : 0.5) *
+                                              plan.dt);
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());

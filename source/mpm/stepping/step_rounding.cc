@@ -33,16 +33,14 @@ double summed_in_forces(const Body<dim> &body,
   return dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal;
 }
 
-template double
-summed_in_forces(const Body<2> &, const StepState<2> &, double, double, double, double);
-template double
-summed_in_forces(const Body<3> &, const StepState<3> &, double, double, double, double);
+template double summed_in_forces(const Body<2> &, const StepState<2> &, double, double, double, double);
+template double summed_in_forces(const Body<3> &, const StepState<3> &, double, double, double, double);
 
 double StepEquations::rounding(const Body<2> &body, const double contact) const
 {
   const unsigned int b = body.index;
-  double summed = summed_in_forces(body, work.trial[b], problem.settings.finest_cell(), contact,
-                                   internal[b].norm(), dt);
+  double summed =
+      summed_in_forces(body, work.trial[b], problem.settings.finest_cell(), contact, internal[b].norm(), dt);
   if (external[b].size() > 0)
     summed += dt * external[b].norm();
   if (scheme.inertia)

@@ -75,7 +75,8 @@ private:
   /// What the points of a body stand on: a lattice of its own, whose cells are those of the mesh.
   struct Ground
   {
-    Ground(const Lattice<3> &lattice, const PointLayout<3> &layout) : lattice(lattice), store(this->lattice, layout)
+    Ground(const Lattice<3> &lattice, const PointLayout<3> &layout)
+        : lattice(lattice), store(this->lattice, layout)
     {
       store.cover_all();
     }

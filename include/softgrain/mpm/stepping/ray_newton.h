@@ -23,8 +23,8 @@ class RayNewton : protected RayEquations<dim>
   using Base = RayEquations<dim>;
 
 public:
-  using typename Base::Vectors;
   using Base::RayEquations;
+  using typename Base::Vectors;
 
   StepOutcome outcome;
   bool careful = false;                                        ///< bodies go no further than rays have looked

@@ -27,7 +27,6 @@ namespace softgrain::mpm
 class StepEquations : public BodyEquations<2>
 {
 public:
-
   /// Takes forces and loads at the start of the step from @p state.
   StepEquations(const Problem &problem, const State &state, Workspace &work, const StepPlan &plan);
 

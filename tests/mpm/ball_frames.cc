@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Frames between balls and at walls, as ray_frames has them in the plane: what rays do to the nodes is the
+// derivative of their gaps, and the matrix of Newton's method is the derivative of that, with both components
+// of the motion of a frame counted in. Forces on both sides are equal and opposite. Exchanged bodies have the
+// same lattice.
+#include "frame_derivatives.h"
+
+#include <softgrain/mpm/model/space_model.h>
+
+using namespace softgrain;
+using namespace softgrain::mpm;
+
+namespace
+{
+const std::string text = R"(
+set Dimension = 3
+subsection Mesh
+  set Lower = 0, 0, 0
+  set Upper = 12, 7, 7
+  set Cell size = 1
+end
+subsection Time
+  set Scheme = quasi_static
+  set Wall way = 0.1
+end
+subsection Materials
+  set Names = gel
+  subsection gel
+    set Law     = neo_hookean
+    set Density = 1000
+    subsection Neo-Hookean
+      set Young's modulus = 1
+      set Poisson's ratio = 0.3
+    end
+  end
+end
+subsection Bodies
+  set Names = a, b
+  subsection a
+    set Shape  = sphere
+    set Center = 3.13, 3.31, 3.42
+    set Radius = 2.3
+  end
+  subsection b
+    set Shape  = sphere
+    set Center = 7.75, 3.67, 3.97
+    set Radius = 2.3
+  end
+end
+subsection Walls
+  set Names = bottom
+  subsection bottom
+    set Point = 0, 0, 1.1
+  end
+end
+subsection Stop
+  set End time = 1
+end
+)";
+} // namespace
+
+int main()
+{
+  std::ofstream("scene.prm") << text;
+  Input input("scene.prm", {"Output directory=results"});
+  const auto any = input.create_model_in_space();
+  const SpaceState &state = dynamic_cast<const SpaceModel &>(*any).space();
+  const std::vector<WallMotion<3>> walls{
+      {dealii::Point<3>(0, 0, 1.1), dealii::Tensor<1, 3>({0., 0., 1.}), 0., true}};
+  const FrameScene<3> scene{state.bodies, state.surfaces, walls, 1., {}, 0.5};
+  Vectors start;
+  for (const Body<3> &body : state.bodies)
+    start.push_back(body.displacement);
+  for (const ContactFrame<3> &frame : find_frames(scene, {}))
+  {
+    const std::string partner =
+        frame.partner == ContactFrame<3>::none ? "wall" : state.bodies[frame.partner].name;
+    look(state.bodies[frame.body].name + " at " + partner, Contact<3>(scene, start, frame), state.bodies);
+    ContactFrame<3> swapped = frame;
+    swapped.turn(-frame.direction);
+    const auto here = frame.offset({{1, 2}}), there = swapped.offset({{3, -2}});
+    dealii::Tensor<1, 3> apart;
+    for (unsigned int m = 0; m < 2; ++m)
+      apart += here[m] * frame.across[m] - there[m] * swapped.across[m];
+    std::cout << "a place of the lattice of the exchanged frame is off by " << below(1e-14, apart.norm())
+              << '\n';
+  }
+}
