@@ -137,8 +137,9 @@ void load_contacts(const StateReader &in, SpaceState &state)
 
 void SpaceModel::save(StateWriter &out) const
 {
-  out.write("space/time", std::vector<double>{state.time, step_control.scale, last_dt,
-                                              state.regularisation_work, state.released_energy, state.dent_energy});
+  out.write("space/time",
+            std::vector<double>{state.time, step_control.scale, last_dt, state.regularisation_work,
+                                state.released_energy, state.dent_energy});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> displacement, walls;
   for (const Body<3> &body : state.bodies)

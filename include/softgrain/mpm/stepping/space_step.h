@@ -30,7 +30,7 @@ struct SpaceState
   std::vector<double> held_back;       ///< see State::held_back [N]
   std::vector<double> wall_force;      ///< on the bodies, along the normals of the walls [N]
   double regularisation_work = 0;      ///< taken by what resists, since the start [J]
-  double released_energy = 0;     ///< lost in held steps beside that, see Balance::released_energy [J]
+  double released_energy = 0;          ///< lost in held steps beside that, see Balance::released_energy [J]
   double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
   double time = 0;                     ///< [s]
 };
