@@ -25,7 +25,7 @@ DRAWING = {
 def draw(program, folder, picture):
     """The picture of one run, small enough for a page."""
     picture.parent.mkdir(parents=True, exist_ok=True)
-    if picture.stem == "sphere_between_plates":  # `softgrain render` draws the plane alone
+    if picture.stem in ("sphere_between_plates", "eight_spheres"):  # `softgrain render` draws the plane alone
         sphere_between_plates.draw(folder, picture)
         return
     subprocess.run([program, "render", folder, "--output", picture, "--width", "4.5", "--dpi", "110",
