@@ -55,7 +55,9 @@ const std::vector<std::string> known = {"Dimension",
                                         "Newton/Maximum iterations",
                                         "Newton/Largest strain",
                                         "Linear solver/Type",
-                                        "Quasi-static/",
+                                        "Quasi-static/Regularisation",
+                                        "Quasi-static/Unbalanced force",
+                                        "Quasi-static/Held steps",
                                         "Contact/Sub-grid compliance",
                                         "Stop/"};
 

@@ -6,6 +6,7 @@
 // threads, is the same.
 #include "scene_of.h"
 
+#include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/model/space_model.h>
 
@@ -169,6 +170,14 @@ int main()
   const Outcome exchanged = two_balls({"Bodies/a/Center=-0.21, 0.13, 7.3", "Bodies/a/Radius=2.5",
                                        "Bodies/b/Center=0.12, -0.08, 2.4", "Bodies/b/Radius=2.3"});
   std::cout << "exchanged off by " << below(1e-7, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';
+  try
+  {
+    two_balls({"Bodies/b/Center=0, 0, 7"});
+  }
+  catch (const InputError &error)
+  {
+    std::cout << "too near: " << error.what() << '\n';
+  }
   set_n_threads(2);
   std::cout << "two threads same " << (two_balls({}).forces == pressed.forces) << '\n';
   const auto eight =
