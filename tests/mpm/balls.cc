@@ -178,6 +178,26 @@ int main()
   {
     std::cout << "too near: " << error.what() << '\n';
   }
+  // A step that is given up in its held steps leaves nothing behind.
+  const auto failing =
+      model_of("scene.prm", {"Quasi-static/Held steps=1", "Quasi-static/Unbalanced force=1e-12"});
+  double time = 0.;
+  Eigen::VectorXd before;
+  try
+  {
+    while (time < 2.)
+    {
+      time = failing->time();
+      before = state_of(*failing).bodies[0].displacement;
+      StepReport report = failing->advance(0.3);
+      failing->settle(report);
+    }
+  }
+  catch (const ComputationError &)
+  {
+    std::cout << "given up, state as before "
+              << (failing->time() == time && state_of(*failing).bodies[0].displacement == before) << '\n';
+  }
   set_n_threads(2);
   std::cout << "two threads same " << (two_balls({}).forces == pressed.forces) << '\n';
   const auto eight =

@@ -184,9 +184,48 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
 }
 
+void SpaceModel::keep_before()
+{
+  before_step = {{},
+                 state.frames,
+                 state.contacts,
+                 state.held_back,
+                 state.wall_force,
+                 state.regularisation_work,
+                 state.released_energy,
+                 state.dent_energy,
+                 state.time,
+                 last_dt,
+                 driven,
+                 steps};
+  for (const Body<3> &body : state.bodies)
+    before_step.displacement.push_back(body.displacement);
+}
+
+void SpaceModel::go_back()
+{
+  for (Body<3> &body : state.bodies)
+  {
+    body.displacement = before_step.displacement[body.index];
+    move_markers(body);
+  }
+  state.frames = before_step.frames;
+  state.contacts = before_step.contacts;
+  state.held_back = before_step.held_back;
+  state.wall_force = before_step.wall_force;
+  state.regularisation_work = before_step.regularisation_work;
+  state.released_energy = before_step.released_energy;
+  state.dent_energy = before_step.dent_energy;
+  state.time = before_step.time;
+  last_dt = before_step.last_dt;
+  driven = before_step.driven;
+  steps = before_step.steps;
+}
+
 StepReport SpaceModel::advance(const double dt_limit)
 {
   StepReport report;
+  keep_before();
   const double wanted = std::min(wanted_step(), dt_limit);
   const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, state.time,
                                                [&](const double dt)
@@ -212,8 +251,16 @@ void SpaceModel::settle(StepReport &report)
     return now.elastic + now.dissipated - now.external_work;
   };
   const double before = not_booked();
-  const StepOutcome outcome =
-      SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt);
+  StepOutcome outcome;
+  try
+  {
+    outcome = SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt);
+  }
+  catch (...)
+  {
+    go_back();
+    throw;
+  }
   note(outcome, report);
   if (outcome.held_steps > 0)
     state.released_energy += before - not_booked();

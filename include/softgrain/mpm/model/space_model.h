@@ -97,6 +97,20 @@ private:
   /// Stress of a body as it is.
   StepState<3> stress_of(const Body<3> &body) const;
 
+  /// What a step changes.
+  struct Before
+  {
+    std::vector<Eigen::VectorXd> displacement;
+    std::vector<ContactFrame<3>> frames;
+    std::vector<SpaceContact> contacts;
+    std::vector<double> held_back, wall_force;
+    double regularisation_work, released_energy, dent_energy, time, last_dt;
+    std::vector<DrivenWall> driven;
+    std::size_t steps;
+  };
+  void keep_before();
+  void go_back();
+
   const Settings settings;
   const std::unique_ptr<ShapeFunction> function;
   const Lattice<3> lattice; ///< of the mesh
@@ -109,6 +123,7 @@ private:
   StepControl step_control{1.5};
   double last_dt = 0.; ///< [s]
   std::size_t steps = 0;
+  Before before_step{};
   std::unique_ptr<dealii::TimerOutput> timer;
 };
 } // namespace softgrain::mpm
