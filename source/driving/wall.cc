@@ -14,7 +14,7 @@ namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 12; // that the state of a wall is made of
+constexpr std::size_t n_numbers = 10; // that the state of a wall is made of
 
 bool keeps_slide(const Wall &wall)
 {
@@ -220,9 +220,9 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 {
   std::vector<double> numbers;
   for (const Wall &wall : walls)
-    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0],
-                                   wall.impulse[1], wall.carried[0], wall.carried[1], wall.pressure_before,
-                                   wall.drive_begin, wall.travel_before, wall.work});
+    numbers.insert(numbers.end(),
+                   {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
+                    wall.pressure_before, wall.drive_begin, wall.travel_before, wall.work});
   out.write(name, numbers);
   if (std::none_of(walls.begin(), walls.end(), keeps_slide))
     return;
@@ -242,11 +242,10 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     walls[w].speed = v[1];
     walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
     walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
-    walls[w].carried = dealii::Tensor<1, 2>({v[6], v[7]});
-    walls[w].pressure = walls[w].pressure_before = v[8];
-    walls[w].drive_begin = v[9];
-    walls[w].travel_before = v[10];
-    walls[w].work = v[11];
+    walls[w].pressure = walls[w].pressure_before = v[6];
+    walls[w].drive_begin = v[7];
+    walls[w].travel_before = v[8];
+    walls[w].work = v[9];
   }
   if (!in.contains(name + "_sliding"))
     return;

@@ -19,7 +19,7 @@ namespace
 {
 const std::string format_start = "softgrain checkpoint ";
 const char *const contents_name = "contents";
-const std::string format_name = format_start + "6";
+const std::string format_name = format_start + "7";
 
 /// The format that a file says it has, looked for in its bytes; empty when it says none.
 std::string format_in(const std::string &path)

@@ -45,8 +45,6 @@ struct Wall
   dealii::Tensor<1, 2> impulse; ///< given to the bodies since the start [N s/m]
   /// Done since the start by what drives it: a wall of prescribed velocity, or the load on a free one [J/m].
   double work = 0;
-  dealii::Tensor<1, 2>
-      carried; ///< `newmark`: on the bodies at the end of the last step, part of their acceleration [N/m]
 
   /// A point of its plane now [m].
   dealii::Point<2> point() const { return description.point + travel * description.normal; }

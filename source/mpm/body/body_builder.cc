@@ -185,8 +185,6 @@ void start_body(Body<2> &body, const BodyDescription<2> &description, const Buil
       point.affine() =
           dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});
   }
-  if (context.settings.scheme.stored_acceleration)
-    body.acceleration = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.internal_force = Eigen::VectorXd::Zero(body.field.n_dofs());
 }
 

@@ -17,17 +17,16 @@ dealii::Tensor<2, 2> unit()
   return one;
 }
 
-/// Mass, velocity and acceleration of the nodes; false when an independent node is left without mass, or
+/// Mass and velocity of the nodes; false when an independent node is left without mass, or
 /// without positive mass where @p positive ones are asked for.
 bool points_to_nodes(Body<2> &body, const bool positive)
 {
   const BodyField<2> &field = body.field;
   const bool moving = body.points.layout().has(PointSlot::velocity),
-             accelerated = body.points.layout().has(PointSlot::acceleration),
              affine = body.points.layout().has(PointSlot::affine);
   const unsigned int n = field.nodes_per_cell();
   std::vector<double> mass(field.n_nodes(), 0.);
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes()), force = momentum;
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes());
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const auto point = body.points[p];
@@ -42,26 +41,18 @@ bool points_to_nodes(Body<2> &body, const bool positive)
       if (affine)
         v += point.affine() * (field.position(i) - point.position());
       for (unsigned int d = 0; d < 2; ++d)
-      {
         momentum[2 * i + d] += m * v[d];
-        if (accelerated)
-          force[2 * i + d] += m * point.acceleration()[d];
-      }
     }
   }
   body.mass = field.restrict_scalar(mass);
   if (body.mass.size() == 0 || !((positive ? body.mass.minCoeff() : body.mass.cwiseAbs().minCoeff()) > 0.))
     return false;
-  const auto divide = [&](const Eigen::VectorXd &all, Eigen::VectorXd &result)
-  {
-    field.restrict(all, result);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      result.segment<2>(2 * i) /= body.mass[i];
-  };
   if (moving)
-    divide(momentum, body.velocity);
-  if (accelerated)
-    divide(force, body.acceleration);
+  {
+    field.restrict(momentum, body.velocity);
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      body.velocity.segment<2>(2 * i) /= body.mass[i];
+  }
   return true;
 }
 } // namespace
@@ -125,26 +116,23 @@ void leave_grid(Body<2> &body,
 {
   const BodyField<2> &field = body.field;
   const bool moving = body.points.layout().has(PointSlot::velocity),
-             accelerated = body.points.layout().has(PointSlot::acceleration),
              affine = moving && body.points.layout().has(PointSlot::affine);
   const double pic = context.settings.pic_fraction, h = context.lattice.cell_size();
   const unsigned int n = field.nodes_per_cell();
-  Eigen::VectorXd u, v, before, a;
+  Eigen::VectorXd u, v, before;
   field.prolongate(body.displacement, u);
   if (moving)
   {
     field.prolongate(body.velocity, v);
     field.prolongate(body.velocity_of_points, before);
   }
-  if (accelerated)
-    field.prolongate(body.acceleration, a);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     auto point = body.points[p];
     const unsigned int *nodes = field.point_nodes(p);
     const double *value = field.values(p);
     const auto *slope = field.slopes(p);
-    dealii::Tensor<1, 2> interpolated, increment, acceleration;
+    dealii::Tensor<1, 2> interpolated, increment;
     dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
     for (unsigned int k = 0; k < n; ++k)
     {
@@ -160,8 +148,6 @@ void leave_grid(Body<2> &body,
       rate += outer_product(vk, slope[k]);
       moment += value[k] * outer_product(vk, arm);
       spread += value[k] * outer_product(arm, arm);
-      if (accelerated)
-        acceleration += value[k] * dealii::Tensor<1, 2>({a[2 * nodes[k]], a[2 * nodes[k] + 1]});
     }
     point.move_to(context.lattice.off_faces(places[p]));
     point.gradient() = gradient * point.gradient();
@@ -169,8 +155,6 @@ void leave_grid(Body<2> &body,
       point.volume() = s.volume[p];
     if (moving)
       point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
-    if (accelerated)
-      point.acceleration() = acceleration;
     if (affine)
     {
       // APIC's B D^-1; hats lose D at a node, where B D^-1 is the velocity gradient anyway (Jiang et al.

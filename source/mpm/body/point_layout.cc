@@ -18,7 +18,6 @@ PointLayout<dim>::PointLayout(const PointNeeds &needs)
       {PointSlot::velocity, "velocity", needs.velocity ? dim : 0u, "m/s"},
       {PointSlot::stress, "stress", dealii::SymmetricTensor<2, dim>::n_independent_components, "Pa"},
       {PointSlot::volume, "volume", needs.volume ? 1u : 0u, length},
-      {PointSlot::acceleration, "acceleration", needs.acceleration ? dim : 0u, "m/s^2"},
       {PointSlot::affine, "affine_velocity", needs.affine ? dim * dim : 0u, "1/s"},
       {PointSlot::history, "history", needs.n_history, ""}};
   offsets.fill(none);

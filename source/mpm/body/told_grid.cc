@@ -59,7 +59,7 @@ std::vector<double> tell_grid(const Body<2> &body, const ToldField told)
     tell_nodes(body.field, numbers);
   if (told == ToldField::at_outline)
     tell_markers(body.field, numbers);
-  for (const Eigen::VectorXd *const vector : {&body.mass, &body.velocity, &body.acceleration})
+  for (const Eigen::VectorXd *const vector : {&body.mass, &body.velocity})
   {
     numbers.push_back(vector->size());
     numbers.insert(numbers.end(), vector->data(), vector->data() + vector->size());
@@ -90,7 +90,7 @@ void take_grid(const std::vector<double> &numbers,
     markers.finish();
     body.field.take_outline(std::move(nodes), std::move(markers));
   }
-  for (Eigen::VectorXd *const vector : {&body.mass, &body.velocity, &body.acceleration})
+  for (Eigen::VectorXd *const vector : {&body.mass, &body.velocity})
     in.take(*vector, in.count());
   body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;

@@ -70,7 +70,6 @@ struct NodalVectors
       : displacement(body.displacement)
       , velocity(body.velocity)
       , velocity_of_points(body.velocity_of_points)
-      , acceleration(body.acceleration)
       , internal_force(body.internal_force)
   {
   }
@@ -79,10 +78,9 @@ struct NodalVectors
     body.displacement = displacement;
     body.velocity = velocity;
     body.velocity_of_points = velocity_of_points;
-    body.acceleration = acceleration;
     body.internal_force = internal_force;
   }
-  Eigen::VectorXd displacement, velocity, velocity_of_points, acceleration, internal_force;
+  Eigen::VectorXd displacement, velocity, velocity_of_points, internal_force;
 };
 } // namespace
 

@@ -83,7 +83,6 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   problem.shape = create_shape_function(settings.shape);
   PointNeeds needs;
   needs.velocity = settings.scheme.inertia;
-  needs.acceleration = settings.scheme.stored_acceleration;
   needs.affine = settings.affine_transfer;
   for (const auto &law : laws)
   {
@@ -137,19 +136,6 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
             << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
             << cfl_step() << " s";
     throw InputError(message.str());
-  }
-  if (settings.scheme.stored_acceleration)
-  {
-    const std::vector<Eigen::VectorXd> loads =
-        external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
-    for (Body<2> &body : state.bodies)
-      for (unsigned int i = 0; 2 * i < loads[body.index].size(); ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          // Bodies start without stress: their loads alone accelerate them.
-          state.balance.carried_load[d] += loads[body.index][2 * i + d];
-          body.acceleration[2 * i + d] = loads[body.index][2 * i + d] / body.mass[i];
-        }
   }
   state.balance.initial_momentum = momentum();
   initial_energy = energies().kinetic;

@@ -201,8 +201,7 @@ private:
   static void check_cell(const Scene<2> &scene, const Settings &settings)
   {
     for (const WallDescription<2> &wall : scene.walls)
-      if ((wall.drive->slides() || wall.drive->shears()) &&
-          (!settings.scheme.implicit || settings.scheme.stored_acceleration))
+      if ((wall.drive->slides() || wall.drive->shears()) && !settings.scheme.rows_follow)
         throw InputError("'Walls/" + wall.name +
                          (wall.drive->shears() ? "/Shear stress" : "/Tangential velocity") +
                          "' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static'");
@@ -221,9 +220,9 @@ private:
     if (!settings.contact_on_boundaries)
       throw InputError("'Contact/Geometry' = '" + settings.contact_geometry + "' is not allowed where " +
                        scene_has + ": it sees planes only");
-    if (settings.scheme.stored_acceleration)
+    if (settings.scheme.implicit && !settings.scheme.rows_follow)
       throw InputError("'Time/Scheme' = '" + settings.scheme.name + "' is not allowed where " + scene_has +
-                       ", whose forces it would not carry from step to step");
+                       ", round whose corners its contact does not follow the bodies: choose 'moreau_jean'");
   }
 
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;

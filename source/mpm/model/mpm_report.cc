@@ -19,7 +19,7 @@ constexpr double rounded_strain = 1e-12;
 
 std::string scheme_in_words(const TimeScheme &scheme)
 {
-  if (!scheme.inertia || !scheme.implicit || scheme.stored_acceleration)
+  if (!scheme.inertia || !scheme.rows_follow)
     return scheme.name;
   std::ostringstream text;
   text << scheme.name << ", theta " << scheme.theta;

@@ -156,9 +156,7 @@ void MpmModel::add_contacts(Snapshot<2> &snapshot) const
     contact.length = rows[r].length;
     contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
-      // The impulse of newmark is half a step of the force at its end.
-      contact.force += (problem.settings.scheme.stored_acceleration ? 2. : 1.) *
-                       work.contact.impulses()[r * components + c] / last_dt * rows[r].resultant(c);
+      contact.force += work.contact.impulses()[r * components + c] / last_dt * rows[r].resultant(c);
     if (cell)
       cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
                  here(rows[r].image, rows[r].body, rows[r].partner));

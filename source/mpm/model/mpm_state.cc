@@ -68,9 +68,8 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     counts.push_back(law_cuts);
   out.write("mpm/step", counts);
   b.save(out, "mpm/balance/common");
-  out.write("mpm/balance/own",
-            std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy, b.regularisation_work,
-                                b.carried_load[0], b.carried_load[1], b.released_energy});
+  out.write("mpm/balance/own", std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy,
+                                                   b.regularisation_work, b.released_energy});
   save_walls(out, "mpm/walls", state.walls);
   save_obstacles(out, "mpm/obstacles", state.obstacles);
 
@@ -108,7 +107,6 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     out.write(at + "nodes/displacement", flat(body.displacement));
     out.write(at + "nodes/velocity", flat(body.velocity));
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
-    out.write(at + "nodes/acceleration", flat(body.acceleration));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
     if (state.repeats())
       out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
@@ -132,15 +130,14 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   if (laws_limit_step())
     law_cuts = counts[3];
   settled_step = 0; // what comes is another step, of whatever number
-  const std::vector<double> own = in.read_doubles("mpm/balance/own", 7);
+  const std::vector<double> own = in.read_doubles("mpm/balance/own", 5);
   Balance &b = state.balance;
   b.load(in, "mpm/balance/common");
   b.law_loss = own[0];
   b.scheme_damping = own[1];
   b.subgrid_energy = own[2];
   b.regularisation_work = own[3];
-  b.carried_load = dealii::Tensor<1, 2>({own[4], own[5]});
-  b.released_energy = own[6];
+  b.released_energy = own[4];
   const std::vector<std::uint64_t> keys = in.read_keys("mpm/contact/keys", ListSize::rows_of(1));
   const std::size_t components = problem.slippery() ? 1 : 2;
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses", components * keys.size());
@@ -182,7 +179,6 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     unflat(in, at + "nodes/displacement", body.displacement);
     unflat(in, at + "nodes/velocity", body.velocity);
     unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
-    unflat(in, at + "nodes/acceleration", body.acceleration);
     body.internal_force.resize(body.field.n_dofs());
     unflat(in, at + "nodes/internal_force", body.internal_force);
     if (state.repeats())

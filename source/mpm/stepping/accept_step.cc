@@ -92,7 +92,6 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       note_contacts(state, work, step.increment, motion, dt);
     state.adhesion.finish_step();
   }
-  const bool half = problem.settings.scheme.stored_acceleration;
   dealii::Tensor<1, 2> load;
   work.load.assign(state.bodies.size(), load);
   for (Body<2> &body : state.bodies)
@@ -125,9 +124,6 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       [&](Body<2> &body)
       {
         Eigen::VectorXd &v = step.velocity[body.index];
-        if (half)
-          // (3.15), which is (3.16) as long as no position has been repaired.
-          body.acceleration = 2. / dt * (v - body.velocity) - body.acceleration;
         std::swap(body.internal_force, step.internal_force[body.index]);
         body.displacement += step.increment[body.index];
         if (cell && cell->deforms())
@@ -163,8 +159,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     state.balance.growth_work += supply;
   if (cell && problem.settings.scheme.inertia)
     measure_against_cell(state, *cell, dt);
-  state.balance.body_force_impulse += half ? 0.5 * dt * (load + state.balance.carried_load) : dt * load;
-  state.balance.carried_load = load;
+  state.balance.body_force_impulse += dt * load;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     state.walls[w].travel += dt * motion[w].velocity;

@@ -28,9 +28,6 @@ void account_contacts(const Problem &problem,
   }
   const std::optional<CellMotion> cell = state.cell_motion(motion);
   dealii::Tensor<2, 2> virial;
-  // What a wall gives is the mean of both ends (ContactWork::acting()), and the impulses of this step are
-  // half of the force at its end.
-  const bool half = problem.settings.scheme.stored_acceleration;
   // From balance to balance forces change steadily: their work is that of the mean of both ends.
   const bool balanced = !problem.settings.scheme.inertia;
   const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
@@ -39,12 +36,6 @@ void account_contacts(const Problem &problem,
     state.balance.wall_impulse += given;
     wall.work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
-  if (half)
-    for (Wall &wall : state.walls)
-    {
-      give(wall, 0.5 * dt * wall.carried);
-      wall.carried = 0.;
-    }
   // What the dents take is not lost.
   const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), dt);
   if (!balanced)
@@ -70,12 +61,7 @@ void account_contacts(const Problem &problem,
           obstacle.work += acting * (rows[r].partner_velocity * rows[r].direction(c));
       }
       else if (rows[r].wall != ContactRow<2>::none)
-      {
-        Wall &wall = state.walls[rows[r].wall];
-        give(wall, given);
-        if (half)
-          wall.carried += 2. / dt * given;
-      }
+        give(state.walls[rows[r].wall], given);
       else if (rows[r].partner != ContactRow<2>::none && state.bodies[rows[r].partner].driven)
       {
         state.balance.wall_impulse += given;
@@ -120,6 +106,6 @@ void account_contacts(const Problem &problem,
     }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,
-                      dt, !half && problem.settings.scheme.implicit);
+                      dt, problem.settings.scheme.implicit);
 }
 } // namespace softgrain::mpm

@@ -51,16 +51,13 @@ bool ContactWork::acts(const unsigned int row, const unsigned int component) con
 double ContactWork::acting(const unsigned int row, const unsigned int component) const
 {
   const double impulse = work.contact.impulses()[row * components + component];
-  // The acceleration of (3.15) holds the contact forces at the start of the step: they act for its first
-  // half. And from balance to balance forces change steadily: their work is that of the mean of both ends.
-  const bool half = problem.settings.scheme.stored_acceleration;
-  if (!half && problem.settings.scheme.inertia)
+  // From balance to balance forces change steadily: their work is that of the mean of both ends.
+  if (problem.settings.scheme.inertia)
     return impulse;
   const auto before = state.memory.impulses.find(work.contact.contact_rows()[row].key);
-  const double old = before == state.memory.impulses.end() ? 0.
-                     : half                                ? before->second[component]
-                            : before->second[component] * dt / state.memory.step;
-  return (half ? 1. : 0.5) * (impulse + old);
+  const double old =
+      before == state.memory.impulses.end() ? 0. : before->second[component] * dt / state.memory.step;
+  return 0.5 * (impulse + old);
 }
 
 double ContactWork::parting(const unsigned int row, const unsigned int component) const
@@ -87,8 +84,7 @@ double ContactWork::parting(const unsigned int row, const unsigned int component
 double ContactWork::adhesion_work(const unsigned int row) const
 {
   const double pull = work.contact.contact_rows()[row].pull;
-  return pull > 0. ? -(problem.settings.scheme.stored_acceleration ? 2. : 1.) * pull * dt * parting(row, 0)
-                   : 0.;
+  return pull > 0. ? -pull * dt * parting(row, 0) : 0.;
 }
 
 ContactWork::Gift ContactWork::gift() const

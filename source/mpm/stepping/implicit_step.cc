@@ -244,10 +244,9 @@ std::string ImplicitStep::at_end(const bool settled)
   if (outcome.gives_energy)
     return "contact would give energy: rows and bodies do not settle; most is unbalanced at " +
            equations.worst_body();
-  // What contact gives with newmark is a property of that scheme, not of a step (doc/theory.md).
-  const bool judged = problem.settings.scheme.inertia && !problem.settings.scheme.stored_acceleration;
-  const std::string given =
-      judged ? why_contact_gives(problem, state, work, plan.dt, motion, equations.increment) : "";
+  const std::string given = problem.settings.scheme.inertia ? why_contact_gives(problem, state, work, plan.dt,
+                                                                                motion, equations.increment)
+                                                            : "";
   return given.empty() ? judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome)
                        : given;
 }

@@ -102,10 +102,7 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
     FreeWall<2> free = free_wall(state, w, wall.normal());
     if (scheme.inertia)
     {
-      // newmark: the forces at the start act for the first half.
-      const FreeWallStep step =
-          free_wall_step(wall, dt, scheme.theta,
-                         scheme.stored_acceleration ? -0.5 * dt * (wall.carried * wall.normal()) : 0.);
+      const FreeWallStep step = free_wall_step(wall, dt, scheme.theta);
       free.mass = step.mass;
       free.free_speed = step.free_speed;
       free.start_speed = wall.speed;

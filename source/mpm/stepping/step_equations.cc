@@ -42,10 +42,9 @@ StepEquations::StepEquations(const Problem &problem,
 {
   increment.resize(state.bodies.size());
   internal.resize(state.bodies.size());
-  // Loads at the middle of the step: second order, and the same work whatever theta is. newmark takes those
-  // at the end, (3.21), and has those at the start in the acceleration. So do steps with rays, which end in
-  // balance.
-  const bool at_end = scheme.stored_acceleration || (problem.settings.meets_by_rays() && !scheme.inertia);
+  // Loads at the middle of the step: second order, and the same work whatever theta is. Steps with rays,
+  // which end in balance, take those at the end.
+  const bool at_end = problem.settings.meets_by_rays() && !scheme.inertia;
   external = external_forces(state.bodies, work.share, problem.scene.gravity,
                              state.time + (plan.held ? 0.
                                            : at_end  ? 1.
@@ -62,16 +61,10 @@ StepEquations::StepEquations(const Problem &problem,
         // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
-        round_and_smooth[b] = body.boundary.circular && problem.slippery() && !scheme.stored_acceleration;
+        round_and_smooth[b] = body.boundary.circular && problem.slippery();
         if (!work.share.mine(b))
           return;
-        if (scheme.stored_acceleration)
-        {
-          old_force[b] = body.acceleration;
-          for (unsigned int i = 0; i < body.mass.size(); ++i)
-            old_force[b].segment<2>(2 * i) *= body.mass[i];
-        }
-        else if (scheme.theta < 1.)
+        if (scheme.theta < 1.)
           old_force[b] = body.internal_force;
         else
           old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
@@ -172,11 +165,10 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
   Eigen::VectorXd &P = missing_impulse[b];
   // Forces at both ends are turned with the body to where it is halfway: there they and the contacts have no
   // torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
-  half_turn[b] = scheme.inertia && !scheme.stored_acceleration ? 0.5 * rotation[b].dot(increment[b]) : 0.;
+  half_turn[b] = scheme.inertia ? 0.5 * rotation[b].dot(increment[b]) : 0.;
   P = dt * acting_force(b);
   if (external[b].size() > 0)
-    // newmark's stored acceleration already holds the load at the start of the step.
-    P += dt * (scheme.stored_acceleration ? scheme.theta : 1.) * external[b];
+    P += dt * external[b];
   const Eigen::VectorXd resisted = scheme.inertia ? v - body.velocity : v - free_way(b);
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     if (scheme.inertia)
@@ -256,7 +248,7 @@ double StepEquations::trial_length() const
 
 double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
 {
-  if (!scheme.inertia || scheme.stored_acceleration)
+  if (!scheme.inertia)
     return 0.;
   // What impulses and forces at theta do more than their mean over the step.
   const Body<2> &body = state.bodies[b];

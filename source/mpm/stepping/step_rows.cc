@@ -129,8 +129,7 @@ void find_rows(const Problem &problem,
     find();
   if (problem.pairs.adhere())
     for (ContactRow<2> &row : search.rows)
-      // The impulse of newmark is half a step of the force at its end.
-      row.pull = (problem.settings.scheme.stored_acceleration ? 0.5 : 1.) * row.adhesion * row.length *
+      row.pull = row.adhesion * row.length *
                  (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap, row.lift) : 0.);
   work.contact.reinit(std::move(search.rows), work.share, !problem.settings.condenses(), state.bodies, dt,
                       again ? nullptr : &state.memory);

@@ -32,7 +32,7 @@ namespace
 class MoreauJean final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(const double theta) const override { return {"", theta, true, true, false, 0.5, true}; }
+  TimeScheme terms(const double theta) const override { return {"", theta, true, true, 0.5, true}; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
@@ -45,7 +45,7 @@ public:
 class Newmark final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 0.5, true, true, true}; }
+  TimeScheme terms(double) const override { return {"", 0.5, true, true}; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
@@ -56,7 +56,7 @@ public:
 class SymplecticEuler final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 1., true, false, false}; }
+  TimeScheme terms(double) const override { return {"", 1., true, false}; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
@@ -67,7 +67,7 @@ public:
 class QuasiStatic final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 1., false, true, false, 1., true}; }
+  TimeScheme terms(double) const override { return {"", 1., false, true, 1., true}; }
   StepOutcome step(const Problem &problem,
                    State &state,
                    Workspace &work,

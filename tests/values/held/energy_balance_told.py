@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-A run whose energy balance misses more than 2 % says so at its end. With newmark contact gives energy where steps are long; with an eighth of
-the step it is less, and moreau_jean, which gives none, says nothing.
+Contact gives no energy with newmark, however long its steps are: it is not part of the stored acceleration. A run whose energy balance misses
+more than 2 % says so at its end: here one that lays its grid anew in every step
+and takes all velocities from it, which loses a twentieth.
 """
 
 
@@ -11,11 +12,13 @@ def look(run):
 
 
 def measure(start):
-    scene = "newmark_gives_energy.prm"
+    scene = "newmark_impact.prm"
     return {"newmark": look(start(scene)), "short": look(start(scene, "Time/Time step=1e-4")),
-            "moreau_jean": look(start(scene, "Time/Scheme=moreau_jean"))}
+            "moreau_jean": look(start(scene, "Time/Scheme=moreau_jean")),
+            "new grids": look(start(scene, "Material points/Grid update=every step", "Material points/Transfer=flip",
+                                    "Material points/PIC fraction=1"))}
 
 
 def is_right(found):
-    return (all(run["told"] == (run["error"] > 0.02) for run in found.values()) and found["newmark"]["told"]
-            and found["short"]["error"] < 0.25 * found["newmark"]["error"] and not found["moreau_jean"]["told"])
+    return (all(run["told"] == (run["error"] > 0.02) for run in found.values()) and found["new grids"]["told"]
+            and all(found[name]["error"] < 1e-3 for name in ("newmark", "short", "moreau_jean")))

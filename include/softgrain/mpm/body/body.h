@@ -94,7 +94,6 @@ struct Body
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
   Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
   Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]; likewise
-  Eigen::VectorXd acceleration;       ///< `newmark` only [m/s^2]
   Eigen::VectorXd internal_force;     ///< end of the last step [N]
 
   /// Copy of the cell that repeats from which it has been brought to where it is.

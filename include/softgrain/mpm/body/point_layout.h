@@ -11,17 +11,16 @@ namespace softgrain::mpm
 /// Everything that a material point may carry from grid to grid; what a step computes lives in StepState.
 enum class PointSlot : unsigned int
 {
-  body,         ///< index of its body
-  rest_volume,  ///< at rest
-  mass,         ///< density times rest volume
-  half_extent,  ///< half the edge of the domain at rest
-  gradient,     ///< F from rest to the configuration of the grid, by rows
-  velocity,     ///< when the grid was laid; with inertia only
-  stress,       ///< as the law returns it, end of the last step, in the order of dealii::SymmetricTensor
-  volume,       ///< small-strain laws only: when the grid was laid
-  acceleration, ///< `newmark` only
-  affine,       ///< APIC matrix, when wanted, by rows
-  history       ///< the law's own, end of the last step
+  body,        ///< index of its body
+  rest_volume, ///< at rest
+  mass,        ///< density times rest volume
+  half_extent, ///< half the edge of the domain at rest
+  gradient,    ///< F from rest to the configuration of the grid, by rows
+  velocity,    ///< when the grid was laid; with inertia only
+  stress,      ///< as the law returns it, end of the last step, in the order of dealii::SymmetricTensor
+  volume,      ///< small-strain laws only: when the grid was laid
+  affine,      ///< APIC matrix, when wanted, by rows
+  history      ///< the law's own, end of the last step
 };
 
 /// What one slot holds.
@@ -38,7 +37,6 @@ struct PointNeeds
 {
   bool velocity = true; ///< of bodies with inertia
   bool volume = false;  ///< of their own, beside the rest volume and F
-  bool acceleration = false;
   bool affine = false;
   unsigned int n_history = 0; ///< largest number of history values of all laws
 };

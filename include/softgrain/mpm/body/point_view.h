@@ -55,11 +55,6 @@ public:
   /// Only where the layout has it, like those that follow.
   double volume() const { return at<double>(PointSlot::volume); }
   double &volume() { return at<double>(PointSlot::volume); }
-  const dealii::Tensor<1, dim> &acceleration() const
-  {
-    return at<dealii::Tensor<1, dim>>(PointSlot::acceleration);
-  }
-  dealii::Tensor<1, dim> &acceleration() { return at<dealii::Tensor<1, dim>>(PointSlot::acceleration); }
   const dealii::Tensor<2, dim> &affine() const { return at<dealii::Tensor<2, dim>>(PointSlot::affine); }
   dealii::Tensor<2, dim> &affine() { return at<dealii::Tensor<2, dim>>(PointSlot::affine); }
   const double *history() const { return &at<double>(PointSlot::history); }

@@ -33,8 +33,6 @@ struct Balance : softgrain::Balance
   double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
   double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
   double released_energy = 0;     ///< lost in held steps, where bodies rearrange, beside what is booked [J/m]
-  dealii::Tensor<1, 2>
-      carried_load; ///< `newmark`: body forces at the end of the last step, part of the acceleration [N/m]
 
   /// All that is lost [J/m].
   double dissipated() const

@@ -14,7 +14,7 @@ namespace softgrain::mpm
  * | name         | theta | inertia | f_old                                     |
  * |--------------|-------|---------|-------------------------------------------|
  * | moreau_jean  | 0.55  | yes     | f(t)                                      |
- * | newmark      | 1/2   | yes     | M a(t), a carried by the points (3.14)-(3.16) |
+ * | newmark      | 1/2   | yes     | f(t): M a(t) of (3.14)-(3.16) without contact |
  * | explicit     | -     | yes     | f(t) alone, u = dt v+ (symplectic Euler)  |
  * | quasi_static | 1     | no      | none                                      |
  */
@@ -24,7 +24,6 @@ struct TimeScheme
   double theta = 0.55;
   bool inertia = true;
   bool implicit = true;
-  bool stored_acceleration = false;
   /// Where in the step the contact rows are taken, 0 its start, 1 its end: in the middle contact does no work
   /// of its own, at the end the step ends in balance.
   double row_share = 0.5;
