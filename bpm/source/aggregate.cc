@@ -175,7 +175,8 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
 {
   Uniform random(seed);
   Aggregate aggregate = cut_out(body, settings.primaries, random);
-  const std::size_t n_cut = aggregate.size();
+  Aggregate fitting = aggregate;
+  trim(fitting, body);
   const bool attracted = attraction && attraction->contact_force() > 0.;
   const bool trims = settings.primaries.number == 0;
   Settling how = trims ? Settling::roughly : Settling::wholly;
@@ -187,12 +188,13 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
     // Attraction smooths the dents that are left; a few rounds settle it.
     const bool trimmed = trims && trim(aggregate, body);
     if (aggregate.size() == 0)
-      throw InputError(
-          n_cut == 0
-              ? "not one primary fits into body '" + body.name + "': lower 'Primaries/Largest diameter'"
-              : "the attraction of its " + std::to_string(n_cut) + " primaries draws body '" + body.name +
-                    "' together until none of them lies within its outline: make it "
-                    "thicker, or lower 'Primaries/Largest diameter'");
+      throw InputError(fitting.size() == 0
+                           ? "not one primary fits into body '" + body.name +
+                                 "': lower 'Primaries/Largest diameter'"
+                           : "the attraction of its " + std::to_string(fitting.size()) +
+                                 " primaries draws body '" + body.name +
+                                 "' together until none of them lies within its outline: make it "
+                                 "thicker, or lower 'Primaries/Largest diameter'");
     done = !trimmed && how == Settling::wholly;
     if (!trimmed)
       how = Settling::wholly;
