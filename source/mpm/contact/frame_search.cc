@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
+#include <softgrain/mpm/contact/frame_following.h>
 #include <softgrain/mpm/contact/frame_layout.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
@@ -23,7 +24,10 @@ using Frame = ContactFrame<dim>;
 /// In space a field has fewer shapes for the forces of rays.
 template <int dim>
 constexpr double spacing_in_cells = dim == 2 ? 0.5 : 0.6;
-constexpr double keeps_direction = 0.98163;
+constexpr double keeps_direction = 0.98163; ///< cosine of 11 degrees
+/// Cosine and distance [cells] up to which a frame is turned in place of laying another one.
+constexpr double turns_direction = 0.5, turns_within = 2.;
+
 /// Finds the stretches of a pair. @param lines samples of the obstacles
 template <int dim>
 void look(const FrameScene<dim> &scene,
@@ -81,34 +85,53 @@ std::multimap<typename Frame<dim>::Key, Frame<dim>> by_key(const FrameScene<dim>
   return result;
 }
 
-/// A frame for a stretch, or the one of those before that covers it.
+template <int dim>
+bool is_pressed(const Frame<dim> &frame)
+{
+  return std::any_of(frame.rays.begin(), frame.rays.end(), [](const auto &ray) { return ray.force != 0.; });
+}
+
+/// The pressed frame of those before that is nearest to a stretch and has its direction within @p cosine.
+template <int dim>
+auto nearest_before(const FrameStretch<dim> &stretch,
+                    const typename Frame<dim>::Key &key,
+                    const double cosine,
+                    double within,
+                    std::multimap<typename Frame<dim>::Key, Frame<dim>> &before)
+{
+  const auto [first, end] = before.equal_range(key);
+  auto best = before.end();
+  for (auto old = first; old != end; ++old)
+  {
+    if (!is_pressed(old->second) || old->second.direction * stretch.direction < cosine)
+      continue;
+    const double distance = old->second.origin.distance(stretch.middle);
+    if (distance < within)
+    {
+      within = distance;
+      best = old;
+    }
+  }
+  return best;
+}
+
+/// A frame for a stretch: the one of those before that covers it; with inertia also one that covers it but
+/// has to be turned, which still has its old direction; else a new one. A corner has but one ray, whose gap
+/// does not depend on where it stood before.
 template <int dim>
 Frame<dim> start_frame(const FrameScene<dim> &scene,
                        const FrameStretch<dim> &stretch,
                        const Frame<dim> &named,
                        std::multimap<typename Frame<dim>::Key, Frame<dim>> &before)
 {
-  const auto [first, end] = before.equal_range(named.key());
-  auto best = end;
-  double nearest = std::numeric_limits<double>::max();
-  for (auto old = first; old != end; ++old)
+  auto old =
+      nearest_before<dim>(stretch, named.key(), keeps_direction, std::numeric_limits<double>::max(), before);
+  if (old == before.end() && scene.halfway != nullptr && named.corner == Frame<dim>::none)
+    old = nearest_before<dim>(stretch, named.key(), turns_direction, turns_within * scene.cell_size, before);
+  if (old != before.end())
   {
-    const bool pressed =
-        std::any_of(old->second.rays.begin(), old->second.rays.end(),
-                    [](const typename Frame<dim>::RayPlace &ray) { return ray.force != 0.; });
-    if (!pressed || old->second.direction * stretch.direction < keeps_direction)
-      continue;
-    const double distance = old->second.origin.distance(stretch.middle);
-    if (distance < nearest)
-    {
-      nearest = distance;
-      best = old;
-    }
-  }
-  if (best != end)
-  {
-    Frame<dim> kept = std::move(best->second);
-    before.erase(best);
+    Frame<dim> kept = std::move(old->second);
+    before.erase(old);
     return kept;
   }
   Frame<dim> frame = named;
@@ -148,6 +171,24 @@ struct LookedAt
   const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies and of obstacles
 };
 
+/// With inertia: a frame that is kept stays by its contact.
+template <int dim>
+void keep_by_contact(const FrameScene<dim> &scene,
+                     const FrameStretch<dim> &stretch,
+                     const dealii::Tensor<1, dim> &apart,
+                     Frame<dim> &frame)
+{
+  if constexpr (dim == 2)
+    if (scene.halfway != nullptr && frame.corner == Frame<dim>::none)
+    {
+      const FrameFollowing following(scene, apart);
+      if (frame.direction * stretch.direction < keeps_direction)
+        following.turn(stretch.direction, frame);
+      else if (is_pressed(frame))
+        following.follow(frame);
+    }
+}
+
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
 template <int dim>
 void find_here(const LookedAt<dim> &at,
@@ -185,7 +226,9 @@ void find_here(const LookedAt<dim> &at,
                                                  at.samples[task.named.body]);
                    for (unsigned int s = 0; s < task.found.size(); ++s)
                    {
-                     if (task.found[s].rays.empty() && task.found[s].corner == Frame<dim>::none)
+                     if (!task.found[s].rays.empty())
+                       keep_by_contact(at.scene, task.stretches[s], task.apart, task.found[s]);
+                     else if (task.found[s].corner == Frame<dim>::none)
                        layout.center(task.stretches[s], task.found[s]);
                      layout.lay(task.stretches[s], task.found[s]);
                      if (remembers && task.found[s].id == 0)

@@ -196,7 +196,7 @@ double FrameState<dim>::share_that_opens(const FrameScene<dim> &scene) const
     return 1.; // without inertia
 }
 
-/// Replaces the gap halfway through the step by the gap at its end.
+/// Replaces the gap halfway through the step by a first guess of the gap at its end.
 template <int dim>
 void FrameState<dim>::draw_on(const unsigned int k)
 {
@@ -208,6 +208,24 @@ void FrameState<dim>::draw_on(const unsigned int k)
     here.stays = (1. - opens) * std::min(0., here.gap + dent_at_start);
   }
   here.gap = here.at_start + (here.gap - here.at_start) / met_at - here.stays;
+}
+
+template <int dim>
+double FrameState<dim>::added(const unsigned int k,
+                              const std::vector<Eigen::VectorXd> &increment,
+                              const Vector &wall_way) const
+{
+  const RayHere &here = rays[k];
+  double sum = here.by_motion * moved;
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const Vector normal = side == 0 && flat_partner() ? frame.direction : here.side[side].normal;
+    Vector way = side == 0 ? way_of_partner(wall_way, here.side[0].place) : Vector();
+    if (const unsigned int b = body(side); b != none)
+      way += here.side[side].function.at(increment[b]) + carried[side];
+    sum += sign(side) * (way * normal);
+  }
+  return sum;
 }
 
 template <int dim>
@@ -306,6 +324,8 @@ void FrameState<dim>::look(const FrameScene<dim> &scene,
     for (unsigned int side = 0; side < 2; ++side)
       if (body(side) != none && side != frame.corner)
         here.side[side].find_functions(scene.bodies[body(side)].field);
+    if (met_at < 1. && !begins)
+      here.gap = here.at_start - here.stays + added(k, increment, wall_way);
     if (!rubs(k))
       continue;
     here.slide = -(way_of_partner(wall_way, here.start[0]) * here.e);

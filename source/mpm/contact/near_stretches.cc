@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/near_stretches.h>
 
-#include <deal.II/numerics/rtree.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -55,36 +54,27 @@ dealii::Tensor<1, dim> direction_of(const typename SampledSurface<dim>::Sample &
 }
 
 /// For every sample of @p a the nearest of @p b that faces it, as (of a, of b).
+/// @param ordered samples of @p b from left to right, those that come into question
 template <int dim>
 void add_nearest(const SampledSurface<dim> &a,
+                 const std::vector<unsigned int> &of_a,
                  const SampledSurface<dim> &b,
-                 const double reach,
+                 const std::vector<unsigned int> &ordered,
+                 const double radius,
                  const bool swapped,
                  Facing &facing)
 {
-  std::vector<dealii::Point<dim>> places;
-  for (const auto &sample : b.samples)
-    places.push_back(sample.position);
-  const auto tree = dealii::pack_rtree_of_indices(places);
-  // The sample that faces another one may lie to its side by as much as they are apart.
-  const double radius = std::hypot(reach, 0.5 * (a.spacing + b.spacing));
-  std::vector<unsigned int> found;
-  for (unsigned int i = 0; i < a.samples.size(); ++i)
+  for (const unsigned int i : of_a)
   {
     const auto &sample = a.samples[i];
-    dealii::Point<dim> lower = sample.position, upper = sample.position;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      lower[d] -= radius;
-      upper[d] += radius;
-    }
-    found.clear();
-    tree.query(boost::geometry::index::intersects(dealii::BoundingBox<dim>({lower, upper})),
-               std::back_inserter(found));
     double nearest = radius;
     unsigned int best = b.samples.size();
-    for (const unsigned int j : found)
+    for (auto next = std::lower_bound(ordered.begin(), ordered.end(), sample.position[0] - radius,
+                                      [&](const unsigned int j, const double x)
+                                      { return b.samples[j].position[0] < x; });
+         next != ordered.end() && b.samples[*next].position[0] <= sample.position[0] + radius; ++next)
     {
+      const unsigned int j = *next;
       const auto &other = b.samples[j];
       const double distance = sample.position.distance(other.position);
       if (distance > nearest || (distance == nearest && j > best))
@@ -97,6 +87,47 @@ void add_nearest(const SampledSurface<dim> &a,
     if (best < b.samples.size())
       facing.push_back(swapped ? std::make_pair(best, i) : std::make_pair(i, best));
   }
+}
+
+/// Box around samples.
+template <int dim>
+std::array<dealii::Point<dim>, 2> box_of(const SampledSurface<dim> &surface)
+{
+  std::array<dealii::Point<dim>, 2> box;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    box[0][d] = std::numeric_limits<double>::max();
+    box[1][d] = -box[0][d];
+  }
+  for (const auto &sample : surface.samples)
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      box[0][d] = std::min(box[0][d], sample.position[d]);
+      box[1][d] = std::max(box[1][d], sample.position[d]);
+    }
+  return box;
+}
+
+/// Samples that are within @p radius of a box in every direction, from left to right.
+template <int dim>
+std::vector<unsigned int> near_box(const SampledSurface<dim> &surface,
+                                   const std::array<dealii::Point<dim>, 2> &box,
+                                   const double radius)
+{
+  std::vector<unsigned int> near;
+  for (unsigned int i = 0; i < surface.samples.size(); ++i)
+  {
+    const dealii::Point<dim> &x = surface.samples[i].position;
+    bool far = false;
+    for (unsigned int d = 0; d < dim; ++d)
+      far = far || x[d] < box[0][d] - radius || x[d] > box[1][d] + radius;
+    if (!far)
+      near.push_back(i);
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [&](const unsigned int i, const unsigned int j)
+                   { return surface.samples[i].position[0] < surface.samples[j].position[0]; });
+  return near;
 }
 
 /// Groups of things that have been joined.
@@ -121,35 +152,33 @@ std::vector<Facing>
 connected(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const Facing &facing)
 {
   Groups groups(facing.size());
-  std::multimap<unsigned int, unsigned int> by_a, by_b;
+  std::vector<std::vector<unsigned int>> by_a(a.samples.size()), by_b(b.samples.size());
   for (unsigned int k = 0; k < facing.size(); ++k)
   {
-    by_a.emplace(facing[k].first, k);
-    by_b.emplace(facing[k].second, k);
+    by_a[facing[k].first].push_back(k);
+    by_b[facing[k].second].push_back(k);
   }
   const double near = 2. * (a.spacing + b.spacing);
-  const auto join_all = [&](const auto &pairs, const unsigned int i, const unsigned int j)
+  const auto join_all = [&](const std::vector<unsigned int> &some, const std::vector<unsigned int> &others)
   {
-    const auto [first, end] = pairs.equal_range(i);
-    const auto [other_first, other_end] = pairs.equal_range(j);
-    for (auto k = first; k != end; ++k)
-      for (auto l = other_first; l != other_end; ++l)
+    for (const unsigned int k : some)
+      for (const unsigned int l : others)
       {
-        const auto &[a_k, b_k] = facing[k->second];
-        const auto &[a_l, b_l] = facing[l->second];
+        const auto &[a_k, b_k] = facing[k];
+        const auto &[a_l, b_l] = facing[l];
         if (a.samples[a_k].position.distance(a.samples[a_l].position) <= near &&
             b.samples[b_k].position.distance(b.samples[b_l].position) <= near)
-          groups.join(k->second, l->second);
+          groups.join(k, l);
       }
   };
-  for (unsigned int i = 0; i < a.samples.size(); ++i)
-    join_all(by_a, i, i);
-  for (unsigned int i = 0; i < b.samples.size(); ++i)
-    join_all(by_b, i, i);
+  for (const std::vector<unsigned int> &pairs : by_a)
+    join_all(pairs, pairs);
+  for (const std::vector<unsigned int> &pairs : by_b)
+    join_all(pairs, pairs);
   for (const auto &[i, j] : a.neighbours)
-    join_all(by_a, i, j);
+    join_all(by_a[i], by_a[j]);
   for (const auto &[i, j] : b.neighbours)
-    join_all(by_b, i, j);
+    join_all(by_b[i], by_b[j]);
   std::map<unsigned int, Facing> parts;
   for (unsigned int k = 0; k < facing.size(); ++k)
     parts[groups.of(k)].push_back(facing[k]);
@@ -230,9 +259,15 @@ template <int dim>
 std::vector<NearStretch<dim>>
 near_stretches(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const double reach)
 {
+  // The sample that faces another one may lie to its side by as much as they are apart.
+  const double radius = std::hypot(reach, 0.5 * (a.spacing + b.spacing));
+  const std::vector<unsigned int> of_a = near_box(a, box_of(b), radius),
+                                  of_b = near_box(b, box_of(a), radius);
   Facing facing;
-  add_nearest(a, b, reach, false, facing);
-  add_nearest(b, a, reach, true, facing);
+  add_nearest(a, of_a, b, of_b, radius, false, facing);
+  add_nearest(b, of_b, a, of_a, radius, true, facing);
+  if (facing.empty())
+    return {};
   std::sort(facing.begin(), facing.end());
   facing.erase(std::unique(facing.begin(), facing.end()), facing.end());
   std::vector<NearStretch<dim>> stretches;

@@ -13,6 +13,8 @@ namespace
 constexpr unsigned int max_iterations = 40;
 constexpr double half_piece = 0.1; ///< that is seen as one where a field has kinks [cells]
 constexpr double rounding = 1e-14; ///< of a place, over its distance from the origin
+/// After a move by so much [cells] the error is its square: rounding.
+constexpr double last_move = 1e-7;
 
 /// What a rigid surface has in place of the field of a body.
 template <int dim>
@@ -22,6 +24,7 @@ struct NoField
   bool look_at(const dealii::Point<dim> &) { return true; }
   Vector along(const Vector &) const { return Vector(); }
   Vector along(const Vector &, const Vector &) const { return Vector(); }
+  double cell_size() const { return 0.; }
   Vector value;
 };
 
@@ -82,6 +85,25 @@ void derive(const Ray<dim> &ray,
     }
 }
 
+/// Moves a side that has been met but for @p off to the ray, where its height and normal are known to first
+/// order.
+template <int dim>
+void move_on(const Ray<dim> &ray,
+             const Deformed<dim> &surface,
+             const dealii::Tensor<1, dim - 1> &off,
+             const SurfacePlace<dim> &next,
+             const dealii::Tensor<1, dim - 1> &way,
+             RaySide<dim> &side)
+{
+  side.place = next;
+  for (unsigned int i = 0; i < dim - 1; ++i)
+  {
+    side.height += way[i] * (surface.tangent[i] * ray.direction);
+    for (unsigned int j = 0; j < dim - 1; ++j)
+      side.normal += (ray.across[i] * (side.sliding_twice * ray.across[j])) * off[j] * ray.across[i];
+  }
+}
+
 /// Where the field has kinks at the sides of cells, there is no direction in which a force at a kink acts,
 /// and Newton's method goes from one side to the other. So slope and bending of the surface are those of a
 /// short piece of it, which reaches as far to one side of the place as to the other: both change without
@@ -133,12 +155,16 @@ RaySide<dim> meet_deformed(const Ray<dim> &ray,
       off[i] = (here.position - ray.origin) * ray.across[i] - ray.offset[i];
     const dealii::Tensor<1, dim - 1> way = -1. * (inverse * off);
     const double error = off.norm();
-    // Rounding is reached, or the error does not fall any more.
+    // Rounding is reached, or the error does not fall any more, or will be rounding after the next move.
     const double distance = (here.position - dealii::Point<dim>()).norm();
-    if (error <= rounding * distance || (error >= 0.5 * before && error < 1e-9 * distance))
+    const bool done = error <= rounding * distance || (error >= 0.5 * before && error < 1e-9 * distance),
+               last = error < last_move * near.cell_size();
+    if (done || last)
     {
       side.met = true;
       derive(ray, here, inverse, near, side);
+      if (!done)
+        move_on(ray, here, off, surface.move(side.place, way), way, side);
       return side;
     }
     before = error;

@@ -54,6 +54,9 @@ struct FrameScene
   std::vector<double> own_way = {};
   const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
   const Adhesion *adhesion = nullptr;               ///< null: nothing adheres
+  /// With inertia: displacement of bodies when the step is half over, by their velocities; null: none is
+  /// looked for, as without inertia.
+  const std::vector<Eigen::VectorXd> *halfway = nullptr;
   const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].

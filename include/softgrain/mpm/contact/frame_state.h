@@ -20,8 +20,10 @@ namespace softgrain::mpm
  * to the unknowns.
  *
  * A gap is g = h_body - h_partner, the difference of the heights along a ray. With inertia rays meet surfaces
- * where they are halfway, and the gap at the end is what it was and twice what has been added halfway: so
- * forces on a gap that stays closed do no work. The frame moves across its rays by c, the mean of the
+ * where they are halfway, and the gap at the end is what it was and Δg = ∇g(halfway)·Δu, which is that of the
+ * end but for terms of third order: so forces on a gap that stays closed do no work. Newton's matrix holds
+ * ∇g for its derivative; what that lacks, half the second derivative times Δu, costs up to half an iteration
+ * a step. The frame moves across its rays by c, the mean of the
  * displacements over the step of the places that lay under its rays at the start; a wall is no partner in
  * that mean. The force tau that this takes makes the forces on both sides equal and opposite: tau = -sum_k
  * P_k dg_k/dc.
@@ -316,6 +318,8 @@ private:
   double way_to_edge(const FrameScene<dim> &scene, unsigned int k, double direction) const;
   double memory_after(const FrameScene<dim> &scene, unsigned int k, double force, double rubbing) const;
   void draw_on(unsigned int k);
+  /// What the whole step adds to a gap as it opens halfway [m].
+  double added(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
   template <class Part>
   void for_told(RayHere &ray, const Part &part) const;
 
