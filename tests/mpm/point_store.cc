@@ -59,7 +59,7 @@ int main()
 {
   print_layout("least", mpm::PointNeeds());
   print_layout("without inertia", {false});
-  print_layout("most", {true, true, true, true, 2});
+  print_layout("most", {true, true, true, 2});
 
   // A cell size that is no binary fraction, so that faces suffer from rounding.
   const mpm::Lattice<2> lattice(Point(-0.7, 0.3), Point(2.4, 2.2), 0.1);
