@@ -4,6 +4,7 @@
 // of the motion of a frame counted in. Forces on both sides are equal and opposite. Exchanged bodies have the
 // same lattice.
 #include "frame_derivatives.h"
+#include "gel.h"
 
 #include <softgrain/mpm/model/space_model.h>
 
@@ -23,18 +24,8 @@ subsection Time
   set Scheme = quasi_static
   set Wall way = 0.1
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1
-      set Poisson's ratio = 0.3
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.3", "1", "1000") +
+                         R"(subsection Bodies
   set Names = a, b
   subsection a
     set Shape  = sphere

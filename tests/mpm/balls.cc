@@ -4,6 +4,7 @@
 // Every state is in balance: forces on each ball add up to nothing, opposite walls feel the same, and what
 // walls do is stored. The mirror image of the two balls, the same with their names exchanged, and with two
 // threads, is the same.
+#include "gel.h"
 #include "scene_of.h"
 
 #include <softgrain/base/exceptions.h>
@@ -29,18 +30,8 @@ subsection Time
   set Scheme = quasi_static
   set Wall way = 0.3
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1
-      set Poisson's ratio = 0.4
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.4", "1", "1000") +
+                        R"(subsection Bodies
   set Names = a, b
   subsection a
     set Shape  = sphere

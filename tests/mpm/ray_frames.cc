@@ -4,6 +4,7 @@
 // their gaps, and the matrix of Newton's method is the derivative of that: both against differences, with the
 // motion of the frame counted in. Forces on both sides are equal and opposite.
 #include "frame_derivatives.h"
+#include "gel.h"
 
 #include <softgrain/mpm/contact/frame_memory.h>
 
@@ -23,18 +24,8 @@ end
 subsection Time
   set Scheme = quasi_static
 end
-subsection Materials
-  set Names = gel
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1e4
-      set Poisson's ratio = 0.3
-    end
-  end
-end
-subsection Bodies
+)" + gel("0.3", "1e4", "1000") +
+                         R"(subsection Bodies
   set Names = a, b, square
   subsection a
     set Center = 3.13, 3.91

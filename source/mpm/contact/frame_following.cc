@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/frame_following.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
+#include <softgrain/mpm/contact/plane_compliance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ FrameFollowing::meet_both(const Frame &frame, const When when, Places &place) co
     Vector away = side == 0 ? apart : Vector();
     if (when == When::halfway && b != Frame::none)
       away += half_carried(side, frame);
-    const Ray<2> ray = ray_of(frame, frame.offset({{0}}), away);
+    const Ray<2> ray = ray_of(frame, dealii::Tensor<1, 1>(), away);
     const RaySide<2> found =
         b == Frame::none
             ? scene.line_of(frame)->meet(ray, when == When::now ? 0. : 0.5, place[side])
@@ -129,11 +130,10 @@ bool FrameFollowing::is_narrow(const Frame &frame, const double curvature) const
   for (const Frame::RayPlace &ray : frame.rays)
     force += std::max(0., ray.force);
   for (const unsigned int b : {frame.body, frame.partner})
-    if (b != Frame::none && !scene.bodies[b].driven)
+    if (b != Frame::none)
     {
       round = round || SubgridCompliance::is_round(scene.bodies[b]);
-      const double nu = scene.bodies[b].law->poisson_ratio();
-      compliance += (1. - nu * nu) / scene.bodies[b].law->young_modulus();
+      compliance += plane_compliance(scene.bodies[b]);
     }
   return round && 4. * force * compliance < M_PI * curvature * 0.25 * frame.spacing * frame.spacing;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/hertz_compliance.h>
+#include <softgrain/mpm/contact/plane_compliance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,6 @@ namespace
 /// Measured, doc/results/three-dimensions.md: of the dent of a light contact the grid shows
 /// F/(E* h) (shown - shown_by_place (cos 2πf + cos 2πg)/2), with f and g the place in its cell.
 constexpr double shown = 1.16, shown_by_place = 0.2;
-
-/// (1-ν²)/E at rest; a driven body is rigid.
-double compliance(const Body<3> &body)
-{
-  if (body.driven)
-    return 0.;
-  const double nu = body.law->poisson_ratio();
-  return (1. - nu * nu) / body.law->young_modulus();
-}
 
 /// 1/R at rest.
 double curvature(const Body<3> &body)
@@ -51,13 +43,13 @@ HertzDent HertzCompliance::dent(const Body<3> &body,
   if (!on || !is_round(body))
     return {};
   // Of each the grid shows beta F / (E* h).
-  double soft = compliance(body), curved = curvature(body),
-         shown = compliance(body) * 0.75 * std::exp(-log_full_width[0]);
+  double soft = plane_compliance(body), curved = curvature(body),
+         shown = plane_compliance(body) * 0.75 * std::exp(-log_full_width[0]);
   if (partner != nullptr)
   {
-    soft += compliance(*partner);
+    soft += plane_compliance(*partner);
     curved += curvature(*partner);
-    shown += compliance(*partner) * 0.75 * std::exp(-log_full_width[1]);
+    shown += plane_compliance(*partner) * 0.75 * std::exp(-log_full_width[1]);
   }
   return {1. / soft, 1. / curved, cell_size, shown / soft};
 }

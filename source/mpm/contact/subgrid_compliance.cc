@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/plane_compliance.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 
 #include <algorithm>
@@ -9,15 +10,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// (1-ν²)/E at rest; a driven body is rigid.
-double plane_compliance(const Body<2> &body)
-{
-  if (body.driven)
-    return 0.;
-  const double nu = body.law->poisson_ratio();
-  return (1. - nu * nu) / body.law->young_modulus();
-}
-
 /// 1/R at rest.
 double curvature(const Body<2> &body)
 {

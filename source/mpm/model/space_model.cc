@@ -186,18 +186,7 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
 
 void SpaceModel::keep_before()
 {
-  before_step = {{},
-                 state.frames,
-                 state.contacts,
-                 state.held_back,
-                 state.wall_force,
-                 state.regularisation_work,
-                 state.released_energy,
-                 state.dent_energy,
-                 state.time,
-                 last_dt,
-                 driven,
-                 steps};
+  before_step = {{}, state, last_dt, driven, steps};
   for (const Body<3> &body : state.bodies)
     before_step.displacement.push_back(body.displacement);
 }
@@ -209,14 +198,7 @@ void SpaceModel::go_back()
     body.displacement = before_step.displacement[body.index];
     move_markers(body);
   }
-  state.frames = before_step.frames;
-  state.contacts = before_step.contacts;
-  state.held_back = before_step.held_back;
-  state.wall_force = before_step.wall_force;
-  state.regularisation_work = before_step.regularisation_work;
-  state.released_energy = before_step.released_energy;
-  state.dent_energy = before_step.dent_energy;
-  state.time = before_step.time;
+  static_cast<SpaceProgress &>(state) = before_step.progress;
   last_dt = before_step.last_dt;
   driven = before_step.driven;
   steps = before_step.steps;

@@ -273,12 +273,6 @@ StepOutcome ray_step(const Problem &problem,
   renew_outlines(state.bodies, work.outlines, state.frames);
   StepEquations equations(problem, state, work, plan);
   RayStep step(problem, state, work, plan, motion, equations);
-  step.careful = careful;
-  step.most_resistance = most_resistance;
-  step.outcome.reason = step.find();
-  step.outcome.accepted = step.outcome.reason.empty();
-  if (step.outcome.accepted)
-    step.accept(state);
-  return step.outcome;
+  return try_ray_step(step, careful, most_resistance, state);
 }
 } // namespace softgrain::mpm

@@ -114,13 +114,7 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const do
   SpaceStep step({state.bodies, state.surfaces, state.frames, walls, settings, settings.cell_size, subgrid,
                   work.share, work.matrices, work.solvers, *work.timer},
                  plan, equations, wall_names);
-  step.careful = careful;
-  step.most_resistance = most_resistance;
-  step.outcome.reason = step.find();
-  step.outcome.accepted = step.outcome.reason.empty();
-  if (step.outcome.accepted)
-    step.accept(state);
-  return step.outcome;
+  return try_ray_step(step, careful, most_resistance, state);
 }
 
 double SpaceAtRest::unbalanced()

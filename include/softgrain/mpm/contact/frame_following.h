@@ -28,9 +28,10 @@ public:
   /// Turns a frame to the normals where its strongest ray stands: there the gap stays what it is.
   void turn(const Vector &direction, Frame &frame) const;
 
-  /// Lets a frame follow a narrow contact of a round body. Its strongest ray stands on one side of where the
-  /// gap is least or as far on the other, where the gap is the same, whichever will be nearer when the step
-  /// is half over; and it is turned to the normals there.
+  /// Lets a frame follow a narrow contact of a round body. The gap is least in the middle of the contact. The
+  /// strongest ray stands beside the middle; as far on its other side the gap is the same. The ray changes
+  /// sides if it will then be nearer to the middle halfway through the step. The frame is turned to the
+  /// normals that the middle will have then.
   void follow(Frame &frame) const;
 
 private:

@@ -101,10 +101,8 @@ private:
   struct Before
   {
     std::vector<Eigen::VectorXd> displacement;
-    std::vector<ContactFrame<3>> frames;
-    std::vector<SpaceContact> contacts;
-    std::vector<double> held_back, wall_force;
-    double regularisation_work, released_energy, dent_energy, time, last_dt;
+    SpaceProgress progress;
+    double last_dt;
     std::vector<DrivenWall> driven;
     std::size_t steps;
   };

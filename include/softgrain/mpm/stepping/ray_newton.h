@@ -82,6 +82,19 @@ private:
   std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
   bool factors_serve = false;           ///< these serve for another iteration
 };
+
+/// Finds a step, and hands it to a state if one is found. @tparam Step a RayNewton with find() and accept()
+template <class Step, class StepsState>
+StepOutcome try_ray_step(Step &step, const bool careful, const double most_resistance, StepsState &state)
+{
+  step.careful = careful;
+  step.most_resistance = most_resistance;
+  step.outcome.reason = step.find();
+  step.outcome.accepted = step.outcome.reason.empty();
+  if (step.outcome.accepted)
+    step.accept(state);
+  return step.outcome;
+}
 } // namespace softgrain::mpm
 
 #endif

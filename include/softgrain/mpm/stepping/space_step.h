@@ -20,11 +20,9 @@ struct SpaceContact
   double gap;                       ///< [m]
 };
 
-/// Where a computation in space has come to.
-struct SpaceState
+/// What steps in space change beside the bodies.
+struct SpaceProgress
 {
-  std::vector<Body<3>> bodies;
-  std::vector<SphereSurface> surfaces; ///< of the bodies, in the configuration of their grids
   std::vector<ContactFrame<3>> frames; ///< of the last step
   std::vector<SpaceContact> contacts;  ///< of the last step
   std::vector<double> held_back;       ///< see State::held_back [N]
@@ -33,6 +31,13 @@ struct SpaceState
   double released_energy = 0;          ///< lost in held steps beside that, see Balance::released_energy [J]
   double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
   double time = 0;                     ///< [s]
+};
+
+/// Where a computation in space has come to.
+struct SpaceState : SpaceProgress
+{
+  std::vector<Body<3>> bodies;
+  std::vector<SphereSurface> surfaces; ///< of the bodies, in the configuration of their grids
 };
 
 /// Steps at rest in space.
