@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/even_exponent.h>
 #include <softgrain/contact/active_system.h>
 
 #include <Eigen/Cholesky>
@@ -28,8 +29,11 @@ ActiveSystem::ActiveSystem(const unsigned int size, const std::size_t n_entries,
 
 bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &solution)
 {
+  double scale = 1.;
   if (dense)
   {
+    scale = size > 0 ? for_even_exponent(matrix(0, 0)) : 1.;
+    matrix *= scale;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix); // in place
     if (factor.info() != Eigen::Success)
       return false;
@@ -40,11 +44,14 @@ bool ActiveSystem::solve_symmetric(const Eigen::VectorXd &right_hand_side, Eigen
     for (; begun < size; ++begun)
       lower.startVec(begun);
     lower.finalize();
+    scale = for_even_exponent(lower.coeff(0, 0));
+    lower *= scale;
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(lower);
     if (factor.info() != Eigen::Success)
       return false;
     solution = factor.solve(right_hand_side);
   }
+  solution *= scale;
   return solution.allFinite();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/even_exponent.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/linear/banded_solver.h>
 
@@ -182,8 +183,9 @@ void BandedSolver::fill(const Sparse &matrix)
 {
   std::fill(values.begin(), values.end(), 0.);
   const double *of_matrix = matrix.valuePtr();
+  factor = target.empty() ? 1. : for_even_exponent(of_matrix[0]);
   for (std::size_t k = 0; k < target.size(); ++k)
-    values[target[k]] += of_matrix[k];
+    values[target[k]] += factor * of_matrix[k];
   // The last panel may reach beyond the matrix: ones on the diagonal leave the rest alone.
   for (int i = matrix.rows(); i < n_panels * block; ++i)
     *of_panel(n_panels - 1).at(i - panels.back().first, i - panels.back().first) = 1.;
@@ -292,7 +294,7 @@ void BandedSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   Eigen::VectorXd y(n_panels * block);
   y.tail(y.size() - b.size()).setZero();
   for (int i = 0; i < b.size(); ++i)
-    y[order[i]] = b[i];
+    y[order[i]] = factor * b[i];
   forward(y.data());
   for (const int i : negative)
     y[i] = -y[i];
@@ -352,6 +354,6 @@ void BandedSolver::condense(const Rows &rows, Eigen::MatrixXd &W)
   W.resize(n, n);
   for (int c = 0; c < n; ++c)
     for (int r = c; r < n; ++r)
-      W(place[r], place[c]) = W(place[c], place[r]) = square(r, c);
+      W(place[r], place[c]) = W(place[c], place[r]) = factor * square(r, c);
 }
 } // namespace softgrain

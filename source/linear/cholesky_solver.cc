@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/even_exponent.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/linear/cholesky_solver.h>
 
@@ -39,7 +40,8 @@ void CholeskySolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 void CholeskySolver::condense(const Rows &rows, Eigen::MatrixXd &W)
 {
   // W = Y^T D^-1 Y with L Y = P H^T: half of the work of full solves, and W is symmetric by construction.
-  const Eigen::VectorXd &D = factor->ldlt.vectorD();
+  const double scale = for_even_exponent(factor->ldlt.vectorD()[0]); // roots of D are taken
+  const Eigen::VectorXd D = scale * factor->ldlt.vectorD();
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(rows.rows(), rows.cols());
   const auto &order = factor->ldlt.permutationP().indices();
   parallel_for(rows.cols(), 1,
@@ -57,6 +59,7 @@ void CholeskySolver::condense(const Rows &rows, Eigen::MatrixXd &W)
   for (int i = 0; i < D.size(); ++i)
     if (D[i] < 0.)
       W.selfadjointView<Eigen::Lower>().rankUpdate(Eigen::VectorXd(Y.row(i).transpose()), -2.);
+  W *= scale;
   W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
 }
 } // namespace softgrain

@@ -56,6 +56,7 @@ private:
   std::vector<std::size_t> target; ///< place in values of every entry of the matrix
   std::vector<Panel> panels;
   std::vector<double> values; ///< of the panels, each by columns
+  double factor = 1.;         ///< of the matrix that is factorised, see for_even_exponent()
 };
 } // namespace softgrain
 

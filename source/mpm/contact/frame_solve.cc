@@ -16,12 +16,14 @@ constexpr unsigned int most_passes = 40;
 /// After sets have repeated only rays change sides that are wrong by that share of the worst.
 constexpr double share_of_worst = 0.5;
 constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
+constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-/// A factor as Eigen's iterative solvers want their preconditioner.
+/// A factor as Eigen's iterative solvers want their preconditioner, of a matrix whose rows and columns have
+/// been given other units.
 class ByFactor
 {
 public:
@@ -41,10 +43,14 @@ public:
   {
     return *this;
   }
-  Eigen::VectorXd solve(const Eigen::VectorXd &b) const { return factor->solve(b); }
+  Eigen::VectorXd solve(const Eigen::VectorXd &b) const
+  {
+    return factor->solve(b.cwiseQuotient(*of_rows)).cwiseQuotient(*of_columns);
+  }
   Eigen::ComputationInfo info() { return Eigen::Success; }
 
   const Factor *factor = nullptr;
+  const Eigen::VectorXd *of_rows = nullptr, *of_columns = nullptr; ///< what the matrix was multiplied by
 };
 } // namespace
 
@@ -104,13 +110,26 @@ bool FrameSystem<dim>::solve_active(const Eigen::VectorXd &right)
     Matrix full = N.selfadjointView<Eigen::Lower>(), slipping_part(n, n);
     slipping_part.setFromTriplets(by_slip.begin(), by_slip.end());
     full += slipping_part;
+    // GMRES adds up squares: all equations become those of ways, and all unknowns too.
+    Eigen::VectorXd of_rows(n), of_columns(n);
+    const double unit = unit_of_forces();
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (number[i] >= 0)
+      {
+        const bool is_way = columns[i].kind == Column::wall || columns[i].kind == Column::motion;
+        of_rows[number[i]] = is_way ? 1. / unit : 1.;
+        of_columns[number[i]] = is_way ? 1. : unit;
+      }
+    full = of_rows.asDiagonal() * full * of_columns.asDiagonal();
     Eigen::GMRES<Matrix, ByFactor> gmres;
     gmres.preconditioner().factor = &factor;
+    gmres.preconditioner().of_rows = &of_rows;
+    gmres.preconditioner().of_columns = &of_columns;
     gmres.compute(full);
     gmres.setTolerance(1e-12);
     gmres.set_restart(60);
     gmres.setMaxIterations(200);
-    x = gmres.solve(b);
+    x = of_columns.cwiseProduct(gmres.solve(of_rows.cwiseProduct(b)));
     if (gmres.info() != Eigen::Success)
       return false;
   }
@@ -123,6 +142,15 @@ bool FrameSystem<dim>::solve_active(const Eigen::VectorXd &right)
     if (active[i] && slips(i) != 0)
       z[i] = slips(i) * columns[i].bound * (z[columns[i].mate] + columns[columns[i].mate].pull);
   return true;
+}
+
+template <int dim>
+double FrameSystem<dim>::unit_of_forces() const
+{
+  double stiffest = 0.;
+  for (const Column &column : columns)
+    stiffest = std::max(stiffest, column.stiffness);
+  return usual_strain * std::exp2(std::ilogb(stiffest));
 }
 
 template <int dim>

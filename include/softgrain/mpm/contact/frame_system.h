@@ -139,6 +139,8 @@ private:
   Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
   bool solve_active(const Eigen::VectorXd &right);
+  /// A power of two near the force that counts as much as a way of 1 m.
+  double unit_of_forces() const;
   /// The largest gap or slide of @p here.
   double farthest_way(const Eigen::VectorXd &here) const;
   /// N z - right, for all columns.
