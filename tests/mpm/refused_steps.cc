@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A step that is refused leaves nothing behind: the shorter one that follows it is that of a model which was
-// asked for no more, bit for bit, with walls whose pressure depends on what they felt before.
+// asked for no more, bit for bit, with walls whose pressure depends on what they felt before. Likewise where
+// a linear solver fails once: it gives no numbers, or gives up.
 #include "gel.h"
 #include "scene_of.h"
 
+#include <softgrain/base/exceptions.h>
 #include <softgrain/base/mpi_session.h>
+#include <softgrain/linear/cholesky_solver.h>
+#include <softgrain/linear/linear_solver_kind.h>
 
 #include <iostream>
+#include <limits>
 
 using namespace softgrain;
 
@@ -48,6 +53,53 @@ subsection Stop
 end
 )";
 
+/// Fails once, in the way that the last word of its name says.
+class FailingSolver final : public LinearSolver
+{
+public:
+  explicit FailingSolver(const std::string &how) : how(how) {}
+  bool factorize(SystemMatrix &matrix) override { return inner.factorize(matrix); }
+  std::optional<unsigned int> n_negative() const override { return inner.n_negative(); }
+  void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
+  {
+    inner.solve(b, x);
+    if (fails("solve"))
+      x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    if (fails("converge"))
+      throw ComputationError("the solver does not converge");
+  }
+  void condense(const Rows &rows, Eigen::MatrixXd &W) override
+  {
+    inner.condense(rows, W);
+    if (fails("condense"))
+      W.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+private:
+  bool fails(const std::string &here)
+  {
+    const bool now = here == how;
+    if (now)
+      how.clear();
+    return now;
+  }
+  std::string how;
+  CholeskySolver inner;
+};
+
+class Failing final : public LinearSolverKind
+{
+public:
+  explicit Failing(const std::string &how) : how(how) {}
+  std::unique_ptr<LinearSolver> create(const LinearSolverSettings &, unsigned int) const override
+  {
+    return std::make_unique<FailingSolver>(how);
+  }
+
+private:
+  const std::string how;
+};
+
 std::string state(const mpm::MpmModel &model)
 {
   std::ostringstream text;
@@ -59,13 +111,27 @@ std::string state(const mpm::MpmModel &model)
   return text.str();
 }
 
-void refuse(const std::string &what, const std::vector<std::string> &changes)
+void refuse(const std::string &what,
+            const std::vector<std::string> &of_bold,
+            const std::vector<std::string> &of_careful)
 {
-  const auto bold = scene_of_text(scene, changes), careful = scene_of_text(scene, changes);
+  const auto bold = scene_of_text(scene, of_bold), careful = scene_of_text(scene, of_careful);
   const StepReport report = bold->advance(1.);
   careful->advance(report.dt);
   std::cout << what << ": refused before " << (report.attempts > 0 ? "yes" : "no") << ", then "
             << (state(*bold) == state(*careful) ? "the same" : "another") << " step\n";
+}
+
+void refuse(const std::string &what, const std::vector<std::string> &changes)
+{
+  refuse(what, changes, changes);
+}
+
+void fail(const std::string &how, const std::string &geometry)
+{
+  const std::string type = "Linear solver/Type=", contact = "Contact/Geometry=" + geometry;
+  refuse("a solver fails to " + how + ", " + geometry, {contact, type + "fails_to_" + how},
+         {contact, type + "cholesky"});
 }
 } // namespace
 
@@ -76,4 +142,11 @@ int main(int, char **argv)
   refuse("prescribed", {strain});
   refuse("pressure", {strain, "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5"});
   refuse("mean pressure", {strain, "Walls/right/Drive=mean_pressure", "Walls/right/Mean pressure=1e5"});
+  for (const std::string how : {"solve", "condense", "converge"})
+  {
+    Registry<LinearSolverKind>::instance().add("fails_to_" + how, how,
+                                               [=] { return std::make_unique<Failing>(how); });
+    fail(how, "surface");
+    fail(how, "rays");
+  }
 }

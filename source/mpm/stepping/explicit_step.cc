@@ -79,7 +79,12 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
             velocity += dt / body.mass[i] * load.segment<2>(2 * i);
         }
       });
-  solve_contacts(problem, state, work, dt, motion, v, outcome);
+  outcome.reason = or_why_it_failed(
+      [&]()
+      {
+        solve_contacts(problem, state, work, dt, motion, v, outcome);
+        return outcome.reason;
+      });
   if (!outcome.reason.empty())
     return outcome;
   settle_free_walls(problem, state, work, motion);

@@ -192,11 +192,12 @@ bool ImplicitStep::in_balance()
 std::string ImplicitStep::newton_step()
 {
   const bool old_factors = search.factors_serve;
-  std::string trouble = iterate();
+  const auto try_it = [this]() { return iterate(); };
+  std::string trouble = or_why_it_failed(try_it);
   if (trouble.empty() || !old_factors)
     return trouble;
   search.factors_serve = false;
-  return iterate();
+  return or_why_it_failed(try_it);
 }
 
 std::string ImplicitStep::iterate()

@@ -252,7 +252,7 @@ std::string RayNewton<dim>::converge()
     if (outcome.newton_iterations == world.settings.max_newton)
       return "Newton did not converge in " + std::to_string(world.settings.max_newton) +
              " iterations ('Newton/Maximum iterations'); relative residual " + short_number(residual);
-    if (std::string trouble = iterate(); !trouble.empty())
+    if (std::string trouble = or_why_it_failed([this]() { return iterate(); }); !trouble.empty())
       return trouble;
   }
   outcome.newton_residual = residual;

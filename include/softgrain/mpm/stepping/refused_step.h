@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_refused_step_h
 #define softgrain_mpm_stepping_refused_step_h
 
+#include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -15,6 +16,20 @@ struct StepOutcome;
 
 /// A number with three digits, for messages.
 std::string short_number(double value);
+
+/// What @p iteration returns, or why linear and contact solvers gave it up: a shorter step may do.
+template <class Iteration>
+std::string or_why_it_failed(const Iteration &iteration)
+{
+  try
+  {
+    return iteration();
+  }
+  catch (const ComputationError &error)
+  {
+    return error.what();
+  }
+}
 
 /// Why a step is no good in which the points of @p body came out as @p outcome tells.
 template <int dim>
