@@ -5,6 +5,8 @@
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
 
+#include <optional>
+
 namespace softgrain::mpm
 {
 /// Lays the rays of frames over the stretches of one pair.
@@ -35,6 +37,7 @@ public:
 private:
   /// Places of the samples of a side, with where they lie across the rays [m].
   using Guesses = std::vector<std::pair<Across, SurfacePlace<dim>>>;
+  using Places = std::array<SurfacePlace<dim>, 2>; ///< on the partner and on the body
 
   Guesses
   guesses_of(const FrameStretch<dim> &stretch, const ContactFrame<dim> &frame, unsigned int side) const;
@@ -51,7 +54,8 @@ private:
                  const typename ContactFrame<dim>::RayPlace *old,
                  typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
-  void note_dent(const std::array<SurfacePlace<dim>, 2> &place, ContactFrame<dim> &frame) const;
+  std::optional<double> find_middle(Places place, ContactFrame<dim> &frame) const;
+  void note_dent(const Places &place, ContactFrame<dim> &frame) const;
   const SampledSurface<dim> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }
   Vector away(const unsigned int side) const { return side == 0 ? apart : Vector(); }
   RaySide<dim> meet_surface(const ContactFrame<dim> &frame,
