@@ -120,10 +120,15 @@ def draw_outlines(axes, rings, width, colour=INK):
 
 
 def draw_along_contacts(axes, pieces, values, norm, colours, width):
-    """Contacts as lines in the colours of what acts along them; pieces overlap a little, so that no seam is seen."""
+    """Contacts as lines in the colours of what acts along them; each piece goes on below the next one, so that no seam is seen."""
     half = 0.55 * (pieces["length_m"][:, None] * pieces["direction"])
-    lines = LineCollection(np.stack([pieces["place_m"] - half, pieces["place_m"] + half], axis=1), array=values, norm=norm, cmap=colours,
-                           linewidths=width, capstyle="butt", zorder=5)
+    begin, end = pieces["place_m"] - half, pieces["place_m"] + half
+    # The copies of a contact in cells that repeat are not in the order of its pieces.
+    goes_on = np.append(np.hypot(*(begin[1:] - end[:-1]).T) < 0.5 * pieces["length_m"][:-1], False)
+    beyond = np.where(goes_on[:, None], np.roll(end, -1, axis=0), end)
+    lines = LineCollection(np.stack([begin, end, beyond], axis=1), array=values, norm=norm, cmap=colours, linewidths=width, capstyle="butt",
+                           zorder=5)
+    lines.set_snap(False)  # pieces along a wall would end at whole pixels, some longer, some shorter
     axes.add_collection(lines, autolim=False)
 
 

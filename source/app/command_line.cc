@@ -293,6 +293,9 @@ bool CommandLine::run() const
           state_file = latest_checkpoint(folder);
         check_may_go_on(folder, state_file);
       });
+  // The next thing may take long: whoever waits knows that it has begun.
+  if (ranks.first())
+    std::cout << head_of_log(input.run(), ranks) << std::flush;
   state_file = ranks.share(state_file, 0);
   const bool goes_on = restart && !state_file.empty();
   ranks.together(

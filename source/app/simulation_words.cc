@@ -15,13 +15,20 @@
 
 namespace softgrain
 {
+std::string head_of_log(const RunParameters &run, const Ranks &ranks)
+{
+  return std::string("softgrain ") + SOFTGRAIN_VERSION + " (deal.II " + DEAL_II_PACKAGE_VERSION + ", " +
+         (ranks.alone() ? "" : std::to_string(ranks.number()) + " ranks, each with ") +
+         std::to_string(n_threads()) + " threads)\nmodel " + run.model + ", results in " +
+         run.output_directory + '\n';
+}
+
 template <int dim>
 void Simulation<dim>::print_head()
 {
-  log.both() << first_lines << "softgrain " << SOFTGRAIN_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION
-             << ", " << (ranks.alone() ? "" : std::to_string(ranks.number()) + " ranks, each with ")
-             << n_threads() << " threads)\n"
-             << "model " << model.name() << ", results in " << parameters.output_directory << '\n';
+  // The terminal has had it since before bodies were made.
+  log.file() << head_of_log(parameters, ranks);
+  log.both() << first_lines;
   SizeReport report = model.size_report();
   report.insert(report.end(), expected.begin(), expected.end());
   print_size_report(log.both(), report);

@@ -151,6 +151,10 @@ private:
   bool last_state_tried = false;   ///< by write_last_state()
 };
 
+/// First lines of a run: which program with how many threads, which model, and where its results go. They are
+/// printed before bodies are made, which may take long.
+std::string head_of_log(const RunParameters &run, const Ranks &ranks);
+
 /// Prints names and values in two columns.
 void print_size_report(std::ostream &out, const SizeReport &report);
 } // namespace softgrain
