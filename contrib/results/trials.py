@@ -74,7 +74,7 @@ subsection Primaries
 end
 """
 ROUGH, STILL = ["Contact/Friction=0.5"], ["Time/Scheme=quasi_static", "Time/Wall way=0.2"]
-POLYGONS = ["Packing/Shapes=polygon", "Packing/Corners=3, 6", "Mesh/Cell size=2.5e-4"]
+POLYGONS = ["Packing/Shapes=polygon", "Packing/Corners=3, 6", "Mesh/Cell size=2.5e-4", "Stop/Packing fraction=0.9"]
 MIXED = ["Packing/Material=", "Packing/Smallest diameter=1.4e-3", "Packing/Largest diameter=2.4e-3",  # (their defaults: classes have sizes of their own)
          "Packing/Classes=0.5: 1.6e-3 to 2.4e-3, gel; 0.5: 1.6e-3 to 2.4e-3, stone"]
 SCENES = {

@@ -278,6 +278,11 @@ class Run:
         from .export import run_to_xarray
         return run_to_xarray(self)
 
+    def to_pvd(self, path, part="outlines"):
+        """A part of all states, see State.to_vtp, as a series that ParaView plays: `run.to_pvd("pressures.pvd", "outlines")`."""
+        from .vtk import write_pvd
+        return write_pvd(self, part, path)
+
     def to_lammps_dump(self, path):
         """A LAMMPS dump of the primaries of all states, which OVITO opens as a film."""
         from .lammps import write_dump

@@ -82,7 +82,8 @@ def pressures_on_outlines(state) -> Table:
     nothing touches. Both bodies of a contact have it, each on its own outline. ``length_m`` is half of both sides at a vertex; sums of
     ``contact_pressure_Pa * length_m`` along a body are what its contacts press, exactly.
     """
-    pieces, start, rings = state.contact_pressures, 0, {}
+    pieces, start = state.contact_pressures, 0
+    rings: dict = {}
     for body, loops in state.outlines.items():
         rings[body] = []
         for ring in loops:

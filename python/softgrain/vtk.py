@@ -2,6 +2,7 @@
 """States as meshes of VTK and pyvista."""
 
 import os
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -74,6 +75,10 @@ def mesh_of(state, part):
     return (np.concatenate(places) if places else np.zeros((0, 2))), lines, data
 
 
+def hidden_beside(path):
+    return os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
+
+
 def write_vtp(state, part, path):
     """Writes a part of a state as a file of ParaView, whole or not at all."""
     mesh = to_vtk(state, part)
@@ -83,11 +88,28 @@ def write_vtp(state, part, path):
         raise need("python3-vtk9", error) from error
     if not path.endswith(".vtp"):
         raise InputError(f"the name of a file of lines and places for ParaView ends with .vtp, not {path}")
-    writer, temporary = vtkXMLPolyDataWriter(), os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
+    writer, temporary = vtkXMLPolyDataWriter(), hidden_beside(path)
     writer.SetInputData(mesh)
     writer.SetFileName(temporary)
     if not writer.Write():
         raise InputError(f"{path} cannot be written")
+    os.replace(temporary, path)
+    return path
+
+
+def write_pvd(run, part, path):
+    """Writes a part of all states of a run as files beside @path, a series that ParaView plays; @path is the last that is written."""
+    if not path.endswith(".pvd"):
+        raise InputError(f"the name of a series for ParaView ends with .pvd, not {path}")
+    stem = path[:-len(".pvd")]
+    lines = []
+    for number, state in enumerate(run):
+        name = os.path.basename(write_vtp(state, part, f"{stem}-{number:06d}.vtp"))
+        lines.append(f'<DataSet timestep="{state.time!r}" name="{part}" file={quoteattr(name)}/>')
+    text = "\n".join(['<?xml version="1.0"?>', '<VTKFile type="Collection" version="1.0">', "<Collection>", *lines, "</Collection>", "</VTKFile>", ""])
+    temporary = hidden_beside(path)
+    with open(temporary, "w", encoding="utf-8") as file:
+        file.write(text)
     os.replace(temporary, path)
     return path
 

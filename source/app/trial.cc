@@ -9,6 +9,7 @@
 #include <softgrain/base/interruption.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -185,23 +186,46 @@ struct Mark
   double fraction, steps, seconds;
 };
 
-/// What the whole way takes, if what is left goes on as the last third of the time so far. Where bodies are
-/// pressed ever closer together, what comes is dearer than what was.
+/// The last mark before this share of the time so far.
+Mark before_share(const Trial &trial, const std::vector<Mark> &marks, const double part)
+{
+  const auto beyond = std::find_if(marks.begin() + 1, marks.end(),
+                                   [&](const Mark &mark) { return mark.seconds > part * trial.seconds; });
+  return *(beyond - 1);
+}
+
+/**
+ * What the whole way takes, from the three thirds of the time so far.
+ *
+ * Where bodies are pressed ever closer together, what comes is dearer than what was: steps go on as in the
+ * last third. Where the price of the way rose from each third to the next it goes on rising by a straight
+ * line, on average to the double of that of the last third at most, as bodies have some twice as many
+ * contacts when no void is left as when they jam.
+ */
 void expect_rest(Trial &trial, const std::vector<Mark> &marks)
 {
-  constexpr double part = 1. / 3.;
+  constexpr double most_rise = 2.;
   trial.all_steps = trial.steps;
   trial.all_seconds = trial.seconds;
-  const auto late =
-      std::find_if(marks.begin(), marks.end(),
-                   [&](const Mark &mark) { return mark.seconds >= (1. - part) * trial.seconds; });
-  if (late == marks.end() || trial.fraction < least_fraction)
+  if (marks.empty() || trial.fraction < least_fraction)
     return;
+  const std::array<Mark, 4> ends = {marks.front(), before_share(trial, marks, 1. / 3.),
+                                    before_share(trial, marks, 2. / 3.),
+                                    Mark{trial.fraction, static_cast<double>(trial.steps), trial.seconds}};
   // A part without any progress says nothing of the speed of the way.
-  const double way = std::max(trial.fraction - late->fraction, 0.02 * trial.fraction),
-               left = 1. - trial.fraction;
-  trial.all_steps += left / way * (trial.steps - late->steps);
-  trial.all_seconds += left / way * (trial.seconds - late->seconds);
+  std::array<double, 3> way, price;
+  for (unsigned int third = 0; third < 3; ++third)
+  {
+    way[third] = std::max(ends[third + 1].fraction - ends[third].fraction, 0.02 * trial.fraction);
+    price[third] = (ends[third + 1].seconds - ends[third].seconds) / way[third];
+  }
+  const double left = 1. - trial.fraction;
+  double of_rest = price[2];
+  if (price[0] < price[1] && price[1] < price[2])
+    of_rest = std::min(most_rise * price[2],
+                       price[2] + (price[2] - price[1]) / (0.5 * (way[1] + way[2])) * 0.5 * (left + way[2]));
+  trial.all_steps += left / way[2] * (ends[3].steps - ends[2].steps);
+  trial.all_seconds += left * of_rest;
 }
 
 /// Steps of the scene with the changes of @p trial, until the end or until the time is up.

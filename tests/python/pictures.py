@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+from xml.etree import ElementTree
 
 import common
 import h5py
@@ -159,6 +160,15 @@ class Pictures(unittest.TestCase):
         self.assertEqual(reader.GetOutput().GetNumberOfPoints(), len(pieces))
         with self.assertRaisesRegex(softgrain.InputError, "ends with .vtp"):
             state.to_vtp("pressures.vtk", "contact_pressures")
+        run = softgrain.open(common.EXAMPLE)
+        with open(run.to_pvd("pressures.pvd", "contact_pressures"), encoding="utf-8") as file:
+            series = [(float(data.get("timestep")), data.get("file")) for data in ElementTree.parse(file).iter("DataSet")]
+        self.assertEqual([time for time, _ in series], list(run.times))
+        reader.SetFileName(series[-1][1])
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), len(pieces))
+        with self.assertRaisesRegex(softgrain.InputError, "ends with .pvd"):
+            run.to_pvd("pressures.vtp")
         mesh = state.to_vtk("outlines")
         pressure, length = (vtk_to_numpy(mesh.GetPointData().GetArray(name)) for name in ("contact_pressure_Pa", "length_m"))
         self.assertEqual(len(pressure), len(state.outlines.points_m))

@@ -27,7 +27,7 @@ struct Trial
   double fraction = 0.;    ///< of the way to the end of the run
   double time = 0.;        ///< simulated [s]
   double all_steps = 0.;   ///< that the whole way is expected to take, and
-  double all_seconds = 0.; ///< their processor time: what is left goes on as the last part of what was made
+  double all_seconds = 0.; ///< their processor time: what is left goes on as the last part, or rises on
   std::string failure;     ///< why it ended, unless at its end or because the time was up
 
   /// For the report: what was tried, and how far it went.
