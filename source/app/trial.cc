@@ -7,6 +7,8 @@
 #include <softgrain/app/trial.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
+#include <softgrain/geometry/shape.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +29,8 @@ namespace
 constexpr double share = 0.2;
 /// Of the way, below which nothing is known of the number of steps.
 constexpr double least_fraction = 0.02;
+/// Of the way, from which on steps of the scene itself say more of it than a coarser one that went all of it.
+constexpr double enough_of_way = 0.3;
 /// Time on the clock over that of the processor, at most.
 constexpr double patience = 3.;
 
@@ -174,22 +178,26 @@ std::string Trial::in_words() const
   else if (fraction >= 1.)
     text << "to the end";
   else
-    text << percent << " % of the way; what comes may be another matter";
+    text << percent << " % of the way; ";
+  if (failure.empty() && fraction < 1.)
+  {
+    text << (!rest_of.empty() ? "what comes as with"
+             : may_jam        ? "corners that rub jam later, and steps then take up to twenty times as long"
+                              : "what comes may be another matter");
+    for (const auto &[name, value] : rest_of)
+      text << " '" << name << "' = " << value;
+  }
   return text.str();
 }
 
 namespace
 {
-/// How far a trial was when.
-struct Mark
-{
-  double fraction, steps, seconds;
-};
+using Mark = Trial::Mark;
 
 /// The last mark before this share of the time so far.
-Mark before_share(const Trial &trial, const std::vector<Mark> &marks, const double part)
+Mark before_share(const Trial &trial, const double part)
 {
-  const auto beyond = std::find_if(marks.begin() + 1, marks.end(),
+  const auto beyond = std::find_if(trial.marks.begin() + 1, trial.marks.end(),
                                    [&](const Mark &mark) { return mark.seconds > part * trial.seconds; });
   return *(beyond - 1);
 }
@@ -202,15 +210,15 @@ Mark before_share(const Trial &trial, const std::vector<Mark> &marks, const doub
  * line, on average to the double of that of the last third at most, as bodies have some twice as many
  * contacts when no void is left as when they jam.
  */
-void expect_rest(Trial &trial, const std::vector<Mark> &marks)
+void expect_rest(Trial &trial)
 {
   constexpr double most_rise = 2.;
   trial.all_steps = trial.steps;
   trial.all_seconds = trial.seconds;
-  if (marks.empty() || trial.fraction < least_fraction)
+  if (trial.marks.empty() || trial.fraction < least_fraction)
     return;
-  const std::array<Mark, 4> ends = {marks.front(), before_share(trial, marks, 1. / 3.),
-                                    before_share(trial, marks, 2. / 3.),
+  const std::array<Mark, 4> ends = {trial.marks.front(), before_share(trial, 1. / 3.),
+                                    before_share(trial, 2. / 3.),
                                     Mark{trial.fraction, static_cast<double>(trial.steps), trial.seconds}};
   // A part without any progress says nothing of the speed of the way.
   std::array<double, 3> way, price;
@@ -235,27 +243,56 @@ void go(
   const double begin = processor_seconds();
   Way way(input, model);
   way.expect(outline.stages);
-  std::vector<Mark> marks;
   // After every step: an interruption leaves what is known.
   while (way.fraction_done() < 1. && trial.seconds < most_seconds && !interruption_requested())
   {
-    marks.push_back({trial.fraction, static_cast<double>(trial.steps), trial.seconds});
+    trial.marks.push_back({trial.fraction, static_cast<double>(trial.steps), trial.seconds});
     way.step();
     trial.steps = model.step();
     trial.time = model.time();
     trial.fraction = std::clamp(way.fraction_done(), 0., 1.);
     trial.seconds = processor_seconds() - begin;
-    expect_rest(trial, marks);
+    expect_rest(trial);
   }
 }
 
-/// Makes the model of a trial and goes its way.
+/// Makes the model of a trial and goes its way, as far as that is possible.
 void make(Trial &trial, Input &input, const RunOutline &outline, const double most_seconds)
 {
-  const double begin = processor_seconds();
-  const std::unique_ptr<Model<2>> model = input.model_to_look_at(trial.coarser);
-  trial.preparation = processor_seconds() - begin;
-  go(trial, input, outline, *model, most_seconds);
+  try
+  {
+    const double begin = processor_seconds();
+    const std::unique_ptr<Model<2>> model = input.model_to_look_at(trial.coarser);
+    trial.preparation = processor_seconds() - begin;
+    go(trial, input, outline, *model, most_seconds);
+  }
+  catch (const Interrupted &)
+  {
+  }
+  catch (const ComputationError &error)
+  {
+    trial.failure = error.what();
+    // The steps before it were cut and cut again: they are no measure of what is left.
+    if (trial.fraction > least_fraction)
+    {
+      trial.all_steps = trial.steps / trial.fraction;
+      trial.all_seconds = trial.seconds / trial.fraction;
+    }
+  }
+}
+
+/// The rest of the way of @p trial takes what that of a coarser one took, in proportion to what both took so
+/// far.
+void go_on_as(Trial &trial, const Trial &coarser)
+{
+  const auto there =
+      std::find_if(coarser.marks.begin(), coarser.marks.end(),
+                   [&](const Mark &mark) { return mark.fraction >= trial.fraction && mark.seconds > 0.; });
+  if (there == coarser.marks.end())
+    return;
+  trial.all_steps = trial.steps * coarser.steps / there->steps;
+  trial.all_seconds = trial.seconds * coarser.seconds / there->seconds;
+  trial.rest_of = coarser.coarser;
 }
 } // namespace
 
@@ -278,38 +315,33 @@ Trial try_out(Input &input,
   trial.coarser = choose(input, *outline, slowness_of_machine(), seconds);
   // Where other programs take their share of the processor, it may take longer.
   const Deadline deadline(patience * seconds);
-  const auto learned = [&]()
-  { return learned_from(trial, *forecast, *input.forecast(*outline, trial.coarser)); };
-  try
+  const std::vector<BodyDescription<2>> &bodies = input.scene().bodies;
+  trial.may_jam = bodies.size() > 1 && has_friction(input.scene()) &&
+                  std::any_of(bodies.begin(), bodies.end(),
+                              [](const BodyDescription<2> &body) { return !body.shape->round(); });
+  make(trial, input, *outline, seconds);
+  double duration = trial.fraction >= 1. ? trial.time : 0.;
+  // One that came to its end has seen the whole way, the scene as it is knows what its steps take.
+  if (const double left = seconds - trial.seconds;
+      !trial.coarser.empty() && trial.fraction >= 1. && left > share * seconds)
   {
-    make(trial, input, *outline, seconds);
-    // One that is soon at its end leaves time for the scene as it is.
-    if (const double left = seconds - trial.seconds;
-        !trial.coarser.empty() && trial.fraction >= 1. && learned().seconds() < left)
+    Trial itself;
+    itself.packing = trial.packing;
+    itself.may_jam = trial.may_jam;
+    make(itself, input, *outline, left);
+    if (itself.fraction >= 1. || !itself.failure.empty())
+      trial = itself;
+    else if (itself.fraction > enough_of_way)
     {
-      Trial itself;
-      itself.packing = trial.packing;
-      make(itself, input, *outline, left);
-      if (itself.fraction >= 1.)
-        trial = itself;
+      go_on_as(itself, trial);
+      trial = itself;
     }
+    if (trial.fraction >= 1.)
+      duration = trial.time;
   }
-  catch (const Interrupted &)
-  {
-  }
-  catch (const ComputationError &error)
-  {
-    trial.failure = error.what();
-    // The steps before it were cut and cut again: they are no measure of what is left.
-    if (trial.fraction > least_fraction)
-    {
-      trial.all_steps = trial.steps / trial.fraction;
-      trial.all_seconds = trial.seconds / trial.fraction;
-    }
-  }
-  *forecast = learned();
-  if (outline->duration == 0. && trial.fraction >= 1.)
-    outline->duration = trial.time;
+  *forecast = learned_from(trial, *forecast, *input.forecast(*outline, trial.coarser));
+  if (outline->duration == 0. && duration > 0.)
+    outline->duration = duration;
   return trial;
 }
 

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace softgrain
 {
@@ -19,6 +20,12 @@ namespace softgrain
  */
 struct Trial
 {
+  /// How far it was when.
+  struct Mark
+  {
+    double fraction, steps, seconds;
+  };
+
   ParameterValues coarser; ///< what is coarser in it; empty: nothing
   unsigned int steps = 0;  ///< made
   double seconds = 0.;     ///< of processor time in them
@@ -28,6 +35,9 @@ struct Trial
   double time = 0.;        ///< simulated [s]
   double all_steps = 0.;   ///< that the whole way is expected to take, and
   double all_seconds = 0.; ///< their processor time: what is left goes on as the last part, or rises on
+  std::vector<Mark> marks; ///< before each step
+  ParameterValues rest_of; ///< what was coarser in a trial of which the rest of the way is known
+  bool may_jam = false;    ///< bodies with corners rub on each other
   std::string failure;     ///< why it ended, unless at its end or because the time was up
 
   /// For the report: what was tried, and how far it went.
