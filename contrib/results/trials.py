@@ -8,23 +8,6 @@ import re
 import subprocess
 
 BOX = """
-subsection Materials
-  set Names = gel, stone
-  subsection gel
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1e6
-    end
-  end
-  subsection stone
-    set Law     = neo_hookean
-    set Density = 1000
-    subsection Neo-Hookean
-      set Young's modulus = 1e7
-    end
-  end
-end
 subsection Packing
   set Number            = 16
   set Material          = gel
@@ -60,6 +43,23 @@ end
 """
 SOFT = """
 set Model = mpm
+subsection Materials
+  set Names = gel, stone
+  subsection gel
+    set Law     = neo_hookean
+    set Density = 1000
+    subsection Neo-Hookean
+      set Young's modulus = 1e6
+    end
+  end
+  subsection stone
+    set Law     = neo_hookean
+    set Density = 1000
+    subsection Neo-Hookean
+      set Young's modulus = 1e7
+    end
+  end
+end
 subsection Mesh
   set Lower     = -2e-3, -2e-3
   set Upper     = 11e-3, 11e-3
@@ -68,6 +68,9 @@ end
 """
 BONDED = """
 set Model = bpm
+subsection Materials
+  set Names = gel
+end
 subsection Primaries
   set Smallest diameter = 1.2e-4
   set Largest diameter  = 2e-4

@@ -295,7 +295,7 @@ class RunLog(Runs):
         with open(self.folder / "run.log", "a", encoding="utf-8") as file:
             file.write("t = 3.1e-04 s  st")  # as a kill leaves it
         second, _ = self.run_scene("mpm", "--restart", settings=["Stop/End time=4e-4", "Contact/Maximum sweeps=3000"])
-        self.assertTrue(second.startswith("changed since the checkpoint: 'Contact/Maximum sweeps'"), second)
+        self.assertRegex(second, r"^softgrain .*\nmodel mpm, results in .*\nchanged since the checkpoint: 'Contact/Maximum sweeps'")
         self.assertEqual(self.log(), first + "t = 3.1e-04 s  st\n" + second)
         third, _ = self.run_scene("mpm", "--overwrite", settings=["Stop/End time=1e-4"])
         self.assertEqual(self.log(), third)
