@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace softgrain
 {
@@ -94,6 +95,17 @@ private:
   std::vector<Wall> moving;
 };
 
+/// Whether walls that face each other came nearer or went apart by more than part of their distance.
+bool went_far(const std::vector<WallState<2>> &before, const std::vector<WallState<2>> &now)
+{
+  constexpr double part = 0.02;
+  for (const auto &[from, to] : {std::make_pair("left", "right"), std::make_pair("bottom", "top")})
+    if (const auto distance = wall_distance(before, from, to); distance && *distance > 0.)
+      if (std::abs(*wall_distance(now, from, to) - *distance) > part * *distance)
+        return true;
+  return false;
+}
+
 /// Goes the way of the walls in steps that follow what happens, until @p part says that all of it is done.
 /// @return whether it was
 template <typename Part>
@@ -109,9 +121,11 @@ bool go(WallsAlone &model, const double longest, const Part &part)
       return true;
     const double limit = longest > 0. ? begin + longest - model.time() : dt;
     const WallsAlone::State before = model.state();
+    const std::vector<WallState<2>> walls_before = model.walls();
     model.advance(std::min(dt, limit));
     const double now = part();
-    if (now > done + 1e-2 && dt > 1e-12 * model.time())
+    // Walls that go through each other in one step fill no box that a stop condition knows.
+    if ((now > done + 1e-2 || went_far(walls_before, model.walls())) && dt > 1e-12 * model.time())
     {
       model.restore(before);
       dt *= 0.5;

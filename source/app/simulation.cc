@@ -105,7 +105,7 @@ void Simulation<dim>::resume_files()
         measures.remember(*waiting.snapshot);
   }
   remove_unfinished_files(parameters.output_directory);
-  log.open(parameters.output_directory, true);
+  open_log(true);
 }
 
 template <int dim>
@@ -221,7 +221,7 @@ void Simulation<dim>::start_files()
           remove_old_results(folder.string());
         write_file_atomically((folder / "parameters.prm").string(), effective_parameters);
         if (!restarted)
-          log.open(folder.string(), false);
+          open_log(false);
       });
   has_begun = true;
   write_summary("running");

@@ -24,10 +24,16 @@ std::string head_of_log(const RunParameters &run, const Ranks &ranks)
 }
 
 template <int dim>
-void Simulation<dim>::print_head()
+void Simulation<dim>::open_log(const bool append)
 {
+  log.open(parameters.output_directory, append);
   // The terminal has had it since before bodies were made.
   log.file() << head_of_log(parameters, ranks);
+}
+
+template <int dim>
+void Simulation<dim>::print_head()
+{
   log.both() << first_lines;
   SizeReport report = model.size_report();
   report.insert(report.end(), expected.begin(), expected.end());

@@ -68,6 +68,7 @@ private:
 
   SizeReport expected;
   std::string first_lines;
+  void open_log(bool append);
   void print_head();
   void start_files();
   /// Cuts the files of the folder back to the checkpoint.
