@@ -90,6 +90,9 @@ SCENES = {
     "without inertia": (SOFT, STILL),
     "without inertia, friction": (SOFT, STILL + ROUGH),
     "without inertia, hard and soft, friction": (SOFT, STILL + ROUGH + MIXED),
+    "64 grains without inertia, friction, to .95": (SOFT, STILL + ROUGH + [
+        "Packing/Number=64", "Packing/Upper=18e-3, 18e-3", "Mesh/Upper=20e-3, 20e-3", "Mesh/Cell size=3e-4", "Walls/top/Point=0, 18e-3",
+        "Walls/right/Point=18e-3, 0", "Stop/Packing fraction=0.95"]),
     "polygons, friction": (SOFT, POLYGONS + ROUGH),
     "polygons": (SOFT, POLYGONS),
     "polygons without inertia": (SOFT, POLYGONS + STILL),
