@@ -14,8 +14,10 @@ namespace softgrain::mpm
 namespace
 {
 constexpr double least_force = 1e-2; ///< that counts, over Young's modulus times a cell
-/// Resistance to which held steps come: with more of it a balance that is far takes too many.
-constexpr double least_when_held = 1e-4;
+/// Resistance to which held steps come: what weak forces alone hold creeps where it resists more. Where steps
+/// do not go well with so little, it is more, but no more than the other: a balance that is far would take
+/// too many.
+constexpr double least_when_held = 1e-6, most_of_the_least = 1e-4, ease_of_least = 0.8;
 constexpr double ease = 0.3;            ///< of resistance, after a step that went well
 constexpr double rise = 10.;            ///< of it, after one that did not
 constexpr double most_resistance = 10.; ///< beyond which bodies hardly move in a step
@@ -125,6 +127,9 @@ StepOutcome RaysAtRest::settle(const double dt)
   sum.accepted = true;
   sum.unbalanced = unbalanced();
   double resistance = settings.regularisation;
+  const double highest = std::min(settings.regularisation, most_of_the_least);
+  const double lowest = std::min(settings.regularisation, least_when_held);
+  double least = lowest;
   bool careful = false;
   while (sum.unbalanced > settings.unbalanced_force)
   {
@@ -148,6 +153,7 @@ StepOutcome RaysAtRest::settle(const double dt)
       if (careful)
         resistance *= rise;
       careful = true;
+      least = std::min(highest, rise * least);
       if (resistance > most_resistance)
         throw ComputationError("no balance is found with the walls at rest: " + outcome.reason);
       continue;
@@ -157,8 +163,8 @@ StepOutcome RaysAtRest::settle(const double dt)
     sum.largest_move = std::max(sum.largest_move, outcome.largest_move);
     held(sum);
     sum.unbalanced = unbalanced();
-    resistance =
-        std::max(std::min(settings.regularisation, least_when_held), ease * resistance * outcome.raised);
+    least = outcome.raised > 1. ? std::min(highest, rise * least) : std::max(lowest, ease_of_least * least);
+    resistance = std::max(least, ease * resistance * outcome.raised);
   }
   return sum;
 }

@@ -78,6 +78,12 @@ double time_of_way(const double way, const double speed, const double accelerati
   return 2. * way / (speed + std::sqrt(speed * speed + 2. * acceleration * way));
 }
 
+/// By which bodies fall [m/s²]; without inertia time only orders the steps.
+double pull_of(const Problem &problem)
+{
+  return problem.settings.scheme.inertia ? problem.scene.gravity.norm() : 0.;
+}
+
 /// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.
 double safe_from_walls(
     const Problem &problem, const State &state, const Flight &flight, const double reach, const double dt)
@@ -93,7 +99,7 @@ double safe_from_walls(
     const double gap = (nearest - wall.point()) * n;
     const double own = wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed;
     const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
-    step = std::min(step, time_of_way(std::max(reach, gap), speed, problem.scene.gravity.norm()));
+    step = std::min(step, time_of_way(std::max(reach, gap), speed, pull_of(problem)));
   }
   return step;
 }
@@ -112,7 +118,7 @@ double safe_from_bodies(const Problem &problem,
     narrowest = std::min(narrowest, flight.width);
   }
   // Gravity pulls all bodies alike: it adds to the way to what is driven alone.
-  const double pull = problem.scene.gravity.norm();
+  const double pull = pull_of(problem);
   // Most steps are short: no pair need be looked at.
   if (time_of_way(std::min(largest_way_in_widths * narrowest, reach), 2. * fastest, pull) >= dt)
     return dt;
@@ -163,7 +169,7 @@ double safe_from_obstacles(const Problem &problem,
         step = std::min(step, time_of_way(std::max(std::min(largest_way_in_widths * flights[b].width, reach),
                                                    distance(flights[b], line)),
                                           flights[b].velocity.norm() + flights[b].spread + speed,
-                                          problem.scene.gravity.norm()));
+                                          pull_of(problem)));
   }
   return step;
 }
@@ -190,9 +196,8 @@ double safe_in_cell(const Problem &problem,
                     (wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed) * wall.normal() +
                         (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(state.time, dt)) *
                             wall.tangent());
-  return std::min(dt,
-                  time_of_way(std::min(largest_way_in_widths * narrowest, reach),
-                              2. * fastest + cell.gradient.norm() * widest, problem.scene.gravity.norm()));
+  return std::min(dt, time_of_way(std::min(largest_way_in_widths * narrowest, reach),
+                                  2. * fastest + cell.gradient.norm() * widest, pull_of(problem)));
 }
 } // namespace
 
