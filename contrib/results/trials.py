@@ -93,6 +93,9 @@ SCENES = {
     "64 grains without inertia, friction, to .95": (SOFT, STILL + ROUGH + [
         "Packing/Number=64", "Packing/Upper=18e-3, 18e-3", "Mesh/Upper=20e-3, 20e-3", "Mesh/Cell size=3e-4", "Walls/top/Point=0, 18e-3",
         "Walls/right/Point=18e-3, 0", "Stop/Packing fraction=0.95"]),
+    "64 grains without inertia, hard and soft, friction .3": (SOFT, STILL + MIXED + [
+        "Packing/Number=64", "Packing/Seed=5", "Packing/Upper=18e-3, 18e-3", "Mesh/Upper=20e-3, 20e-3", "Mesh/Cell size=3e-4",
+        "Walls/top/Point=0, 18e-3", "Walls/right/Point=18e-3, 0", "Contact/Friction=0.3"]),
     "polygons, friction": (SOFT, POLYGONS + ROUGH),
     "polygons": (SOFT, POLYGONS),
     "polygons without inertia": (SOFT, POLYGONS + STILL),

@@ -208,7 +208,8 @@ Mark before_share(const Trial &trial, const double part)
  * Where bodies are pressed ever closer together, what comes is dearer than what was: steps go on as in the
  * last third. Where the price of the way rose from each third to the next it goes on rising by a straight
  * line, on average to the double of that of the last third at most, as bodies have some twice as many
- * contacts when no void is left as when they jam.
+ * contacts when no void is left as when they jam. Where steps look for balance, those in which bodies
+ * jam are the dearest, before and after them they are cheaper: all goes on as it went so far.
  */
 void expect_rest(Trial &trial)
 {
@@ -217,6 +218,12 @@ void expect_rest(Trial &trial)
   trial.all_seconds = trial.seconds;
   if (trial.marks.empty() || trial.fraction < least_fraction)
     return;
+  if (trial.dearest_at_jam)
+  {
+    trial.all_steps = trial.steps / trial.fraction;
+    trial.all_seconds = trial.seconds / trial.fraction;
+    return;
+  }
   const std::array<Mark, 4> ends = {trial.marks.front(), before_share(trial, 1. / 3.),
                                     before_share(trial, 2. / 3.),
                                     Mark{trial.fraction, static_cast<double>(trial.steps), trial.seconds}};
@@ -312,6 +319,7 @@ Trial try_out(Input &input,
   forecast = outline ? input.forecast(*outline) : std::nullopt;
   if (!forecast)
     throw InputError("'--try': what this scene takes cannot be judged");
+  trial.dearest_at_jam = forecast->dearest_at_jam;
   trial.coarser = choose(input, *outline, slowness_of_machine(), seconds);
   // Where other programs take their share of the processor, it may take longer.
   const Deadline deadline(patience * seconds);
@@ -327,6 +335,7 @@ Trial try_out(Input &input,
   {
     Trial itself;
     itself.packing = trial.packing;
+    itself.dearest_at_jam = trial.dearest_at_jam;
     itself.may_jam = trial.may_jam;
     make(itself, input, *outline, left);
     if (itself.fraction >= 1. || !itself.failure.empty())
