@@ -6,13 +6,15 @@
 #include "gel.h"
 #include "scene_of.h"
 
+#include <softgrain/base/exceptions.h>
+
 #include <iostream>
 
 using namespace softgrain;
 
-int main()
+namespace
 {
-  const auto model = scene_of_text(gel("0.3", "1e7", "1000") + R"(
+const std::string scene = gel("0.3", "1e7", "1000") + R"(
 subsection Mesh
   set Lower     = -8e-3, -8e-3
   set Upper     = 8e-3, 8e-3
@@ -51,10 +53,36 @@ end
 subsection Stop
   set End time = 1
 end
-)");
+)";
+
+/// What is said when held steps are too few.
+void too_few(const std::vector<std::string> &changes)
+{
+  const auto model = scene_of_text(scene, changes);
+  try
+  {
+    StepReport report = model->advance(1.);
+    model->settle(report);
+    std::cout << "they are enough\n";
+  }
+  catch (const ComputationError &error)
+  {
+    const std::string what = error.what();
+    std::cout << "too few held steps: " << what.substr(what.rfind("; ") + 2, 36) << '\n';
+  }
+}
+} // namespace
+
+int main()
+{
+  const auto model = scene_of_text(scene);
   StepReport report = model->advance(1.);
   model->settle(report);
   std::cout << "off the lowest place by " << below(1e-4, model->bodies()[0].center()[0] / 2e-3)
             << " cells, in fewer than 400 iterations " << (report.newton_iterations < 400 ? "yes" : "no")
             << ", a step of " << report.dt << " s\n";
+  too_few({"Quasi-static/Held steps=3"});
+  too_few({"Quasi-static/Held steps=3", "Contact/Geometry=surface", "Walls/Names=bottom, top, left, right",
+           "Walls/bottom/Point=0, -7e-3", "Walls/top/Point=0, 7e-3", "Walls/left/Point=-7e-3, 0",
+           "Walls/right/Point=7e-3, 0", "Walls/top/Shear stress=1", "Walls/top/Friction=0.5"});
 }

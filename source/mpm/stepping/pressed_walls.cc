@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
+#include <softgrain/mpm/stepping/refused_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -167,26 +168,57 @@ void account_free_wall(const Problem &problem,
     state.balance.scheme_damping += (theta - 0.5) * mass * change * change;
 }
 
-double unbalanced_walls(const Problem &problem, const State &state)
+namespace
 {
-  double worst = 0.;
+/// A wall under a load, and what it bears of it [N/m].
+struct LoadedWall
+{
+  double share = 0., force = 0., load = 0.;
+  const Wall *wall = nullptr;
+  bool slides = false;
+};
+
+LoadedWall worst_wall(const Problem &problem, const State &state)
+{
+  LoadedWall worst;
   const double floor = 1e-6 * softest(state) * problem.lattice->cell_size();
+  const auto compare = [&](const Wall &wall, const bool slides, const double force, const double load)
+  {
+    const double share = std::abs(force - load) / std::max(std::abs(load), floor);
+    if (share > worst.share)
+      worst = {share, force, load, &wall, slides};
+  };
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     const Wall &wall = state.walls[w];
     if (wall.slides_freely())
-    {
-      const double load = wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w);
-      worst = std::max(worst, std::abs(wall.force * wall.tangent() + load) / std::max(std::abs(load), floor));
-    }
-    if (wall.prescribed())
-      continue;
+      compare(wall, true, -1. * (wall.force * wall.tangent()),
+              wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w));
     // Walls beside it have moved: length and stress are others.
-    const double force = -1. * (wall.force * wall.normal()),
-                 load = asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w);
-    worst = std::max(worst, std::abs(force - load) / std::max(std::abs(load), floor));
+    if (!wall.prescribed())
+      compare(wall, false, -1. * (wall.force * wall.normal()),
+              asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w));
   }
   return worst;
+}
+} // namespace
+
+double unbalanced_walls(const Problem &problem, const State &state)
+{
+  return worst_wall(problem, state).share;
+}
+
+std::string least_balanced_wall(const Problem &problem, const State &state)
+{
+  const LoadedWall worst = worst_wall(problem, state);
+  if (worst.wall == nullptr)
+    return "";
+  const std::string what = std::string(worst.slides ? "shear stress" : "pressure") + " of wall '" +
+                           worst.wall->description.name + "'";
+  if (worst.force == 0.)
+    return "nothing bears the " + what;
+  return short_number(worst.force) + " N/m act against the " + what + ", which is " +
+         short_number(worst.load) + " N/m";
 }
 
 bool walls_are_on_their_way(const Workspace &work)

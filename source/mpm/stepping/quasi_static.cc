@@ -137,6 +137,8 @@ StepOutcome make_held_steps(const Problem &problem, State &state, Workspace &wor
           << " held steps ('Quasi-static/Held steps'): unbalanced force " << sum.unbalanced
           << " ('Quasi-static/Unbalanced force' is " << settings.unbalanced_force << "), they still move by "
           << largest_move_in_cells(problem, step) << " cells";
+  if (unbalanced_walls(problem, state) > of_bodies)
+    message << "; " << least_balanced_wall(problem, state);
   throw ComputationError(message.str());
 }
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -62,6 +63,15 @@ protected:
 
   double time() const override { return state.time; }
 
+  std::string least_balanced() const override
+  {
+    const double of_bodies =
+        unbalanced_rays(state.bodies, state.frames, state.held_back, problem.lattice->cell_size());
+    if (unbalanced_walls(problem, state) > of_bodies)
+      return least_balanced_wall(problem, state);
+    return least_balanced_body(state.bodies, state.held_back);
+  }
+
 private:
   const Problem &problem;
   State &state;
@@ -96,6 +106,18 @@ double unbalanced_rays(const std::vector<Body<dim>> &bodies,
   return worst / std::max(sum / std::max(n_pressed, 1u), floor);
 }
 
+template <int dim>
+std::string least_balanced_body(const std::vector<Body<dim>> &bodies, const std::vector<double> &held_back)
+{
+  const auto most = std::max_element(held_back.begin(), held_back.end());
+  const Body<dim> &body = bodies[most - held_back.begin()];
+  std::ostringstream text;
+  text << "most is unbalanced at body '" << body.name << "', whose middle is at (" << body.center() << ") m";
+  return text.str();
+}
+
+template std::string least_balanced_body(const std::vector<Body<2>> &, const std::vector<double> &);
+template std::string least_balanced_body(const std::vector<Body<3>> &, const std::vector<double> &);
 template double unbalanced_rays(const std::vector<Body<2>> &,
                                 const std::vector<ContactFrame<2>> &,
                                 const std::vector<double> &,
@@ -141,7 +163,7 @@ StepOutcome RaysAtRest::settle(const double dt)
                              std::to_string(sum.held_steps) +
                              " held steps ('Quasi-static/Held steps'): unbalanced force " +
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
-                             short_number(settings.unbalanced_force) + ")");
+                             short_number(settings.unbalanced_force) + "); " + least_balanced());
     }
     const StepOutcome outcome = step({dt, true, resistance}, careful, std::numeric_limits<double>::max());
     sum.newton_iterations += outcome.newton_iterations;

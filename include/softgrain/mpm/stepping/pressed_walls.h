@@ -33,6 +33,9 @@ void account_free_wall(const Problem &problem,
 /// the smallest force that counts (dimensionless); `quasi_static`.
 double unbalanced_walls(const Problem &problem, const State &state);
 
+/// Which wall that is and what acts on it, for messages; empty when all are in balance.
+std::string least_balanced_wall(const Problem &problem, const State &state);
+
 /// Whether a free wall went as far as its stop in the last step.
 bool walls_are_on_their_way(const Workspace &work);
 

@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/stepping/step.h>
 
+#include <string>
 #include <vector>
 
 namespace softgrain::mpm
@@ -34,6 +35,8 @@ protected:
   /// After every held step that was accepted. @param sum of all so far
   virtual void held(StepOutcome & /*sum*/) {}
   virtual double time() const = 0; ///< [s]
+  /// What is furthest from balance, for messages.
+  virtual std::string least_balanced() const = 0;
 
 private:
   const Settings &settings;
@@ -48,6 +51,10 @@ double unbalanced_rays(const std::vector<Body<dim>> &bodies,
                        const std::vector<ContactFrame<dim>> &frames,
                        const std::vector<double> &held_back,
                        double cell_size);
+
+/// Which body is held back most and where it is, for messages. @param held_back as above, of some body
+template <int dim>
+std::string least_balanced_body(const std::vector<Body<dim>> &bodies, const std::vector<double> &held_back);
 
 /// quasi_static_step() where contact is found by rays.
 StepOutcome rays_step(const Problem &problem, State &state, Workspace &work, double dt, double wanted);

@@ -65,6 +65,7 @@ protected:
   StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) override;
   double unbalanced() override;
   double time() const override { return state.time; }
+  std::string least_balanced() const override { return least_balanced_body(state.bodies, state.held_back); }
 
 private:
   SpaceState &state;
