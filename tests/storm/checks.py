@@ -181,7 +181,7 @@ def energy(scene, run):
         return None
     rise, scale, index = energy_rise(scene, run)
     last = run.snapshots()[-1]
-    if last["time_s"] == 0:
+    if last["time_s"] == 0 or json.loads((run.out / "summary.json").read_text()).get("energy_balance_error") is None:
         return None
     rounding = 1e-10 * last["bodies/mass_kg_per_m"].sum() * (spacing_of(scene) / last["time_s"])**2
     if scene.get("Model") == "bpm":  # overlaps that aggregates begin with are pushed out: about 1e-5 diameters

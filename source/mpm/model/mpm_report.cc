@@ -16,6 +16,9 @@ namespace
 {
 /// Strains, and velocities over that of waves, up to this are rounding.
 constexpr double rounded_strain = 1e-12;
+/// Strains up to this are within what Newton's method takes for balance without inertia, see
+/// RayEquations::measure().
+constexpr double unresolved_strain = 1e-8;
 
 std::string scheme_in_words(const TimeScheme &scheme)
 {
@@ -50,11 +53,11 @@ double MpmModel::momentum_error() const
 
 double MpmModel::energy_of_rounding() const
 {
+  const double strain = problem.settings.scheme.inertia ? rounded_strain : unresolved_strain;
   double sum = 0.;
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
-      sum += rounded_strain * rounded_strain * problem.scene.bodies[body.index].shape->area() *
-             body.law->wave_modulus();
+      sum += strain * strain * problem.scene.bodies[body.index].shape->area() * body.law->wave_modulus();
   return sum;
 }
 
