@@ -19,9 +19,10 @@ constexpr double least_force = 1e-2; ///< that counts, over Young's modulus time
 /// do not go well with so little, it is more, but no more than the other: a balance that is far would take
 /// too many.
 constexpr double least_when_held = 1e-6, most_of_the_least = 1e-4, ease_of_least = 0.8;
-constexpr double ease = 0.3;            ///< of resistance, after a step that went well
-constexpr double rise = 10.;            ///< of it, after one that did not
-constexpr double most_resistance = 10.; ///< beyond which bodies hardly move in a step
+constexpr unsigned int creeps_after = 20; ///< held steps
+constexpr double ease = 0.3;              ///< of resistance, after a step that went well
+constexpr double rise = 10.;              ///< of it, after one that did not
+constexpr double most_resistance = 10.;   ///< beyond which bodies hardly move in a step
 /// Of a step that can still be made shorter. Where bodies resist more, walls do work on them that belongs to
 /// no path of balances.
 constexpr double most_if_shorter = 0.1;
@@ -151,7 +152,7 @@ StepOutcome RaysAtRest::settle(const double dt)
   double resistance = settings.regularisation;
   const double highest = std::min(settings.regularisation, most_of_the_least);
   const double lowest = std::min(settings.regularisation, least_when_held);
-  double least = lowest;
+  double least = highest;
   bool careful = false;
   while (sum.unbalanced > settings.unbalanced_force)
   {
@@ -185,7 +186,8 @@ StepOutcome RaysAtRest::settle(const double dt)
     sum.largest_move = std::max(sum.largest_move, outcome.largest_move);
     held(sum);
     sum.unbalanced = unbalanced();
-    least = outcome.raised > 1. ? std::min(highest, rise * least) : std::max(lowest, ease_of_least * least);
+    if (sum.held_steps >= creeps_after)
+      least = outcome.raised > 1. ? std::min(highest, rise * least) : std::max(lowest, ease_of_least * least);
     resistance = std::max(least, ease * resistance * outcome.raised);
   }
   return sum;
