@@ -173,7 +173,9 @@ class LinearSolvers(Runs):
                 _, error = self.run_scene("mpm", settings=[f"Linear solver/Type={solver}"], expect=2)
                 self.assertIn(f"'Linear solver/Type' = '{solver}' needs Trilinos", error)
                 continue
-            self.run_scene("mpm", settings=[f"Linear solver/Type={solver}", "Output/Number of field outputs=0"])
+            # Rays need a solver that counts negative pivots, which Trilinos' do not.
+            self.run_scene("mpm", settings=[f"Linear solver/Type={solver}", "Contact/Geometry=surface",
+                                            "Output/Number of field outputs=0"])
             with open(self.folder / "history.csv", encoding="utf-8") as file:
                 rows[solver] = list(csv.DictReader(file))
         reference = rows.pop("banded_cholesky")

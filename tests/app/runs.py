@@ -216,7 +216,7 @@ class Signals(Runs):
     def test_terminate_mpm(self):
         self.check("mpm", signal.SIGTERM, [signal.SIGTERM])
         # As if never stopped.
-        allowed = ["Mesh/Cell size=1.8e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
+        allowed = ["Contact/Geometry=surface", "Mesh/Cell size=1.8e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
         self.run_scene("mpm", "--restart", settings=allowed)
         resumed = (self.folder / "history.csv").read_text()
         self.run_scene("mpm", "--overwrite", settings=allowed)

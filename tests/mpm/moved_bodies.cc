@@ -114,11 +114,6 @@ int main(int, char **argv)
            "Packing/Upper=7.2e-3, 7.2e-3", "Walls/top/Point=0, 7.2e-3", "Walls/right/Point=7.2e-3, 0",
            "Mesh/Upper=8.2e-3, 8.2e-3", "Walls/top/Velocity=20"},
           4);
-  compare("cell that repeats", "gallery/simple_shear_periodic.prm",
-          {"Mesh/Cell size=4e-4", "Walls/top/Drive=pressure", "Walls/top/Pressure=1e5",
-           "Walls/right/Drive=pressure", "Walls/right/Pressure=1e5", "Walls/top/Tangential velocity=-1.5",
-           "Stop/End time=1"},
-          5);
   // Rays look at the field of partners, whose rank may have changed.
   compare("rays, cells of two sizes", "gallery/two_disks.prm",
           {"Mesh/Cell size=6e-4", "Mesh/Refine near contact=1", "Material points/Shape function=linear",

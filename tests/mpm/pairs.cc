@@ -115,6 +115,7 @@ int main()
 {
   on_a_wall();
   const std::string rough = "Contact/Friction=0.7", pairs = "Contact/Friction of pairs=";
+  // A light contact is met by one ray, which follows it.
   const double alone = on_a_block({"Contact/Friction=0.05"});
   std::cout << "a disk on a block: slides with " << alone / exact(0.05)
             << " of the exact acceleration, the same by materials "
@@ -122,9 +123,4 @@ int main()
             << on_a_block({rough, pairs + "slick / rough: 0.6; b / rough: 0.05"}) / alone
             << ", rolls where no entry fits "
             << on_a_block({rough, pairs + "slick / slick: 0"}) / (2. / 3. * g * std::sin(angle)) << '\n';
-  // A light contact is met by one ray, which follows it.
-  const std::string rays = "Contact/Geometry=rays";
-  std::cout << "a disk on a block, by rays: slides with "
-            << on_a_block({"Contact/Friction=0.05", rays}) / exact(0.05) << ", rolls with "
-            << on_a_block({rough, rays}) / (2. / 3. * g * std::sin(angle)) << " of the exact acceleration\n";
 }

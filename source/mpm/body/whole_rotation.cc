@@ -99,12 +99,17 @@ void turn_along_circles(const Body<2> &body,
   }
 }
 
+double pressure_area(const Body<2> &body, const StepState<2> &s)
+{
+  double sum = 0.;
+  for (unsigned int p = 0; p < body.points.size(); ++p)
+    sum -= 0.5 * s.volume[p] * trace(s.stress[p]);
+  return sum;
+}
+
 double rotation_stiffness(const Body<2> &body, const StepState<2> &s)
 {
-  double pressure_area = 0.;
-  for (unsigned int p = 0; p < body.points.size(); ++p)
-    pressure_area -= 0.5 * s.volume[p] * trace(s.stress[p]);
-  return 2.5 * std::max(0., pressure_area);
+  return 2.5 * std::max(0., pressure_area(body, s));
 }
 
 void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity)

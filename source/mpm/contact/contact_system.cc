@@ -206,7 +206,7 @@ void ContactSystem<dim>::condense(const BodyShare &share,
     {
       const ContactRow<dim> &row = rows[pair.first];
       // What the grid misses at a curved partner or a tip is not known.
-      pair.compliance = row.obstacle ? 0. : subgrid(dent(pair, bodies, subgrid), normal_force(pair, dt));
+      pair.compliance = !row.dented ? 0. : subgrid(dent(pair, bodies, subgrid), normal_force(pair, dt));
       if (pair.compliance == 0.)
         continue;
       std::vector<unsigned int> normals;
@@ -288,7 +288,7 @@ double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
     {
       const ContactRow<dim> &row = rows[pair.first];
       // Also of a contact that has grown wide, whose compliance is none.
-      if (!row.obstacle)
+      if (row.dented)
         energy += subgrid.energy(dent(pair, bodies, subgrid), normal_force(pair, dt));
     }
   else

@@ -50,6 +50,22 @@ double FrameState<dim>::added(const unsigned int k,
   return sum;
 }
 
+/// By what a gap opens beyond the way of the two places that a row of a ray stands for, along what the ray's
+/// force does as a whole: the places that the frame's motion depends on are others.
+template <int dim>
+double FrameState<dim>::opens_beyond(const unsigned int k,
+                                     const std::vector<Eigen::VectorXd> &increment,
+                                     const Vector &wall_way) const
+{
+  const RayHere &here = rays[k];
+  Vector parted = -1. * way_of_partner(wall_way, here.start[0]);
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = body(side); b != none)
+      parted += sign(side) *
+                ((rubs(k) ? here.hold[side] : here.side[side].function).at(increment[b]) + carried[side]);
+  return added(k, increment, wall_way) - resultant(k) * parted;
+}
+
 template double FrameState<2>::share_that_opens(const FrameScene<2> &) const;
 template double FrameState<3>::share_that_opens(const FrameScene<3> &) const;
 template void FrameState<2>::draw_on(unsigned int);
@@ -58,4 +74,10 @@ template double
 FrameState<2>::added(unsigned int, const std::vector<Eigen::VectorXd> &, const FrameState<2>::Vector &) const;
 template double
 FrameState<3>::added(unsigned int, const std::vector<Eigen::VectorXd> &, const FrameState<3>::Vector &) const;
+template double FrameState<2>::opens_beyond(unsigned int,
+                                            const std::vector<Eigen::VectorXd> &,
+                                            const FrameState<2>::Vector &) const;
+template double FrameState<3>::opens_beyond(unsigned int,
+                                            const std::vector<Eigen::VectorXd> &,
+                                            const FrameState<3>::Vector &) const;
 } // namespace softgrain::mpm

@@ -61,6 +61,8 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
       row.normal = frame.resultant(k) / frame.resultant(k).norm();
       row.pull = ray.pull * frame.resultant(k).norm();
+      row.gap = ray.at_start;
+      row.work_beyond = force[f][k] * ray.beyond;
       if (frame.rubs(k))
       {
         // Friction does its work between the places that it holds together.

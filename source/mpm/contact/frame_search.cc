@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
-#include <softgrain/mpm/contact/frame_following.h>
 #include <softgrain/mpm/contact/frame_layout.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
@@ -126,7 +125,7 @@ Frame<dim> start_frame(const FrameScene<dim> &scene,
 {
   auto old =
       nearest_before<dim>(stretch, named.key(), keeps_direction, std::numeric_limits<double>::max(), before);
-  if (old == before.end() && scene.halfway != nullptr && named.corner == Frame<dim>::none)
+  if (old == before.end() && scene.inertia() && named.corner == Frame<dim>::none)
     old = nearest_before<dim>(stretch, named.key(), turns_direction, turns_within * scene.cell_size, before);
   if (old != before.end())
   {
@@ -171,22 +170,12 @@ struct LookedAt
   const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies and of obstacles
 };
 
-/// With inertia: a frame that is kept stays by its contact.
+/// Whether a frame that is kept has to be turned.
 template <int dim>
-void keep_by_contact(const FrameScene<dim> &scene,
-                     const FrameStretch<dim> &stretch,
-                     const dealii::Tensor<1, dim> &apart,
-                     Frame<dim> &frame)
+bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStretch<dim> &stretch)
 {
-  if constexpr (dim == 2)
-    if (scene.halfway != nullptr && frame.corner == Frame<dim>::none)
-    {
-      const FrameFollowing following(scene, apart);
-      if (frame.direction * stretch.direction < keeps_direction)
-        following.turn(stretch.direction, frame);
-      else if (is_pressed(frame))
-        following.follow(frame);
-    }
+  return dim == 2 && scene.inertia() && frame.corner == Frame<dim>::none &&
+         frame.direction * stretch.direction < keeps_direction;
 }
 
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
@@ -226,13 +215,15 @@ void find_here(const LookedAt<dim> &at,
                                                  at.samples[task.named.body]);
                    for (unsigned int s = 0; s < task.found.size(); ++s)
                    {
-                     if (!task.found[s].rays.empty())
-                       keep_by_contact(at.scene, task.stretches[s], task.apart, task.found[s]);
-                     else if (task.found[s].corner == Frame<dim>::none)
-                       layout.center(task.stretches[s], task.found[s]);
-                     layout.lay(task.stretches[s], task.found[s]);
-                     if (remembers && task.found[s].id == 0)
-                       inherit_memory(before, task.found[s]);
+                     Frame<dim> &frame = task.found[s];
+                     const FrameStretch<dim> &stretch = task.stretches[s];
+                     if (frame.corner == Frame<dim>::none && frame.rays.empty())
+                       layout.center(stretch, frame);
+                     else if (turns(at.scene, frame, stretch))
+                       layout.turn(stretch.direction, frame);
+                     layout.lay(stretch, frame);
+                     if (remembers && frame.id == 0)
+                       inherit_memory(before, frame);
                    }
                  }
                });
@@ -298,6 +289,9 @@ template <int dim>
 std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
                                            std::vector<ContactFrame<dim>> frames)
 {
+  const bool any_lines = scene.lines != nullptr && !scene.lines->empty();
+  if (scene.bodies.size() < 2 && scene.walls.empty() && !any_lines && scene.cell == nullptr)
+    return {}; // nothing meets anything
   std::uint64_t next_id = 1;
   for (const Frame<dim> &frame : frames)
     next_id = std::max(next_id, frame.id + 1);

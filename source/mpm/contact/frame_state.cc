@@ -9,7 +9,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double softness_of_rays = 1e-3; ///< times the softer Young's modulus
+/// Times the softer Young's modulus, at rest and with inertia, where masses hold what the field of a body
+/// does not.
+constexpr double softness_at_rest = 1e-3, softness_with_inertia = 1e-4;
 } // namespace
 
 template <int dim>
@@ -25,7 +27,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     young = std::min(young, scene.bodies[frame.partner].law->young_modulus());
   if constexpr (dim == 3)
     young *= scene.cell_size;
-  softness = softness_of_rays / young;
+  softness = (inertia() ? softness_with_inertia : softness_at_rest) / young;
   // The law of dents is one of smooth surfaces; at a corner it would let go where the force grows.
   if (subgrid.on && frame.corner == none)
     dent = subgrid.dent(scene.bodies[frame.body],
@@ -55,7 +57,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     opens = share_that_opens(scene);
     softness *= opens; // in short steps masses yield much less than matter
   }
-  std::vector<double> weight(rays.size(), 0.);
+  weight.assign(rays.size(), 0.);
   if (pressed > 0.)
     for (unsigned int k = 0; k < rays.size(); ++k)
       weight[k] = std::max(0., frame.rays[k].force) / pressed;
@@ -149,6 +151,32 @@ void FrameState<dim>::meet_corner(const FrameScene<dim> &scene,
   rays[k].gap += sign(side) * corner.height;
 }
 
+/// Lets a ray at @p offset from the origin meet a side. @param guess near where it does
+template <int dim>
+bool FrameState<dim>::meet_side(const FrameScene<dim> &scene,
+                                const std::vector<Eigen::VectorXd> &displacement,
+                                const double wall_height,
+                                const unsigned int side,
+                                const Across &offset,
+                                const SurfacePlace<dim> &guess,
+                                RayHere &here) const
+{
+  if (side == 0 && flat_partner())
+  {
+    here.gap -= wall_height;
+    return true;
+  }
+  const RaySide<dim> found =
+      meet_surface(scene, displacement, side, ray_of(frame, offset, away(side)), guess);
+  if (!found.met)
+    return false;
+  here.side[side] = found;
+  here.gap += sign(side) * found.height;
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    here.by_motion[m] -= sign(side) * (found.normal * frame.across[m]);
+  return true;
+}
+
 template <int dim>
 bool FrameState<dim>::meet_ray(const FrameScene<dim> &scene,
                                const std::vector<Eigen::VectorXd> &displacement,
@@ -160,54 +188,33 @@ bool FrameState<dim>::meet_ray(const FrameScene<dim> &scene,
   here.gap = 0.;
   here.by_motion = Across();
   for (unsigned int side = 0; side < 2; ++side)
-  {
-    if (side == 0 && flat_partner())
-    {
-      here.gap -= wall_height;
-      continue;
-    }
     if (side == frame.corner)
-    {
       meet_corner(scene, displacement, k);
-      continue;
-    }
-    const RaySide<dim> found =
-        meet_surface(scene, displacement, side, ray_of(frame, offset, away(side)),
-                     here.side[side].met ? here.side[side].place : frame.rays[k].place[side]);
-    if (!found.met)
+    else if (!meet_side(scene, displacement, wall_height, side, offset,
+                        here.side[side].met ? here.side[side].place : frame.rays[k].place[side], here))
       return false;
-    here.side[side] = found;
-    here.gap += sign(side) * found.height;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      here.by_motion[m] -= sign(side) * (found.normal * frame.across[m]);
-  }
   return true;
 }
 
+/// Of the surfaces under the rays, over the step.
 template <int dim>
-void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, const unsigned int k)
+typename FrameState<dim>::Across
+FrameState<dim>::mean_motion(const std::vector<Eigen::VectorXd> &increment) const
 {
-  RayHere &here = rays[k];
-  for (unsigned int side = 0; side < 2; ++side)
-    if (side == 1 || !flat_partner())
-      here.start[side] = here.side[side].place;
-  const Vector pushed = resultant(k);
-  here.bound = friction * pushed.norm();
-  if constexpr (dim == 2)
-    here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
-  if (theta == 1.)
-    return;
-  // Friction rests where end velocities are alike.
-  Vector apart_by = -1. * way_of_partner(wall_way, here.start[0]);
-  for (unsigned int side = 0; side < 2; ++side)
-    if (const unsigned int b = body(side); b != none)
+  Across sum;
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    for (unsigned int side = 0; side < 2; ++side)
     {
-      apart_by += sign(side) * carried[side];
-      here.hold[side] = scene.bodies[b].field.functions_at(here.start[side].position);
+      const Vector &t = frame.across[m];
       if (unknown(side) != none)
-        apart_by += sign(side) * scene.dt * here.hold[side].at(scene.bodies[b].velocity);
+        for (const auto &[i, weight] : mean[side])
+          sum[m] += weight * (PlaceFunctions<dim>::of_node(increment[body(side)], i) * t);
+      sum[m] += share(side) * (carried[side] * t);
+      if constexpr (dim == 2)
+        if (line != nullptr && side == 0 && share(0) > 0.)
+          sum[m] += line->way_of(frame.rays[0].place[0]) * t;
     }
-  here.known_slide = (1. - theta) * (apart_by * here.e);
+  return sum;
 }
 
 template <int dim>
@@ -230,26 +237,15 @@ void FrameState<dim>::prepare(const FrameScene<dim> &scene,
     dent_depth = subgrid(dent, sum_of_forces) * sum_of_forces;
     by_force = subgrid.slope(dent, sum_of_forces);
   }
-  moved = Across();
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      const Vector &t = frame.across[m];
-      if (unknown(side) != none)
-        for (const auto &[i, weight] : mean[side])
-          moved[m] += weight * (PlaceFunctions<dim>::of_node(increment[body(side)], i) * t);
-      moved[m] += share(side) * (carried[side] * t);
-      if constexpr (dim == 2)
-        if (line != nullptr && side == 0 && share(0) > 0.)
-          moved[m] += line->way_of(frame.rays[0].place[0]) * t;
-    }
+  if (!follows)
+    moved = mean_motion(increment);
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
     here.first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
-    here.near =
-        !here.left && (here.first || force[k] != 0. || !(here.gap - 4. * (path - here.path) > within));
+    here.near = !here.left && (here.first || (follows && weight[k] > 0.) || force[k] != 0. ||
+                               !(here.gap - 4. * (path - here.path) > within));
     if (here.near)
       here.path = path;
   }
@@ -264,35 +260,49 @@ void FrameState<dim>::look(const FrameScene<dim> &scene,
 {
   const double wall_height =
       !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
+  if constexpr (dim == 2)
+    if (follows && !begins)
+      follow(scene, displacement, increment, wall_height);
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
     if (!here.near)
       continue;
-    const bool known = begins || met_at == 1. || here.met_at_start;
+    const bool known = begins || !inertia() || here.met_at_start;
     here.met = known && meet_ray(scene, displacement, wall_height, k);
-    if (here.met && met_at < 1.)
+    if (here.met && inertia())
       draw_on(k);
-    if (here.met && here.first && friction > 0.)
-      begin_to_rub(scene, wall_way, k);
-    if (!here.met || !(force[k] != 0. || free_gap(k) < looks_within))
-      continue;
-    for (unsigned int side = 0; side < 2; ++side)
-      if (body(side) != none && side != frame.corner)
-        here.side[side].find_functions(scene.bodies[body(side)].field);
-    if (met_at < 1. && !begins)
-      here.gap = here.at_start - here.stays + added(k, increment, wall_way);
-    if (!rubs(k))
-      continue;
-    here.slide = -(way_of_partner(wall_way, here.start[0]) * here.e);
-    for (unsigned int side = 0; side < 2; ++side)
-      if (const unsigned int b = body(side); b != none)
-      {
-        if (here.hold[side].node.empty())
-          here.hold[side] = scene.bodies[b].field.functions_at(here.start[side].position);
-        here.slide += sign(side) * ((here.hold[side].at(increment[b]) + carried[side]) * here.e);
-      }
   }
+  if constexpr (dim == 2)
+    if (begins && inertia())
+      choose_followed(scene, displacement, wall_height);
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    if (rays[k].near && rays[k].met)
+      look_closer(scene, increment, wall_way, k, force[k]);
+}
+
+/// Finds what is asked of a ray that carries force or may do so.
+template <int dim>
+void FrameState<dim>::look_closer(const FrameScene<dim> &scene,
+                                  const std::vector<Eigen::VectorXd> &increment,
+                                  const Vector &wall_way,
+                                  const unsigned int k,
+                                  const double force)
+{
+  RayHere &here = rays[k];
+  if (here.first && friction > 0.)
+    begin_to_rub(scene, wall_way, k);
+  if (force == 0. && !(follows && weight[k] > 0.) && !(free_gap(k) < looks_within))
+    return;
+  for (unsigned int side = 0; side < 2; ++side)
+    if (body(side) != none && side != frame.corner)
+      here.side[side].find_functions(scene.bodies[body(side)].field);
+  if (inertia() && !begins)
+    here.gap = here.at_start - here.stays + added(k, increment, wall_way);
+  if (rubs(k))
+    look_for_slide(scene, increment, wall_way, k);
+  if (inertia() && !begins)
+    here.beyond = opens_beyond(k, increment, wall_way);
 }
 
 template <int dim>

@@ -105,6 +105,7 @@ Row ObstacleContact::start_row(const Placed &placed,
   row.body = body.index;
   row.wall = placed.wall;
   row.obstacle = true;
+  row.dented = false;
   row.partner_velocity = placed.obstacle->way.velocity(drawn);
   row.place = at.position;
   row.normal = normal;

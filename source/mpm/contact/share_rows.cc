@@ -167,6 +167,7 @@ void for_parts(Parts &part, const RowParts &told, SomeRow &row)
   if (told.obstacles)
   {
     part(row.obstacle);
+    part(row.dented);
     part(row.partner_velocity);
   }
   if (told.cell)

@@ -77,6 +77,8 @@ void FrameState<dim>::for_told(RayHere &ray, const Part &part) const
   part(ray.gap);
   for (unsigned int m = 0; m < dim - 1; ++m)
     part(ray.by_motion[m]);
+  part(ray.at_start);
+  part(ray.beyond);
   part(ray.bound);
   part(ray.slide);
   part(ray.known_slide);
@@ -105,12 +107,20 @@ std::size_t FrameState<dim>::n_told() const
   std::size_t of_ray = 0;
   RayHere any;
   for_told(any, Counter{of_ray});
-  return of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
+  return (inertia() ? 2 + 2 * of_ray : 0) +
+         of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
 }
 
 template <int dim>
 void FrameState<dim>::tell(double *numbers)
 {
+  if (inertia())
+  {
+    *numbers++ = follows;
+    *numbers++ = moved[0];
+    for (RayHere &ray : beside)
+      for_told(ray, Packer{numbers});
+  }
   for (RayHere &ray : rays)
     if (ray.near)
       for_told(ray, Packer{numbers});
@@ -119,6 +129,13 @@ void FrameState<dim>::tell(double *numbers)
 template <int dim>
 void FrameState<dim>::take(const double *numbers)
 {
+  if (inertia())
+  {
+    follows = *numbers++ != 0.;
+    moved[0] = *numbers++;
+    for (RayHere &ray : beside)
+      for_told(ray, Unpacker{numbers});
+  }
   for (RayHere &ray : rays)
     if (ray.near)
       for_told(ray, Unpacker{numbers});

@@ -191,11 +191,12 @@ void declare_contact(dealii::ParameterHandler &prm)
       prm, "Contact",
       [&]
       {
-        prm.declare_entry(
-            "Geometry", "automatic",
-            Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
-            "Where contact is looked for; automatic: rays with 'Time/Scheme = quasi_static', else surface; " +
-                Registry<ContactGeometryKind>::instance().choice_in_words());
+        prm.declare_entry("Geometry", "automatic",
+                          Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
+                          "Where contact is looked for; automatic: rays with 'Time/Scheme' = 'quasi_static' "
+                          "or 'moreau_jean', "
+                          "else surface; " +
+                              Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
@@ -390,14 +391,14 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
       [&]
       {
         contact_geometry = prm.get("Geometry");
+        coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         if (contact_geometry == "automatic")
-          contact_geometry = !scheme.inertia && counts_negative_pivots(linear_solver) ? "rays" : "surface";
+          contact_geometry = rays_serve(*this) ? "rays" : "surface";
         if (regularisation == 0.)
           regularisation = meets_by_rays() ? 1e-4 : 1e-3;
         contact_on_boundaries =
             Registry<ContactGeometryKind>::instance().create(contact_geometry)->on_boundaries();
         nodal_gap = prm.get_bool("Nodal gap");
-        coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         marker_spacing = prm.get_double("Marker spacing");
         largest_penetration = prm.get_double("Largest penetration");
         subgrid = prm.get_bool("Sub-grid compliance");

@@ -74,7 +74,7 @@ void account_contacts(const Problem &problem,
         const double pulled = contact.adhesion_work(r);
         state.balance.adhesion_work += pulled;
         if (!balanced)
-          state.balance.contact_loss += pulled;
+          state.balance.contact_loss += pulled - rows[r].work_beyond;
       }
       // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
       // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.

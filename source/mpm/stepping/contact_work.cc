@@ -93,7 +93,7 @@ ContactWork::Gift ContactWork::gift() const
   double most = 0.;
   for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
   {
-    double given = -adhesion_work(r);
+    double given = work.contact.contact_rows()[r].work_beyond - adhesion_work(r);
     for (unsigned int c = 0; c < components; ++c)
       if (acts(r, c))
         given += acting(r, c) * parting(r, c);
@@ -107,13 +107,20 @@ ContactWork::Gift ContactWork::gift() const
   return gift;
 }
 
+double ContactWork::released() const
+{
+  return state.balance.subgrid_energy - work.contact.subgrid_energy(state.bodies, problem.subgrid(), dt);
+}
+
 std::string why_contact_gives(const Problem &problem,
                               const State &state,
                               const Workspace &work,
                               const ContactWork &contact,
                               const std::vector<Eigen::VectorXd> &increment)
 {
-  const ContactWork::Gift gift = contact.gift();
+  ContactWork::Gift gift = contact.gift();
+  // What dents had stored and give back comes from nowhere else.
+  gift.energy -= contact.released();
   double kinetic = 0., floor = 0.;
   for (const Body<2> &body : state.bodies)
     if (!body.driven)

@@ -38,18 +38,16 @@ void RayEquations<dim>::lay()
   way = at_rest;
   dealii::TimerOutput::Scope section(world.timer, "contact search");
   scene.looking = &world.share;
-  Vectors halfway = inertia ? free_way() : Vectors();
-  for (unsigned int b = 0; b < halfway.size(); ++b)
-    halfway[b] = world.bodies[b].displacement + 0.5 * halfway[b];
-  if (inertia)
-    scene.halfway = &halfway;
-  for (const ContactFrame<dim> &frame : find_frames(scene, world.frames))
+  const std::vector<ContactFrame<dim>> found = find_frames(scene, world.frames);
+  frames.reserve(found.size());
+  force.reserve(found.size());
+  rubbing.reserve(found.size());
+  for (const ContactFrame<dim> &frame : found)
   {
     frames.emplace_back(frame, scene);
     force.emplace_back(frame.rays.size());
     rubbing.emplace_back(frame.rays.size());
   }
-  scene.halfway = nullptr;
   take_forces_of_start();
   system.take(frames);
   path = h; // 0 is for rays that have never been met

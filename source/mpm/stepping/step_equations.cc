@@ -163,8 +163,6 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
 {
   const unsigned int b = body.index;
   Eigen::VectorXd &P = missing_impulse[b];
-  // Forces at both ends are turned with the body to where it is halfway: there they and the contacts have no
-  // torque together. Taken as they are, they would, of (2 θ - 1) p A times its turn.
   half_turn[b] = scheme.inertia ? 0.5 * rotation[b].dot(increment[b]) : 0.;
   P = dt * acting_force(b);
   if (external[b].size() > 0)
@@ -190,6 +188,12 @@ Eigen::VectorXd StepEquations::acting_force(const unsigned int b) const
   const double half = half_turn[b];
   if (half == 0.)
     return (1. - scheme.theta) * old_force[b] + scheme.theta * internal[b];
+  // Forces at the end and at the start have a torque (2 θ - 1) p A φ about where a body is halfway, which
+  // would spin it up. With rays what damps is the change of forces but for a turn.
+  if (problem.settings.meets_by_rays())
+    return 0.5 * (old_force[b] + internal[b]) +
+           (scheme.theta - 0.5) * (internal[b] - turned(old_force[b], 2. * half));
+  // Rows of surfaces do without that torque if both are turned to where the body is halfway.
   return (1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half);
 }
 

@@ -52,7 +52,12 @@ void StepEquations::assemble_exact(const Body<2> &body)
     matrix.add_mass<2>(body.mass, 1.);
   else
     matrix.add_mass<2>(drag(body), shift[b]);
-  work.solvers[b]->set_update(lever[b].size() > 0 ? lever[b] : rotation[b], rotation_weight[b]);
+  // What theta > 1/2 damps is no turn, see acting_force(). Its stiffness against a turn, -2 p A, is taken
+  // back: left in, Newton's method diverges where grains roll in long steps.
+  const double damped =
+      scheme.inertia ? (2. * scheme.theta - 1.) * scheme.theta * dt * dt * pressure_area(body, work.trial[b])
+                     : 0.;
+  work.solvers[b]->set_update(lever[b].size() > 0 ? lever[b] : rotation[b], rotation_weight[b] + damped);
 }
 
 std::string StepEquations::factorise()
@@ -138,8 +143,6 @@ void StepEquations::heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eig
 void StepEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const
 {
   work.solvers[b]->solve(missing_impulse[b], x);
-  if (std::abs(half_turn[b]) > small_turn)
-    heed_turn(state.bodies[b], missing_impulse[b], x);
 }
 
 StepEquations::Slope StepEquations::solve(const bool with_contact, Vectors &x) const

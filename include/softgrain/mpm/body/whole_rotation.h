@@ -23,6 +23,9 @@ double rotary_inertia(const Body<2> &body, const Eigen::VectorXd &r);
 /// Vectors at nodes, turned by @p angle [rad].
 Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
 
+/// p A, with p the mean pressure of a body and A its area [N].
+double pressure_area(const Body<2> &body, const StepState<2> &s);
+
 /**
  * @brief Stiffness against rotation of a whole body that the matrix of Newton's method gets beside that of
  * its material [N m/m].

@@ -34,10 +34,24 @@ public:
   /// met at its middle.
   void center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
+  /// Turns a frame to the normals where its strongest ray stands: there the gap stays what it is.
+  /// @param direction a guess, unit
+  void turn(const Vector &direction, ContactFrame<dim> &frame) const;
+
 private:
+  using Places = std::array<SurfacePlace<dim>, 2>; ///< on the partner and on the body
+  /// What the ray at the origin of a frame meets on both sides.
+  struct Met
+  {
+    Across slope;                    ///< of the gap across the rays
+    dealii::Tensor<2, dim - 1> bend; ///< of the gap across the rays [1/m]
+    double gap = 0.;                 ///< [m]
+    double height = 0.;              ///< mean of both sides that are no wall [m]
+    Vector normal;                   ///< sum of both
+  };
+  std::optional<Met> meet_both(const ContactFrame<dim> &frame, Places &place) const;
   /// Places of the samples of a side, with where they lie across the rays [m].
   using Guesses = std::vector<std::pair<Across, SurfacePlace<dim>>>;
-  using Places = std::array<SurfacePlace<dim>, 2>; ///< on the partner and on the body
 
   Guesses
   guesses_of(const FrameStretch<dim> &stretch, const ContactFrame<dim> &frame, unsigned int side) const;

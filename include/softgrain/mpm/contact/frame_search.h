@@ -54,9 +54,6 @@ struct FrameScene
   std::vector<double> own_way = {};
   const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
   const Adhesion *adhesion = nullptr;               ///< null: nothing adheres
-  /// With inertia: displacement of bodies when the step is half over, by their velocities; null: none is
-  /// looked for, as without inertia.
-  const std::vector<Eigen::VectorXd> *halfway = nullptr;
   const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].
@@ -80,6 +77,7 @@ struct FrameScene
         return line_of(frame)->surface;
     return outlines[side == 0 ? frame.partner : frame.body];
   }
+  bool inertia() const { return met_at < 1.; }
   double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
 
   /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].

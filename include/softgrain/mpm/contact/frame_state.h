@@ -4,7 +4,7 @@
 
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/frame_search.h>
-#include <softgrain/mpm/contact/ray.h>
+#include <softgrain/mpm/contact/ray_here.h>
 
 #include <Eigen/Core>
 
@@ -25,13 +25,16 @@ namespace softgrain::mpm
  * ∇g for its derivative; what that lacks, half the second derivative times Δu, costs up to half an iteration
  * a step. The frame moves across its rays by c, the mean of the
  * displacements over the step of the places that lay under its rays at the start; a wall is no partner in
- * that mean. The force tau that this takes makes the forces on both sides equal and opposite: tau = -sum_k
- * P_k dg_k/dc.
+ * that mean. With inertia a contact that is narrower than its rays are apart is followed:
+ * c is such that the gaps half a spacing before and behind it differ, halfway, by what they did at the start,
+ * so on round surfaces rays stay as far from the least gap as they were. The force tau that this takes
+ * makes the forces on both sides equal and opposite: tau = -sum_k P_k dg_k/dc.
  *
  * Friction holds together the two places of the material that lay under a ray at the start of the step. Its
  * slide is what they have moved past each other since then, along the unit vector e at right angles to what
  * the ray's force does: linear in the unknowns, without a second derivative, and nothing need be remembered
- * from step to step but the force.
+ * from step to step but the force. Under a ray that follows its contact they are the places that it meets
+ * halfway, so rolling is no slide.
  */
 template <int dim>
 class FrameState
@@ -114,30 +117,7 @@ public:
   /// of a side: their forces become 0, and they pull no more. @return whether there are any
   bool leave_unmet(std::vector<double> &force, std::vector<double> &rubbing);
 
-  struct RayHere
-  {
-    std::array<RaySide<dim>, 2> side; ///< of the partner and the body
-    bool met = false;
-    bool met_at_start = false; ///< with inertia; else no gap at the end is known
-    bool near = true;          ///< looked at
-    bool first = true;         ///< for the first time
-    bool left = false;   ///< has slid off one of its surfaces, so that it is no more looked at in this step
-    double gap = 0;      ///< [m]
-    double path = 0;     ///< when it was last looked at
-    Across by_motion;    ///< dg/dc
-    double at_start = 0; ///< gap at the start of the step, with inertia [m]
-    double stays = 0;    ///< what the step leaves closed of an overlap with which it began [m]
-    double pull = 0;     ///< with which adhesion holds the surfaces together [N/m]
-    double memory = 0;   ///< of a contact law that remembers
-
-    // Of friction; e is 0 where there is none.
-    std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
-    std::array<PlaceFunctions<dim>, 2> hold; ///< of the field there
-    Vector e;                                ///< unit
-    double bound = 0;                        ///< largest friction over force
-    double slide = 0;                        ///< [m]
-    double known_slide = 0;                  ///< what velocities at the start have in it, with inertia [m]
-  };
+  using RayHere = mpm::RayHere<dim>;
 
   /// Whether a ray is closed: its surfaces part where adhesion alone is left of its force.
   bool closed(const unsigned int k, const double force) const { return force > -rays[k].pull; }
@@ -196,6 +176,18 @@ public:
   template <class F>
   void for_mean(const unsigned int side, const unsigned int m, const double factor, const F &add) const
   {
+    if (follows)
+    {
+      for (const RayHere &here : beside)
+      {
+        const PlaceFunctions<dim> &function = here.side[side].function;
+        const Vector along = (&here == &beside[0] ? 1. : -1.) * sign(side) * factor / change_of_slope() *
+                             here.side[side].normal;
+        for (unsigned int i = 0; i < function.node.size(); ++i)
+          add(function.node[i], function.value[i] * along);
+      }
+      return;
+    }
     for (const auto &[i, weight] : mean[side])
       add(i, factor * weight * frame.across[m]);
   }
@@ -237,12 +229,10 @@ public:
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
   Vector resultant(unsigned int k) const
   {
-    const Vector &normal = rays[k].side[1].normal;
-    const Across &moves = rays[k].by_motion;
-    if constexpr (dim == 2)
-      return normal + share(1) * moves[0] * frame.across[0];
-    else
-      return normal + share(1) * (moves[0] * frame.across[0] + moves[1] * frame.across[1]);
+    Vector sum = rays[k].side[1].normal;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      sum += rays[k].by_motion[m] * by_whole_side(1, m);
+    return sum;
   }
   /// tau [N/m].
   Across tangential(const std::vector<double> &force) const;
@@ -263,7 +253,7 @@ public:
   {
     Across result;
     for (unsigned int m = 0; m < dim - 1; ++m)
-      result[m] = (share(0) * moves[0] + share(1) * moves[1]) * frame.across[m];
+      result[m] = by_whole_side(0, m) * moves[0] + by_whole_side(1, m) * moves[1];
     return result;
   }
 
@@ -273,6 +263,7 @@ public:
                           const std::vector<double> &rubbing) const;
 
 private:
+  bool inertia() const { return met_at < 1.; }
   /// Of the mean motion, that a side has.
   double share(const unsigned int side) const
   {
@@ -280,6 +271,17 @@ private:
       return side == frame.corner ? 1. : 0.;
     return unknown(0) == none ? side : 0.5;
   }
+  /// What a motion of a whole side does to component @p m of c.
+  Vector by_whole_side(const unsigned int side, const unsigned int m) const
+  {
+    if (!follows)
+      return share(side) * frame.across[m];
+    if (side == 0 && flat_partner())
+      return Vector();
+    return sign(side) / change_of_slope() * (beside[0].side[side].normal - beside[1].side[side].normal);
+  }
+  /// Of the gap across a contact that is followed, from half a spacing before it to half a spacing behind it.
+  double change_of_slope() const { return beside[1].by_motion[0] - beside[0].by_motion[0]; }
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
   /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
@@ -293,11 +295,31 @@ private:
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
   /// By which a side stands away from where its nodes say.
   Vector away(const unsigned int side) const { return at * carried[side] + (side == 0 ? apart : Vector()); }
+  bool meet_side(const FrameScene<dim> &scene,
+                 const std::vector<Eigen::VectorXd> &displacement,
+                 double wall_height,
+                 unsigned int side,
+                 const Across &offset,
+                 const SurfacePlace<dim> &guess,
+                 RayHere &here) const;
   bool meet_ray(const FrameScene<dim> &scene,
                 const std::vector<Eigen::VectorXd> &displacement,
                 double wall_height,
                 unsigned int k);
+  void look_closer(const FrameScene<dim> &scene,
+                   const std::vector<Eigen::VectorXd> &increment,
+                   const Vector &wall_way,
+                   unsigned int k,
+                   double force);
+  void look_for_slide(const FrameScene<dim> &scene,
+                      const std::vector<Eigen::VectorXd> &increment,
+                      const Vector &wall_way,
+                      unsigned int k);
   void begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, unsigned int k);
+  void hold_at(const FrameScene<dim> &scene,
+               const std::array<SurfacePlace<dim>, 2> &place,
+               const Vector &wall_way,
+               unsigned int k);
   RaySide<dim> meet_surface(const FrameScene<dim> &scene,
                             const std::vector<Eigen::VectorXd> &displacement,
                             unsigned int side,
@@ -318,8 +340,21 @@ private:
   double way_to_edge(const FrameScene<dim> &scene, unsigned int k, double direction) const;
   double memory_after(const FrameScene<dim> &scene, unsigned int k, double force, double rubbing) const;
   void draw_on(unsigned int k);
+  Across mean_motion(const std::vector<Eigen::VectorXd> &increment) const;
+  bool meet_beside(const FrameScene<dim> &scene,
+                   const std::vector<Eigen::VectorXd> &displacement,
+                   double wall_height);
+  void choose_followed(const FrameScene<dim> &scene,
+                       const std::vector<Eigen::VectorXd> &displacement,
+                       double wall_height);
+  void follow(const FrameScene<dim> &scene,
+              const std::vector<Eigen::VectorXd> &displacement,
+              const std::vector<Eigen::VectorXd> &increment,
+              double wall_height);
   /// What the whole step adds to a gap as it opens halfway [m].
   double added(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
+  double
+  opens_beyond(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
   template <class Part>
   void for_told(RayHere &ray, const Part &part) const;
 
@@ -342,6 +377,13 @@ private:
   double young = 0, softness = 0, friction = 0, strength = 0;
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
   bool keeps_dent = false;
+
+  bool follows = false;          ///< its contact, with inertia
+  std::vector<double> weight;    ///< of its rays: their shares in the force at the start
+  std::array<RayHere, 2> beside; ///< rays half a spacing before and behind the contact
+  double kept = 0.;              ///< difference of their gaps [m]
+  double bend_at_start = 0.;     ///< of the gap across the rays [1/m]
+  double widest = 0.;            ///< force beyond which the contact is not narrow [N/m]
 };
 } // namespace softgrain::mpm
 

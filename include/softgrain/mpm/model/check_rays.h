@@ -6,8 +6,9 @@
 
 namespace softgrain::mpm
 {
-/// Whether a solver tells how many directions lower the energy, as rays need it to find minima.
-bool counts_negative_pivots(const LinearSolverSettings &solver);
+/// Whether rays go together with the scheme, the linear solver, which has to tell how many directions lower
+/// the energy, and the way in which contact is solved.
+bool rays_serve(const Settings &settings);
 
 /// @throw InputError for settings that do not go together with `Contact/Geometry` = `rays`
 void check_rays(const Settings &settings);

@@ -20,7 +20,3 @@ def measure(start):
 def is_right(found):
     return not any(found["says"]) and found["steps"][3] <= 2 * found["steps"][5]
 
-
-def is_known(found):
-    """The tip is found late again and again, and pushed out in short steps."""
-    return not any(found["says"]) and found["steps"][3] > 2 * found["steps"][5]

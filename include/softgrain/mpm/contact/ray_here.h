@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_contact_ray_here_h
+#define softgrain_mpm_contact_ray_here_h
+
+#include <softgrain/mpm/contact/ray.h>
+
+#include <array>
+
+namespace softgrain::mpm
+{
+/// A ray of a frame in a step: what it meets and what it knows of its gap.
+template <int dim>
+struct RayHere
+{
+  using Vector = dealii::Tensor<1, dim>;
+  using Across = dealii::Tensor<1, dim - 1>; ///< a component for each direction across the ray
+
+  std::array<RaySide<dim>, 2> side; ///< of the partner and the body
+  bool met = false;
+  bool met_at_start = false; ///< with inertia; else no gap at the end is known
+  bool near = true;          ///< looked at
+  bool first = true;         ///< for the first time
+  bool left = false;   ///< has slid off one of its surfaces, so that it is no more looked at in this step
+  double gap = 0;      ///< [m]
+  double path = 0;     ///< when it was last looked at
+  Across by_motion;    ///< dg/dc
+  double at_start = 0; ///< gap at the start of the step, with inertia [m]
+  double beyond = 0;   ///< what its gap opens beyond the way of its places, with inertia [m]
+  double stays = 0;    ///< what the step leaves closed of an overlap with which it began [m]
+  double pull = 0;     ///< with which adhesion holds the surfaces together [N/m]
+  double memory = 0;   ///< of a contact law that remembers
+
+  // Of friction; e is 0 where there is none.
+  std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
+  std::array<PlaceFunctions<dim>, 2> hold; ///< of the field there
+  Vector e;                                ///< unit
+  double bound = 0;                        ///< largest friction over force
+  double slide = 0;                        ///< [m]
+  double known_slide = 0;                  ///< what velocities at the start have in it, with inertia [m]
+};
+} // namespace softgrain::mpm
+
+#endif

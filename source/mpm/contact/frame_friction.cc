@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Friction of the rays of a frame.
+#include <softgrain/mpm/contact/frame_state.h>
+
+namespace softgrain::mpm
+{
+template <int dim>
+void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, const unsigned int k)
+{
+  RayHere &here = rays[k];
+  for (unsigned int side = 0; side < 2; ++side)
+    if (side == 1 || !flat_partner())
+      here.start[side] = here.side[side].place;
+  const Vector pushed = resultant(k);
+  here.bound = friction * pushed.norm();
+  if constexpr (dim == 2)
+    here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
+  if (theta < 1.)
+    hold_at(scene, here.start, wall_way, k);
+}
+
+/// The places that friction holds together from now on. Friction rests where end velocities are alike.
+template <int dim>
+void FrameState<dim>::hold_at(const FrameScene<dim> &scene,
+                              const std::array<SurfacePlace<dim>, 2> &place,
+                              const Vector &wall_way,
+                              const unsigned int k)
+{
+  RayHere &here = rays[k];
+  Vector apart_by = -1. * way_of_partner(wall_way, place[0]);
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = body(side); b != none)
+    {
+      apart_by += sign(side) * carried[side];
+      here.hold[side] = scene.bodies[b].field.functions_at(place[side].position);
+      if (unknown(side) != none && theta < 1.)
+        apart_by += sign(side) * scene.dt * here.hold[side].at(scene.bodies[b].velocity);
+    }
+  here.known_slide = theta < 1. ? (1. - theta) * (apart_by * here.e) : 0.;
+}
+
+template <int dim>
+void FrameState<dim>::look_for_slide(const FrameScene<dim> &scene,
+                                     const std::vector<Eigen::VectorXd> &increment,
+                                     const Vector &wall_way,
+                                     const unsigned int k)
+{
+  RayHere &here = rays[k];
+  // A ray that follows its contact holds what is in contact halfway.
+  std::array<SurfacePlace<dim>, 2> place = here.start;
+  for (unsigned int side = 0; side < 2 && follows && !begins; ++side)
+    place[side] = here.side[side].place;
+  if (follows || here.hold[1].node.empty())
+    hold_at(scene, place, wall_way, k);
+  here.slide = -(way_of_partner(wall_way, place[0]) * here.e);
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = body(side); b != none)
+      here.slide += sign(side) * ((here.hold[side].at(increment[b]) + carried[side]) * here.e);
+}
+
+template void FrameState<2>::begin_to_rub(const FrameScene<2> &, const FrameState<2>::Vector &, unsigned int);
+template void FrameState<2>::look_for_slide(const FrameScene<2> &,
+                                            const std::vector<Eigen::VectorXd> &,
+                                            const FrameState<2>::Vector &,
+                                            unsigned int);
+template void FrameState<3>::begin_to_rub(const FrameScene<3> &, const FrameState<3>::Vector &, unsigned int);
+template void FrameState<3>::look_for_slide(const FrameScene<3> &,
+                                            const std::vector<Eigen::VectorXd> &,
+                                            const FrameState<3>::Vector &,
+                                            unsigned int);
+} // namespace softgrain::mpm

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where frames stand and how they are turned.
+#include <softgrain/mpm/contact/frame_layout.h>
+#include <softgrain/mpm/contact/obstacle_line.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double same_gap = 1e-6; ///< up to which gaps are the same [cells]
+
+/// To where slopes are 0, a cell at most.
+template <int n>
+dealii::Tensor<1, n>
+way_to_nearest(const dealii::Tensor<1, n> &slope, const dealii::Tensor<2, n> &bend, const double cell_size)
+{
+  dealii::Tensor<1, n> way;
+  if constexpr (n == 1)
+    way[0] = std::clamp(-slope[0] / bend[0][0], -cell_size, cell_size);
+  else
+  {
+    way = -1. * (invert(bend) * slope);
+    way *= std::min(1., cell_size / std::max(way.norm(), 1e-300));
+  }
+  return way;
+}
+
+/// The strongest ray becomes the ray 0. @return its places
+template <int dim>
+std::array<SurfacePlace<dim>, 2> number_from_strongest(ContactFrame<dim> &frame)
+{
+  const auto strongest =
+      *std::max_element(frame.rays.begin(), frame.rays.end(),
+                        [](const auto &a, const auto &b) { return std::abs(a.force) < std::abs(b.force); });
+  const auto offset = frame.offset(strongest.index);
+  for (unsigned int m = 0; m < dim - 1; ++m)
+    frame.origin += offset[m] * frame.across[m];
+  for (auto &ray : frame.rays)
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      ray.index[m] -= strongest.index[m];
+  return strongest.place;
+}
+} // namespace
+
+template <int dim>
+RaySide<dim> FrameLayout<dim>::meet_surface(const ContactFrame<dim> &frame,
+                                            const unsigned int side,
+                                            const Across &offset,
+                                            const SurfacePlace<dim> &guess) const
+{
+  const Ray<dim> ray = ray_of(frame, offset, away(side));
+  const unsigned int b = side == 0 ? frame.partner : frame.body;
+  if constexpr (dim == 2)
+    if (b == ContactFrame<dim>::none)
+      return scene.line_of(frame)->meet(ray, 0., guess);
+  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].displacement, guess);
+}
+
+/// What the ray at the origin meets. @param place near where it does
+template <int dim>
+std::optional<typename FrameLayout<dim>::Met> FrameLayout<dim>::meet_both(const ContactFrame<dim> &frame,
+                                                                          Places &place) const
+{
+  const bool wall = partner == nullptr;
+  Met met;
+  met.gap = wall ? (frame.origin - scene.walls[frame.wall].point) * frame.direction : 0.;
+  for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
+  {
+    const RaySide<dim> found = meet_surface(frame, side, Across(), place[side]);
+    if (!found.met)
+      return std::nullopt;
+    place[side] = found.place;
+    const double sign = side == 0 ? -1. : 1.;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+    {
+      met.slope[m] -= sign * (found.normal * frame.across[m]);
+      for (unsigned int n = 0; n < dim - 1; ++n)
+        met.bend[m][n] += sign * (frame.across[m] * (found.sliding_twice * frame.across[n]));
+    }
+    met.height += (wall ? 1. : 0.5) * found.height;
+    met.gap += sign * found.height;
+    met.normal += found.normal / found.normal.norm();
+  }
+  return met;
+}
+
+template <int dim>
+void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
+{
+  const bool wall = partner == nullptr;
+  const auto gap_of = [&](const auto &pair)
+  {
+    const dealii::Point<dim> &x = body.samples[pair[1]].position;
+    return wall ? (x - scene.walls[frame.wall].point) * frame.direction
+                : x.distance(partner->samples[pair[0]].position);
+  };
+  const auto middle_of = [&](const auto &pair)
+  {
+    const dealii::Point<dim> &x = body.samples[pair[1]].position;
+    return wall ? x : x + 0.5 * (partner->samples[pair[0]].position - x);
+  };
+  double nearest = std::numeric_limits<double>::max();
+  for (const auto &pair : stretch.facing)
+    nearest = std::min(nearest, gap_of(pair));
+  // Of a side along a wall all samples are nearest: the frame begins in their middle.
+  Vector sum;
+  unsigned int n_nearest = 0;
+  for (const auto &pair : stretch.facing)
+    if (gap_of(pair) <= nearest + same_gap * scene.cell_size)
+    {
+      sum += middle_of(pair) - dealii::Point<dim>();
+      ++n_nearest;
+    }
+  frame.origin = dealii::Point<dim>(sum / n_nearest);
+  std::array<const SurfacePlace<dim> *, 2> guess{};
+  double closest = std::numeric_limits<double>::max(); // of these to that middle
+  for (const auto &pair : stretch.facing)
+    if (const double way = middle_of(pair).distance(frame.origin);
+        gap_of(pair) <= nearest + same_gap * scene.cell_size && way < closest)
+    {
+      closest = way;
+      guess = {{wall ? nullptr : &partner->samples[pair[0]].place, &body.samples[pair[1]].place}};
+    }
+  // From a corner there is no way to the side beyond it, so the middle is looked for from both.
+  std::vector<Places> starts(1);
+  for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
+    for (unsigned int s = 0, n = starts.size(); s < n; ++s)
+    {
+      starts[s][side] = *guess[side];
+      if (guess[side]->at_edge)
+      {
+        starts.push_back(starts[s]);
+        starts.back()[side] = scene.surface_of(frame, side).beyond_edge(*guess[side]);
+      }
+    }
+  if (starts.size() == 1)
+  {
+    find_middle(starts.front(), frame);
+    return;
+  }
+  note_dent(starts.front(), frame);
+  const ContactFrame<dim> at_samples = frame;
+  double least = std::numeric_limits<double>::max();
+  for (const Places &start : starts)
+  {
+    ContactFrame<dim> tried = at_samples;
+    if (const std::optional<double> gap = find_middle(start, tried); gap && *gap < least)
+    {
+      least = *gap;
+      frame = std::move(tried);
+    }
+  }
+}
+
+/// Moves a frame to where both are nearest, from places on both. @return the gap there, nothing if there is
+/// none
+template <int dim>
+std::optional<double> FrameLayout<dim>::find_middle(Places place, ContactFrame<dim> &frame) const
+{
+  const bool wall = partner == nullptr;
+  const dealii::Point<dim> first = frame.origin;
+  note_dent(place, frame);
+  double gap = 0.;
+  for (unsigned int iteration = 0; iteration < 6; ++iteration)
+  {
+    const std::optional<Met> met = meet_both(frame, place);
+    if (!met || !(met->bend[0][0] > 0.) || !(determinant(met->bend) > 0.))
+      return std::nullopt;
+    gap = met->gap;
+    const Across way = way_to_nearest(met->slope, met->bend, scene.cell_size);
+    Vector moved = way[0] * frame.across[0];
+    if constexpr (dim == 3)
+      moved += way[1] * frame.across[1];
+    frame.origin += moved + (wall ? 0. : met->height) * frame.direction;
+    if (!wall)
+      frame.turn(met->normal / met->normal.norm());
+    note_dent(place, frame);
+    if (way.norm() < 1e-10 * scene.cell_size)
+      break;
+    if (frame.origin.distance(first) > 2. * scene.cell_size)
+      return std::nullopt;
+  }
+  return gap;
+}
+
+template <int dim>
+void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) const
+{
+  Places place = number_from_strongest(frame);
+  for (unsigned int iteration = 0; iteration < 3; ++iteration)
+  {
+    const std::optional<Met> met = meet_both(frame, place);
+    if (met)
+      frame.origin += met->height * frame.direction;
+    frame.turn(iteration == 0 || !met ? direction : met->normal / met->normal.norm());
+  }
+}
+
+/// Where on the grids of both the frame begins.
+template <int dim>
+void FrameLayout<dim>::note_dent(const Places &place, ContactFrame<dim> &frame) const
+{
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const unsigned int b = side == 0 ? frame.partner : frame.body;
+    if (b != ContactFrame<dim>::none && SubgridLaw<dim>::is_round(scene.bodies[b]))
+      frame.log_full_width[1 - side] = scene.subgrid.log_full_width(scene.bodies[b].law->poisson_ratio(),
+                                                                    place[side].position, place[side].normal);
+  }
+}
+
+template void FrameLayout<2>::center(const FrameStretch<2> &, ContactFrame<2> &) const;
+template void FrameLayout<3>::center(const FrameStretch<3> &, ContactFrame<3> &) const;
+template void FrameLayout<2>::turn(const Vector &, ContactFrame<2> &) const;
+template void FrameLayout<3>::turn(const Vector &, ContactFrame<3> &) const;
+template RaySide<2> FrameLayout<2>::meet_surface(const ContactFrame<2> &,
+                                                 unsigned int,
+                                                 const Across &,
+                                                 const SurfacePlace<2> &) const;
+template RaySide<3> FrameLayout<3>::meet_surface(const ContactFrame<3> &,
+                                                 unsigned int,
+                                                 const Across &,
+                                                 const SurfacePlace<3> &) const;
+} // namespace softgrain::mpm
