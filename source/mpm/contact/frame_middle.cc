@@ -29,20 +29,25 @@ way_to_nearest(const dealii::Tensor<1, n> &slope, const dealii::Tensor<2, n> &be
   return way;
 }
 
-/// The strongest ray becomes the ray 0. @return its places
+/// Of the rays of a frame, weighted by their forces [m].
 template <int dim>
-std::array<SurfacePlace<dim>, 2> number_from_strongest(ContactFrame<dim> &frame)
+dealii::Tensor<1, dim - 1> middle_of(const ContactFrame<dim> &frame)
 {
-  const auto strongest =
-      *std::max_element(frame.rays.begin(), frame.rays.end(),
-                        [](const auto &a, const auto &b) { return std::abs(a.force) < std::abs(b.force); });
-  const auto offset = frame.offset(strongest.index);
+  dealii::Tensor<1, dim - 1> middle;
+  double sum = 0.;
+  for (const auto &ray : frame.rays)
+  {
+    middle += std::abs(ray.force) * frame.offset(ray.index);
+    sum += std::abs(ray.force);
+  }
+  return sum > 0. ? middle / sum : middle;
+}
+
+template <int dim>
+void move_across(const dealii::Tensor<1, dim - 1> &way, ContactFrame<dim> &frame)
+{
   for (unsigned int m = 0; m < dim - 1; ++m)
-    frame.origin += offset[m] * frame.across[m];
-  for (auto &ray : frame.rays)
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      ray.index[m] -= strongest.index[m];
-  return strongest.place;
+    frame.origin += way[m] * frame.across[m];
 }
 } // namespace
 
@@ -190,7 +195,14 @@ std::optional<double> FrameLayout<dim>::find_middle(Places place, ContactFrame<d
 template <int dim>
 void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) const
 {
-  Places place = number_from_strongest(frame);
+  const Across middle = middle_of(frame);
+  Places place = std::min_element(frame.rays.begin(), frame.rays.end(),
+                                  [&](const auto &a, const auto &b) {
+                                    return (frame.offset(a.index) - middle).norm() <
+                                           (frame.offset(b.index) - middle).norm();
+                                  })
+                     ->place;
+  move_across(middle, frame);
   for (unsigned int iteration = 0; iteration < 3; ++iteration)
   {
     const std::optional<Met> met = meet_both(frame, place);
@@ -198,6 +210,7 @@ void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) c
       frame.origin += met->height * frame.direction;
     frame.turn(iteration == 0 || !met ? direction : met->normal / met->normal.norm());
   }
+  move_across(-1. * middle, frame);
 }
 
 /// Where on the grids of both the frame begins.

@@ -12,6 +12,7 @@ namespace
 /// Times the softer Young's modulus, at rest and with inertia, where masses hold what the field of a body
 /// does not.
 constexpr double softness_at_rest = 1e-3, softness_with_inertia = 1e-4;
+constexpr double same_gap = 1e-6; ///< up to which gaps are the same [cells]
 } // namespace
 
 template <int dim>
@@ -63,9 +64,8 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
       weight[k] = std::max(0., frame.rays[k].force) / pressed;
   else
   {
-    // The ray that will be pressed first.
-    unsigned int nearest = 0;
-    double least = std::numeric_limits<double>::max();
+    // The rays that will be pressed first, all those of a flat side.
+    std::vector<double> heights;
     for (unsigned int k = 0; k < rays.size(); ++k)
     {
       double height = 0.;
@@ -81,13 +81,13 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
         else if constexpr (dim == 2)
           if (line != nullptr && side == 0)
             height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
-      if (height < least)
-      {
-        least = height;
-        nearest = k;
-      }
+      heights.push_back(height);
     }
-    weight[nearest] = 1.;
+    const double nearest = *std::min_element(heights.begin(), heights.end()) + same_gap * scene.cell_size;
+    const double n =
+        std::count_if(heights.begin(), heights.end(), [&](const double g) { return g <= nearest; });
+    for (unsigned int k = 0; k < rays.size(); ++k)
+      weight[k] = heights[k] <= nearest ? 1. / n : 0.;
   }
   for (unsigned int side = 0; side < 2; ++side)
     if (unknown(side) != none && share(side) > 0.)

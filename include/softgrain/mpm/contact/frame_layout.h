@@ -34,7 +34,7 @@ public:
   /// met at its middle.
   void center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
-  /// Turns a frame to the normals where its strongest ray stands: there the gap stays what it is.
+  /// Turns a frame to the normals in the middle of its forces: there the gap stays what it is.
   /// @param direction a guess, unit
   void turn(const Vector &direction, ContactFrame<dim> &frame) const;
 
