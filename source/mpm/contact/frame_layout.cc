@@ -10,7 +10,9 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double steepest = 2.;         ///< slope of a surface over the lattice
+/// Slope of a surface over the lattice: a stretch turns by 57 degrees at most, and a frame by 11 before it is
+/// turned or laid anew.
+constexpr double steepest = 2.5;
 constexpr double deepest = 0.5;         ///< overlap of surfaces that meet [cells]
 constexpr double beside_corners = 0.05; ///< no new ray meets a side nearer to a corner [cells]
 constexpr unsigned int tries = 4;       ///< places from which a ray looks for a surface

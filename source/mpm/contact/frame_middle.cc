@@ -203,13 +203,9 @@ void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) c
                                   })
                      ->place;
   move_across(middle, frame);
-  for (unsigned int iteration = 0; iteration < 3; ++iteration)
-  {
-    const std::optional<Met> met = meet_both(frame, place);
-    if (met)
-      frame.origin += met->height * frame.direction;
-    frame.turn(iteration == 0 || !met ? direction : met->normal / met->normal.norm());
-  }
+  if (const std::optional<Met> met = meet_both(frame, place))
+    frame.origin += met->height * frame.direction;
+  frame.turn(direction);
   move_across(-1. * middle, frame);
 }
 

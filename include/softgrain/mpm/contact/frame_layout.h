@@ -34,8 +34,8 @@ public:
   /// met at its middle.
   void center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
-  /// Turns a frame to the normals in the middle of its forces: there the gap stays what it is.
-  /// @param direction a guess, unit
+  /// Turns a frame about the place where both are met in the middle of its forces: there the gap stays what
+  /// it is. @param direction unit
   void turn(const Vector &direction, ContactFrame<dim> &frame) const;
 
 private:
