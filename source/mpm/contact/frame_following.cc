@@ -22,6 +22,7 @@ bool FrameState<dim>::meet_beside(const FrameScene<dim> &scene,
   Across middle = at * moved;
   for (unsigned int k = 0; k < rays.size(); ++k)
     middle += weight[k] * frame.offset(frame.rays[k].index);
+  const unsigned int strongest = std::max_element(weight.begin(), weight.end()) - weight.begin();
   for (unsigned int n = 0; n < 2; ++n)
   {
     RayHere &here = beside[n];
@@ -31,9 +32,8 @@ bool FrameState<dim>::meet_beside(const FrameScene<dim> &scene,
     here.by_motion = Across();
     for (unsigned int side = 0; side < 2; ++side)
     {
-      const unsigned int nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
       const SurfacePlace<dim> &guess =
-          here.side[side].met ? here.side[side].place : rays[nearest].side[side].place;
+          here.side[side].met ? here.side[side].place : rays[strongest].side[side].place;
       if (!meet_side(scene, displacement, wall_height, side, offset, guess, here))
         return false;
     }

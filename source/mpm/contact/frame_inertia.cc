@@ -50,20 +50,19 @@ double FrameState<dim>::added(const unsigned int k,
   return sum;
 }
 
-/// By what a gap opens beyond the way of the two places that a row of a ray stands for, along what the ray's
-/// force does as a whole: the places that the frame's motion depends on are others.
+/// The way by which the two places part that a row of a ray stands for.
 template <int dim>
-double FrameState<dim>::opens_beyond(const unsigned int k,
-                                     const std::vector<Eigen::VectorXd> &increment,
-                                     const Vector &wall_way) const
+typename FrameState<dim>::Vector FrameState<dim>::parted(const unsigned int k,
+                                                         const std::vector<Eigen::VectorXd> &increment,
+                                                         const Vector &wall_way) const
 {
   const RayHere &here = rays[k];
-  Vector parted = -1. * way_of_partner(wall_way, here.start[0]);
+  Vector way = -1. * way_of_partner(wall_way, here.start[0]);
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
-      parted += sign(side) *
-                ((rubs(k) ? here.hold[side] : here.side[side].function).at(increment[b]) + carried[side]);
-  return added(k, increment, wall_way) - resultant(k) * parted;
+      way += sign(side) *
+             ((rubs(k) ? here.hold[side] : here.side[side].function).at(increment[b]) + carried[side]);
+  return way;
 }
 
 template double FrameState<2>::share_that_opens(const FrameScene<2> &) const;
@@ -74,10 +73,10 @@ template double
 FrameState<2>::added(unsigned int, const std::vector<Eigen::VectorXd> &, const FrameState<2>::Vector &) const;
 template double
 FrameState<3>::added(unsigned int, const std::vector<Eigen::VectorXd> &, const FrameState<3>::Vector &) const;
-template double FrameState<2>::opens_beyond(unsigned int,
-                                            const std::vector<Eigen::VectorXd> &,
-                                            const FrameState<2>::Vector &) const;
-template double FrameState<3>::opens_beyond(unsigned int,
-                                            const std::vector<Eigen::VectorXd> &,
-                                            const FrameState<3>::Vector &) const;
+template FrameState<2>::Vector FrameState<2>::parted(unsigned int,
+                                                     const std::vector<Eigen::VectorXd> &,
+                                                     const FrameState<2>::Vector &) const;
+template FrameState<3>::Vector FrameState<3>::parted(unsigned int,
+                                                     const std::vector<Eigen::VectorXd> &,
+                                                     const FrameState<3>::Vector &) const;
 } // namespace softgrain::mpm

@@ -11,8 +11,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double same_gap = 1e-6; ///< up to which gaps are the same [cells]
-
 /// To where slopes are 0, a cell at most.
 template <int n>
 dealii::Tensor<1, n>
@@ -29,9 +27,9 @@ way_to_nearest(const dealii::Tensor<1, n> &slope, const dealii::Tensor<2, n> &be
   return way;
 }
 
-/// Of the rays of a frame, weighted by their forces [m].
+/// Where the forces of a frame have their middle, from its origin [m].
 template <int dim>
-dealii::Tensor<1, dim - 1> middle_of(const ContactFrame<dim> &frame)
+dealii::Tensor<1, dim - 1> middle_of_forces(const ContactFrame<dim> &frame)
 {
   dealii::Tensor<1, dim - 1> middle;
   double sum = 0.;
@@ -43,6 +41,7 @@ dealii::Tensor<1, dim - 1> middle_of(const ContactFrame<dim> &frame)
   return sum > 0. ? middle / sum : middle;
 }
 
+/// Moves a frame across its rays. @param way [m]
 template <int dim>
 void move_across(const dealii::Tensor<1, dim - 1> &way, ContactFrame<dim> &frame)
 {
@@ -115,7 +114,7 @@ void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim
   Vector sum;
   unsigned int n_nearest = 0;
   for (const auto &pair : stretch.facing)
-    if (gap_of(pair) <= nearest + same_gap * scene.cell_size)
+    if (gap_of(pair) <= nearest + scene.same_gap())
     {
       sum += middle_of(pair) - dealii::Point<dim>();
       ++n_nearest;
@@ -125,7 +124,7 @@ void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim
   double closest = std::numeric_limits<double>::max(); // of these to that middle
   for (const auto &pair : stretch.facing)
     if (const double way = middle_of(pair).distance(frame.origin);
-        gap_of(pair) <= nearest + same_gap * scene.cell_size && way < closest)
+        gap_of(pair) <= nearest + scene.same_gap() && way < closest)
     {
       closest = way;
       guess = {{wall ? nullptr : &partner->samples[pair[0]].place, &body.samples[pair[1]].place}};
@@ -195,7 +194,7 @@ std::optional<double> FrameLayout<dim>::find_middle(Places place, ContactFrame<d
 template <int dim>
 void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) const
 {
-  const Across middle = middle_of(frame);
+  const Across middle = middle_of_forces(frame);
   Places place = std::min_element(frame.rays.begin(), frame.rays.end(),
                                   [&](const auto &a, const auto &b) {
                                     return (frame.offset(a.index) - middle).norm() <

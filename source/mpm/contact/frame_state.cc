@@ -12,7 +12,6 @@ namespace
 /// Times the softer Young's modulus, at rest and with inertia, where masses hold what the field of a body
 /// does not.
 constexpr double softness_at_rest = 1e-3, softness_with_inertia = 1e-4;
-constexpr double same_gap = 1e-6; ///< up to which gaps are the same [cells]
 } // namespace
 
 template <int dim>
@@ -53,7 +52,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     pressed += std::max(0., ray.force);
   }
   dent_at_start = subgrid(dent, sum) * sum;
-  if (met_at < 1.)
+  if (inertia())
   {
     opens = share_that_opens(scene);
     softness *= opens; // in short steps masses yield much less than matter
@@ -83,7 +82,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
             height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
       heights.push_back(height);
     }
-    const double nearest = *std::min_element(heights.begin(), heights.end()) + same_gap * scene.cell_size;
+    const double nearest = *std::min_element(heights.begin(), heights.end()) + scene.same_gap();
     const double n =
         std::count_if(heights.begin(), heights.end(), [&](const double g) { return g <= nearest; });
     for (unsigned int k = 0; k < rays.size(); ++k)
@@ -228,7 +227,7 @@ void FrameState<dim>::prepare(const FrameScene<dim> &scene,
   begins = !begun;
   begun = true;
   looks_within = within;
-  at = begins && (met_at < 1. || scene.adhesion != nullptr) ? 0. : met_at;
+  at = begins && (inertia() || scene.adhesion != nullptr) ? 0. : met_at;
   sum_of_forces = 0.;
   for (const double of_ray : force)
     sum_of_forces += of_ray;
@@ -297,12 +296,13 @@ void FrameState<dim>::look_closer(const FrameScene<dim> &scene,
   for (unsigned int side = 0; side < 2; ++side)
     if (body(side) != none && side != frame.corner)
       here.side[side].find_functions(scene.bodies[body(side)].field);
+  const double opened = inertia() && !begins ? added(k, increment, wall_way) : 0.;
   if (inertia() && !begins)
-    here.gap = here.at_start - here.stays + added(k, increment, wall_way);
+    here.gap = here.at_start - here.stays + opened;
   if (rubs(k))
     look_for_slide(scene, increment, wall_way, k);
   if (inertia() && !begins)
-    here.beyond = opens_beyond(k, increment, wall_way);
+    here.beyond = opened - resultant(k) * parted(k, increment, wall_way);
 }
 
 template <int dim>

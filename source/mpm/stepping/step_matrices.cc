@@ -54,9 +54,9 @@ void StepEquations::assemble_exact(const Body<2> &body)
     matrix.add_mass<2>(drag(body), shift[b]);
   // What theta > 1/2 damps is no turn, see acting_force(). Its stiffness against a turn, -2 p A, is taken
   // back: left in, Newton's method diverges where grains roll in long steps.
-  const double damped =
-      scheme.inertia ? (2. * scheme.theta - 1.) * scheme.theta * dt * dt * pressure_area(body, work.trial[b])
-                     : 0.;
+  const double damped = scheme.inertia && scheme.theta > 0.5 ? (2. * scheme.theta - 1.) * scheme.theta * dt *
+                                                                   dt * pressure_area(body, work.trial[b])
+                                                             : 0.;
   work.solvers[b]->set_update(lever[b].size() > 0 ? lever[b] : rotation[b], rotation_weight[b] + damped);
 }
 

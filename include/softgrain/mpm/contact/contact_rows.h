@@ -45,10 +45,10 @@ struct ContactRow
   double adhesion = 0; ///< strength of the pair [N/m^2]
   /// Of its place on the body and on the partner, see SubgridCompliance::log_full_width().
   std::array<double, 2> log_full_width = {{0., 0.}};
-  bool dented = true; ///< whether it has a dent that the grid misses, where that is looked at
+  bool dented = true; ///< whether the law of dents that the grid misses holds for it
   /// Of the gap from where the row is to the ends of its length, where it adheres [m].
   std::array<double, 2> lift = {{0., 0.}};
-  double work_beyond = 0; ///< that it gives beyond its impulse times how its places part [J/m]
+  double work_beyond = 0; ///< its work beside that of its impulse on the way by which its places part [J/m]
   double pull = 0;        ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::shared_ptr<const PlaceSlide<dim>>

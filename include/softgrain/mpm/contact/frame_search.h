@@ -78,6 +78,8 @@ struct FrameScene
     return outlines[side == 0 ? frame.partner : frame.body];
   }
   bool inertia() const { return met_at < 1.; }
+  /// Gaps that differ by less are the same [m].
+  double same_gap() const { return 1e-6 * cell_size; }
   double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
 
   /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].

@@ -51,7 +51,7 @@ public:
   /// the force at the start of a step without inertia is taken back [m].
   double free_gap(const unsigned int k) const
   {
-    return rays[k].gap + dent_depth - (met_at == 1. ? softness * frame.rays[k].force : 0.);
+    return rays[k].gap + dent_depth - (inertia() ? 0. : softness * frame.rays[k].force);
   }
   /// By how much a unit force on a ray closes its gap beside all else [m^2/N]: so little that it shows
   /// nowhere, but where there are more rays than the field of a body has shapes for them, it shares the force
@@ -353,8 +353,7 @@ private:
               double wall_height);
   /// What the whole step adds to a gap as it opens halfway [m].
   double added(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
-  double
-  opens_beyond(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
+  Vector parted(unsigned int k, const std::vector<Eigen::VectorXd> &increment, const Vector &wall_way) const;
   template <class Part>
   void for_told(RayHere &ray, const Part &part) const;
 

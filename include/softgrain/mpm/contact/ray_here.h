@@ -25,10 +25,11 @@ struct RayHere
   double path = 0;     ///< when it was last looked at
   Across by_motion;    ///< dg/dc
   double at_start = 0; ///< gap at the start of the step, with inertia [m]
-  double beyond = 0;   ///< what its gap opens beyond the way of its places, with inertia [m]
-  double stays = 0;    ///< what the step leaves closed of an overlap with which it began [m]
-  double pull = 0;     ///< with which adhesion holds the surfaces together [N/m]
-  double memory = 0;   ///< of a contact law that remembers
+  double beyond =
+      0; ///< what its gap opens beside the way of the places that its row stands for, with inertia [m]
+  double stays = 0;  ///< what the step leaves closed of an overlap with which it began [m]
+  double pull = 0;   ///< with which adhesion holds the surfaces together [N/m]
+  double memory = 0; ///< of a contact law that remembers
 
   // Of friction; e is 0 where there is none.
   std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
