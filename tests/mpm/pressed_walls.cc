@@ -157,6 +157,8 @@ int main()
   in_balance("half the regularisation", {"Quasi-static/Regularisation=5e-4"});
   in_balance("slab", {"Walls/top/Type=material points"});
   in_balance("friction", {"Walls/top/Friction=0.5", "Walls/bottom/Friction=0.5"});
+  in_balance("slab with friction",
+             {"Walls/top/Type=material points", "Walls/top/Friction=0.5", "Walls/bottom/Friction=0.5"});
 
   in_motion("moreau_jean", {});
   const std::string mass = "Walls/top/Mass=", damping = "Walls/top/Damping=";

@@ -37,14 +37,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     line = scene.line_of(frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
-  if (scene.pairs != nullptr)
-    friction = line != nullptr         ? line->friction
-               : frame.partner == none ? scene.pairs->friction_at_wall(frame.body, frame.wall)
-                                       : scene.pairs->friction(frame.body, frame.partner);
-  // A corner has no length of its own.
-  if (scene.adhesion != nullptr && frame.corner == none && line == nullptr)
-    strength = frame.partner == none ? scene.pairs->adhesion_at_wall(frame.body, frame.wall)
-                                     : scene.pairs->adhesion(frame.body, frame.partner);
+  find_pair(scene);
   double sum = 0., pressed = 0.;
   for (const auto &ray : frame.rays)
   {
@@ -98,6 +91,22 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
           for (unsigned int i = 0; i < function.node.size(); ++i)
             mean[side].emplace_back(function.node[i], share(side) * weight[k] * function.value[i]);
         }
+}
+
+/// What the two sides do to each other. A body of which a wall is made stands for the wall.
+template <int dim>
+void FrameState<dim>::find_pair(const FrameScene<dim> &scene)
+{
+  const unsigned int wall = frame.partner == none ? frame.wall : scene.bodies[frame.partner].wall;
+  const bool two_bodies = wall == none;
+  if (scene.pairs != nullptr)
+    friction = line != nullptr ? line->friction
+               : two_bodies    ? scene.pairs->friction(frame.body, frame.partner)
+                               : scene.pairs->friction_at_wall(frame.body, wall);
+  // A corner has no length of its own.
+  if (scene.adhesion != nullptr && frame.corner == none && line == nullptr)
+    strength = two_bodies ? scene.pairs->adhesion(frame.body, frame.partner)
+                          : scene.pairs->adhesion_at_wall(frame.body, wall);
 }
 
 template <int dim>

@@ -364,6 +364,7 @@ private:
   Vector apart;
   std::array<Vector, 2> carried;
   void carry(const FrameScene<dim> &scene);
+  void find_pair(const FrameScene<dim> &scene);
   bool partner_is_driven = false;
   const ObstacleLine *line = nullptr;
   double met_at = 1., theta = 1.;
