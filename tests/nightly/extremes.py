@@ -4,7 +4,7 @@ Parameters at their limits: every case gives a right result, or one clear line w
 
     extremes.py PROGRAM FOLDER [--quick] [--table FILE] [NAME...]
 
-`--quick` takes the cases of the quick suite, names take single cases, `--table` writes doc/results/extremes.md.
+`--quick` takes the cases of the quick suite, names take single cases, `--table` writes doc/results/data/extremes.csv.
 """
 import argparse
 import csv
@@ -104,12 +104,12 @@ def not_warned(case, program, folder):
     return "" if warned else f"check does not warn: {case.warning}"
 
 
-def table_line(case, verdict, seen, message):
-    numbers = [f"{seen[key]:.0e}" if key in seen else "–" for key in ("energy", "momentum", "penetration", "residual")]
-    said = message.removeprefix("softgrain: error: ").split("; the last good state")[0].replace("|", "/")
+def table_row(case, verdict, seen, message):
+    numbers = [f"{seen[key]:.0e}" if key in seen else "" for key in ("energy", "momentum", "penetration", "residual")]
+    said = message.removeprefix("softgrain: error: ").split("; the last good state")[0]
     said = re.sub(r"[^ ]*scene\.prm:?\d*: ", "", said)
     cell = verdict if not message or verdict == "right" else f"{verdict}: {said[:150]}"
-    return f"| {case.name} | " + " | ".join(numbers) + f" | {cell} |"
+    return [case.name, *numbers, cell]
 
 
 def main():
@@ -121,22 +121,23 @@ def main():
     parser.add_argument("names", nargs="*")
     words = parser.parse_args()
     program = words.program.resolve()
-    wrong, lines = 0, []
+    wrong, rows = 0, []
     for case in CASES:
         if words.quick and not case.quick or words.names and not any(name in case.name for name in words.names):
             continue
         verdict, seen, message = run(case, program, words.folder.resolve())
         good = verdict in case.expected
         wrong += not good
-        lines.append(table_line(case, verdict, seen, message))
-        print("" if good else f"WRONG (expected {' or '.join(case.expected)}): ", lines[-1], flush=True)
+        rows.append(table_row(case, verdict, seen, message))
+        print("" if good else f"WRONG (expected {' or '.join(case.expected)}): ", " | ".join(rows[-1]), flush=True)
         if not good and message:
             print("   ", message)
     if words.table:
-        head = words.table.read_text().split("\n| case |")[0]
-        words.table.write_text(head + "\n| case | energy | momentum | penetration | residual | verdict |\n"
-                               "|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n")
-    print(f"{len(lines)} cases, {wrong} wrong")
+        with open(words.table, "w", encoding="utf-8", newline="") as file:
+            table = csv.writer(file, lineterminator="\n")
+            table.writerow(["case", "energy", "momentum", "penetration", "residual", "verdict"])
+            table.writerows(rows)
+    print(f"{len(rows)} cases, {wrong} wrong")
     sys.exit(1 if wrong else 0)
 
 
