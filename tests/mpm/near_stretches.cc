@@ -2,7 +2,10 @@
 // Where two surfaces are near each other: disks and balls side by side have one stretch about the line of
 // centres, a disk that lies in a ring one at its bottom, one that fills the ring several all around, a bar
 // between the arms of a C one at each arm, a ball in a shell likewise. A triangle's tip on a side, and tip on
-// tip, are found. What is far, or back to back, is not. Exchanged and mirrored, all are the same.
+// tip, are found. What is far, or back to back, is not. Exchanged and mirrored, all are the same. A C whose
+// lips are near each other has a stretch with itself, a narrow hole likewise; what is thin, or open, has
+// none.
+#include <softgrain/mpm/contact/folded_surface.h>
 #include <softgrain/mpm/contact/near_stretches.h>
 
 #include <cmath>
@@ -151,6 +154,29 @@ void show(const std::string &name, Surface<dim> a, Surface<dim> b, const double 
   }
   std::cout << "  exchanged and mirrored differ by " << off << '\n';
 }
+
+/// A C that opens to the right. @param apart its lips
+Surface<2> clamp(const double apart)
+{
+  return polygon({{0., 0.},
+                  {2., 0.},
+                  {2., 0.5},
+                  {0.7, 0.5},
+                  {0.7, 0.5 + apart},
+                  {2., 0.5 + apart},
+                  {2., 1. + apart},
+                  {0., 1. + apart}});
+}
+
+void show_fold(const std::string &name, const Surface<2> &surface)
+{
+  const auto found = stretches_of_fold(surface, 0.1);
+  std::cout << name << (is_folded(surface) ? ": may meet itself, " : ": is not looked at, ") << found.size()
+            << " stretches\n";
+  for (const auto &stretch : found)
+    std::cout << "  middle " << stretch.middle << ", direction up or down " << std::abs(stretch.direction[1])
+              << ", gap " << stretch.gap << '\n';
+}
 } // namespace
 
 int main()
@@ -181,4 +207,10 @@ int main()
   show<3>("balls", ball({0., 0., 0.}, 1.), ball({1.2, 1.4, 0.84}, 1.), 0.2);
   show<3>("ball fills a shell", ball({0., 0., 0.}, 0.97), ball({0., 0., 0.}, 1., true), 0.05);
   show<3>("ball in a shell", ball({0., 0., -0.48}, 0.5), ball({0., 0., 0.}, 1., true), 0.05);
+  show_fold("disk with itself", disk({0., 0.}, 1.));
+  show_fold("strip thinner than the reach", polygon({{0., 0.}, {2., 0.}, {2., 0.05}, {0., 0.05}}));
+  show_fold("C whose lips are near each other", clamp(0.06));
+  show_fold("C whose lips have come 0.03 into each other", clamp(-0.03));
+  show_fold("C that is open", clamp(0.3));
+  show_fold("ring with a wide hole", ring({0., 0.}, 1., 0.5));
 }

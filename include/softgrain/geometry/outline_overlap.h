@@ -79,6 +79,15 @@ struct Intrusion
  */
 Intrusion deepest_intrusion(const Outline &a, const Outline &b);
 
+/**
+ * @brief How deep a body lies in itself, where its edge has folded and come through: the largest distance of
+ * a vertex that has material before it from the edge that it came through.
+ *
+ * The edge must have its material on the left. @param least_way along the edge between two parts that count
+ * as two: a tip that is turned inside out is smaller [m]
+ */
+Intrusion deepest_fold(const Outline &outline, double least_way);
+
 /// How far a body lies beyond the plane through @p point with unit @p normal, which points to where it may
 /// be.
 Intrusion

@@ -2,6 +2,7 @@
 #include <softgrain/mpm/contact/body_rows.h>
 
 #include <algorithm>
+#include <map>
 
 namespace softgrain::mpm
 {
@@ -19,6 +20,24 @@ void add_column(const NodeWeights &weights,
     for (unsigned int d = 0; d < dim; ++d)
       if (direction[d] != 0.)
         matrix.insertBack(dim * weights.node[k] + d, column) = weights.weight[k] * direction[d];
+}
+
+/// The next column of @p matrix, of a body that meets itself: what both places do.
+template <int dim>
+void add_column_of_both(const ContactRow<dim> &row,
+                        const dealii::Tensor<1, dim> &direction,
+                        const unsigned int column,
+                        LinearSolver::Rows &matrix)
+{
+  std::map<unsigned int, double> sum;
+  for (unsigned int k = 0; k < row.body_weights->node.size(); ++k)
+    sum[row.body_weights->node[k]] += row.body_weights->weight[k];
+  for (unsigned int k = 0; k < row.partner_weights->node.size(); ++k)
+    sum[row.partner_weights->node[k]] -= row.partner_weights->weight[k];
+  matrix.startVec(column);
+  for (const auto &[node, weight] : sum)
+    for (unsigned int d = 0; d < dim; ++d)
+      matrix.insertBack(dim * node + d, column) = weight * direction[d];
 }
 
 /// The next column of @p matrix: both weights, each times its direction.
@@ -64,7 +83,9 @@ void BodyRows<dim>::reinit(const Body<dim> &body,
     const bool own = row.body == body.index;
     const NodeWeights &weights = own ? *row.body_weights : *row.partner_weights;
     const dealii::Tensor<1, dim> direction = (own ? 1. : -1.) * row.direction(of_body[k] % n_components);
-    if (own && slides(of_body[k]))
+    if (row.partner == row.body)
+      add_column_of_both<dim>(row, direction, k, local);
+    else if (own && slides(of_body[k]))
       add_column<dim>(weights, direction, row.slide->place, -row.slope * row.slide->across, k, local);
     else
       add_column<dim>(weights, direction, k, local);

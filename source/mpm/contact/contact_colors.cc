@@ -16,7 +16,9 @@ void ContactSystem<dim>::list_components(const std::vector<Body<dim>> &bodies)
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (const unsigned int b : {rows[r].body, rows[r].partner})
     {
-      if (b == ContactRow<dim>::none)
+      const bool both_sides = rows[r].partner == rows[r].body; // it has one set of components
+      if (b == ContactRow<dim>::none ||
+          (both_sides && !body_components[b].empty() && body_components[b].back() / n_components() == r))
         continue;
       if (bodies[b].driven)
         rows_at_driven.push_back(r);

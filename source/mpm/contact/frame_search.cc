@@ -57,7 +57,8 @@ void look(const FrameScene<dim> &scene,
         sample.position += task.apart;
       task.partner = task.image.get();
     }
-    task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
+    task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named),
+                                       task.named.partner == task.named.body);
   }
   add_corners(task.partner, body, task.stretches);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/folded_surface.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
 
 #include <algorithm>
@@ -130,11 +131,19 @@ stretches_at_plane(const SampledSurface<dim> &surface, const WallMotion<dim> &wa
 }
 
 template <int dim>
-std::vector<FrameStretch<dim>>
-stretches_between(const SampledSurface<dim> &partner, const SampledSurface<dim> &body, const double reach)
+std::vector<FrameStretch<dim>> stretches_between(const SampledSurface<dim> &partner,
+                                                 const SampledSurface<dim> &body,
+                                                 const double reach,
+                                                 const bool itself)
 {
+  std::vector<NearStretch<dim>> all;
+  if constexpr (dim == 2)
+    if (itself)
+      all = stretches_of_fold(body, reach);
+  if (!itself)
+    all = near_stretches(partner, body, reach);
   std::vector<FrameStretch<dim>> result;
-  for (const NearStretch<dim> &near : near_stretches(partner, body, reach))
+  for (const NearStretch<dim> &near : all)
   {
     FrameStretch<dim> stretch;
     stretch.direction = near.direction;
@@ -209,9 +218,9 @@ stretches_at_plane(const SampledSurface<2> &, const WallMotion<2> &, double);
 template std::vector<FrameStretch<3>>
 stretches_at_plane(const SampledSurface<3> &, const WallMotion<3> &, double);
 template std::vector<FrameStretch<2>>
-stretches_between(const SampledSurface<2> &, const SampledSurface<2> &, double);
+stretches_between(const SampledSurface<2> &, const SampledSurface<2> &, double, bool);
 template std::vector<FrameStretch<3>>
-stretches_between(const SampledSurface<3> &, const SampledSurface<3> &, double);
+stretches_between(const SampledSurface<3> &, const SampledSurface<3> &, double, bool);
 template void
 add_corners(const SampledSurface<2> *, const SampledSurface<2> &, std::vector<FrameStretch<2>> &);
 template void

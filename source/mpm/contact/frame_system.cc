@@ -174,7 +174,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
       own.emplace_back(w, v, frame.twice_by(force[f], ways[v].moves(scene, frame), moves));
   }
   for (unsigned int side = 0; side < 2; ++side)
-    if (frame.unknown(side) != FrameState<dim>::none)
+    if (frame.unknown(side) != FrameState<dim>::none && !(side == 1 && frame.unknown(0) == frame.unknown(1)))
     {
       const unsigned int b = frame.unknown(side);
       for (unsigned int i = first; i < columns.size(); ++i)
@@ -202,20 +202,24 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
   else
   {
     const FrameState<dim> &frame = frames[column.frame];
-    const unsigned int side = frame.body(1) == b ? 1 : 0;
-    switch (column.kind)
+    for (unsigned int side = 0; side < 2; ++side)
     {
-    case Column::ray:
-      frame.for_gradient(column.ray_number, side, 1., add);
-      break;
-    case Column::slide:
-      frame.for_slide(column.ray_number, side, 1., add);
-      break;
-    case Column::motion:
-      frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
-      break;
-    default:
-      frame.for_mean(side, column.ray_number, -1., add);
+      if (frame.body(side) != b)
+        continue;
+      switch (column.kind)
+      {
+      case Column::ray:
+        frame.for_gradient(column.ray_number, side, 1., add);
+        break;
+      case Column::slide:
+        frame.for_slide(column.ray_number, side, 1., add);
+        break;
+      case Column::motion:
+        frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
+        break;
+      default:
+        frame.for_mean(side, column.ray_number, -1., add);
+      }
     }
   }
   std::stable_sort(entries.begin(), entries.end(),

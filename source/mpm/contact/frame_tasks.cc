@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/contact/folded_surface.h>
 #include <softgrain/mpm/contact/frame_tasks.h>
 #include <softgrain/mpm/contact/image_pairs.h>
 
@@ -49,6 +50,14 @@ Boxes<dim> boxes_of(const FrameScene<dim> &scene, const std::vector<SampledSurfa
   return boxes;
 }
 
+/// Of a body that may have folded on itself.
+template <int dim>
+FrameTask<dim> task_with_itself(const unsigned int b)
+{
+  FrameTask<dim> task;
+  task.named.body = task.named.partner = b;
+  return task;
+}
 } // namespace
 
 template <int dim>
@@ -99,6 +108,9 @@ std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
       task.near.extend(0.5 * scene.reach + scene.cell_size);
       tasks.push_back(std::move(task));
     }
+    if constexpr (dim == 2)
+      if (!scene.bodies[b].driven && is_folded(samples[b]))
+        tasks.push_back(task_with_itself<dim>(b));
     std::vector<unsigned int> near;
     tree.query(boost::geometry::index::intersects(boxes.box[b]), std::back_inserter(near));
     std::sort(near.begin(), near.end());

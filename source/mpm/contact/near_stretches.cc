@@ -62,6 +62,7 @@ void add_nearest(const SampledSurface<dim> &a,
                  const std::vector<unsigned int> &ordered,
                  const double radius,
                  const bool swapped,
+                 const std::function<bool(unsigned int, unsigned int)> &may_face,
                  Facing &facing)
 {
   for (const unsigned int i : of_a)
@@ -80,6 +81,8 @@ void add_nearest(const SampledSurface<dim> &a,
       if (distance > nearest || (distance == nearest && j > best))
         continue;
       if (angle_between(-(sample.normal * other.normal)) > opposed_within + sample.corner + other.corner)
+        continue;
+      if (may_face && !(swapped ? may_face(j, i) : may_face(i, j)))
         continue;
       nearest = distance;
       best = j;
@@ -257,15 +260,18 @@ void add_parts(const SampledSurface<dim> &a,
 
 template <int dim>
 std::vector<NearStretch<dim>>
-near_stretches(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const double reach)
+near_stretches(const SampledSurface<dim> &a,
+               const SampledSurface<dim> &b,
+               const double reach,
+               const std::function<bool(unsigned int of_a, unsigned int of_b)> &may_face)
 {
   // The sample that faces another one may lie to its side by as much as they are apart.
   const double radius = std::hypot(reach, 0.5 * (a.spacing + b.spacing));
   const std::vector<unsigned int> of_a = near_box(a, box_of(b), radius),
                                   of_b = near_box(b, box_of(a), radius);
   Facing facing;
-  add_nearest(a, of_a, b, of_b, radius, false, facing);
-  add_nearest(b, of_b, a, of_a, radius, true, facing);
+  add_nearest(a, of_a, b, of_b, radius, false, may_face, facing);
+  add_nearest(b, of_b, a, of_a, radius, true, may_face, facing);
   if (facing.empty())
     return {};
   std::sort(facing.begin(), facing.end());
@@ -276,8 +282,12 @@ near_stretches(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const
   return stretches;
 }
 
-template std::vector<NearStretch<2>>
-near_stretches(const SampledSurface<2> &, const SampledSurface<2> &, double);
-template std::vector<NearStretch<3>>
-near_stretches(const SampledSurface<3> &, const SampledSurface<3> &, double);
+template std::vector<NearStretch<2>> near_stretches(const SampledSurface<2> &,
+                                                    const SampledSurface<2> &,
+                                                    double,
+                                                    const std::function<bool(unsigned int, unsigned int)> &);
+template std::vector<NearStretch<3>> near_stretches(const SampledSurface<3> &,
+                                                    const SampledSurface<3> &,
+                                                    double,
+                                                    const std::function<bool(unsigned int, unsigned int)> &);
 } // namespace softgrain::mpm

@@ -54,6 +54,7 @@ public:
     {
       look_at_walls(verdict);
       look_at_obstacles(verdict);
+      verdict.take(deepest_fold(outline, scene.cell_size), {Meeting::With::body, b, b});
     }
     for (const ContactTask &task : moved.tasks[b])
       if (!task.corners_only) // such a pair stands in the list of the other, too

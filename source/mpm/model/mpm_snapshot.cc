@@ -199,7 +199,7 @@ double MpmModel::coordination() const
     {
       if (rows[r].wall != Row::none)
         touching.add_wall(rows[r].body, rows[r].wall);
-      else
+      else if (rows[r].partner != rows[r].body)
         touching.add_bodies(rows[r].body, rows[r].partner);
     }
   return touching.coordination(problem.scene.bodies.size());

@@ -37,10 +37,12 @@ template <int dim>
 std::vector<FrameStretch<dim>>
 stretches_at_plane(const SampledSurface<dim> &surface, const WallMotion<dim> &wall, double reach);
 
-/// near_stretches() of two bodies.
+/// near_stretches() of two bodies, or stretches_of_fold() of a body with @p itself.
 template <int dim>
-std::vector<FrameStretch<dim>>
-stretches_between(const SampledSurface<dim> &partner, const SampledSurface<dim> &body, double reach);
+std::vector<FrameStretch<dim>> stretches_between(const SampledSurface<dim> &partner,
+                                                 const SampledSurface<dim> &body,
+                                                 double reach,
+                                                 bool itself = false);
 
 /// Adds a stretch for every corner in the stretches of a pair: a corner is met by the normal of what it
 /// faces. @param partner null: a wall

@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -52,10 +53,14 @@ struct NearStretch
  * (a, b). A stretch in which a normal leaves the mean direction by more than 57 degrees is parted: so two
  * bodies that wrap around each other, a disk in a ring, or a hook and a bar have several. Nothing here knows
  * what bodies are round.
+ * @param may_face whether two samples may face each other; null: all may
  */
 template <int dim>
 std::vector<NearStretch<dim>>
-near_stretches(const SampledSurface<dim> &a, const SampledSurface<dim> &b, double reach);
+near_stretches(const SampledSurface<dim> &a,
+               const SampledSurface<dim> &b,
+               double reach,
+               const std::function<bool(unsigned int of_a, unsigned int of_b)> &may_face = nullptr);
 } // namespace softgrain::mpm
 
 #endif
