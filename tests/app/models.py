@@ -90,9 +90,9 @@ class OtherSettings(Runs):
                     "Time/Theta=0.7", "Quasi-static/Held motion=1e-6", "Newton/Displacement tolerance=1e-8",
                     "Newton/Energy tolerance=1e-12", "Contact/Tolerance=1e-9", "Contact/Maximum sweeps=7", "Contact/Relaxation=1.3",
                     "Contact/Algorithm=gauss_seidel", "Contact/Nodal gap=false"]),
-                ("mpm", "explicit", "surface", [*rest, "Newton/Largest strain=0.01", "Newton/Maximum iterations=2",
-                                                "Linear solver/Tolerance=1e-8"]),
-                ("mpm", "newmark", "surface", rest)):
+                ("mpm", "explicit", "rays", [*rest, "Newton/Largest strain=0.01", "Newton/Maximum iterations=2",
+                                             "Linear solver/Tolerance=1e-8"]),
+                ("mpm", "newmark", "rays", rest)):
             with self.subTest(scheme):
                 base, found = [f"Time/Scheme={scheme}", "Time/Theta=0", f"Stop/End time={'1.3e-4' if model == 'held' else '5e-4'}"], []
                 for settings in (base, [*base, *unread]):

@@ -38,8 +38,7 @@ public:
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "rays",
-        "rays that stand in space during a step meet the surfaces, and Newton's method knows how "
-        "('Time/Scheme = quasi_static' or 'moreau_jean')",
+        "rays that stand in space during a step meet the surfaces, and Newton's method knows how",
         [] { return std::make_unique<OnSurfaces>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "nodes",

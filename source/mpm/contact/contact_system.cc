@@ -297,7 +297,14 @@ double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
 }
 
 template <int dim>
-void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
+void ContactSystem<dim>::take_back_softness(const double dt, std::vector<double> &free_velocity) const
+{
+  for (unsigned int k = 0; k < rows.size() * n_components(); ++k)
+    free_velocity[k] -= rows[k / n_components()].softness / (dt * dt) * impulse[k];
+}
+
+template <int dim>
+void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies, const double dt)
 {
   std::vector<unsigned int> offset(bodies.size() + 1, 0);
   for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -322,6 +329,13 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies)
       list[entry.component].emplace_back(inverse_mass.size(), -entry.factor);
     inverse_mass.push_back(1. / free_walls.list[k].mass);
   }
+  // A mass of its own that gives way to a component alone.
+  for (unsigned int k = 0; k < list.size(); ++k)
+    if (const double softness = rows[k / n_components()].softness; softness > 0.)
+    {
+      list[k].emplace_back(inverse_mass.size(), 1.);
+      inverse_mass.push_back(softness / (dt * dt));
+    }
   std::vector<unsigned int> start(1, 0), dofs;
   std::vector<double> weights;
   for (const auto &row : list)

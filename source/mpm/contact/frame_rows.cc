@@ -8,13 +8,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-NodeWeights weights_of(const PlaceFunctions<2> &function)
-{
-  NodeWeights weights;
-  weights.node.assign(function.node.begin(), function.node.end());
-  weights.weight.assign(function.value.begin(), function.value.end());
-  return weights;
-}
 /// Where a row is in the cell that repeats.
 void place_in_cell(const FrameScene<2> &scene, const FrameState<2> &frame, ContactRow<2> &row)
 {
@@ -31,6 +24,43 @@ void place_in_cell(const FrameScene<2> &scene, const FrameState<2> &frame, Conta
 }
 } // namespace
 
+std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &function)
+{
+  NodeWeights weights;
+  weights.node.assign(function.node.begin(), function.node.end());
+  weights.weight.assign(function.value.begin(), function.value.end());
+  return std::move(weights).shared();
+}
+
+ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame, const unsigned int k)
+{
+  const ContactFrame<2> &layout = frame.layout();
+  const FrameState<2>::RayHere &ray = frame.ray(k);
+  ContactRow<2> row;
+  row.body = layout.body;
+  row.partner = layout.partner;
+  row.wall = layout.wall;
+  if (const ObstacleLine *line = frame.obstacle())
+  {
+    row.obstacle = true;
+    row.partner_velocity = line->way_of(ray.side[0].place) / scene.dt;
+  }
+  if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
+    row.wall = scene.bodies[layout.partner].wall;
+  const double length = frame.resultant(k).norm();
+  row.normal = frame.resultant(k) / length;
+  row.pull = ray.pull * length;
+  const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion()[0];
+  row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
+  row.length = layout.spacing * length; // of outline
+  if (scene.cell != nullptr)
+    place_in_cell(scene, frame, row);
+  row.log_full_width = layout.log_full_width;
+  // Rows of a frame have all but their place in common, see pair_of().
+  row.key = (layout.id << 40) + (static_cast<std::uint64_t>(layout.rays[k].index[0] & 0xffff) << 24);
+  return row;
+}
+
 std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
                                           const std::vector<FrameState<2>> &frames,
                                           const RayForces &force,
@@ -41,26 +71,13 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
     const FrameState<2> &frame = frames[f];
-    const ContactFrame<2> &layout = frame.layout();
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
       if (force[f][k] == 0.)
         continue;
       const FrameState<2>::RayHere &ray = frame.ray(k);
-      ContactRow<2> row;
-      row.body = layout.body;
-      row.partner = layout.partner;
-      row.wall = layout.wall;
-      if (const ObstacleLine *line = frame.obstacle())
-      {
-        row.obstacle = true;
-        row.partner_velocity = line->way_of(ray.side[0].place) / scene.dt;
-      }
-      if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
-        row.wall = scene.bodies[layout.partner].wall;
+      ContactRow<2> row = row_of_ray(scene, frame, k);
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
-      row.normal = frame.resultant(k) / frame.resultant(k).norm();
-      row.pull = ray.pull * frame.resultant(k).norm();
       row.gap = ray.at_start;
       row.work_beyond = force[f][k] * ray.beyond;
       if (frame.rubs(k))
@@ -70,17 +87,9 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
         row.friction = frame.friction_coefficient();
         given += rubbing[f][k] * ray.e;
       }
-      row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function).shared();
+      row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function);
       if (frame.unknown(0) != FrameState<2>::none)
-        row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function).shared();
-      const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion()[0];
-      row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
-      row.length = layout.spacing * frame.resultant(k).norm(); // of outline
-      if (scene.cell != nullptr)
-        place_in_cell(scene, frame, row);
-      row.log_full_width = layout.log_full_width;
-      // Rows of a frame have all but their place in common, see pair_of().
-      row.key = (layout.id << 40) + (static_cast<std::uint64_t>(layout.rays[k].index[0] & 0xffff) << 24);
+        row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function);
       memory.impulses[row.key] = {
           {given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
       rows.push_back(std::move(row));

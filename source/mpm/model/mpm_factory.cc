@@ -208,7 +208,7 @@ private:
       else if (wall.type == WallDescription<2>::Type::periodic && !settings.rows_follow())
         throw InputError("'Walls/" + wall.name +
                          "/Type' = 'periodic' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static', "
-                         "'Contact/Geometry' = 'surface' and 'Contact/Solver' = 'condensed'");
+                         "'Contact/Geometry' = 'rays' or 'surface' and 'Contact/Solver' = 'condensed'");
   }
 
   /// @throw InputError when a scene with obstacles asks for what does not know them

@@ -28,7 +28,7 @@ bool Problem::slippery() const
 
 bool Problem::outlines_everywhere() const
 {
-  return !settings.condenses() || !geometry->looks_by_body();
+  return !settings.meets_by_rays() && (!settings.condenses() || !geometry->looks_by_body());
 }
 
 bool Problem::contacts_remember() const

@@ -191,12 +191,11 @@ void declare_contact(dealii::ParameterHandler &prm)
       prm, "Contact",
       [&]
       {
-        prm.declare_entry("Geometry", "automatic",
-                          Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
-                          "Where contact is looked for; automatic: rays with 'Time/Scheme' = 'quasi_static' "
-                          "or 'moreau_jean', "
-                          "else surface; " +
-                              Registry<ContactGeometryKind>::instance().choice_in_words());
+        prm.declare_entry(
+            "Geometry", "automatic",
+            Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
+            "Where contact is looked for; automatic: rays, but surface with 'Solver' = 'lumped'; " +
+                Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
@@ -212,14 +211,15 @@ void declare_contact(dealii::ParameterHandler &prm)
             "Largest penetration", "0.1", Double(1e-6, 1e6),
             "How deep bodies may lie in each other, in walls and in obstacles at the end of a step, told by "
             "their outlines. A step that ends deeper, and deeper than it began, is repeated with half its "
-            "length; below the smallest step the run ends. Where rows do not follow the bodies (explicit, "
-            "newmark, or Solver = lumped) no less than 0.5 is allowed, and 2 with Geometry = nodes. "
+            "length; below the smallest step the run ends. Where rows do not follow the bodies (Geometry = "
+            "surface with explicit, newmark, or Solver = lumped) no less than 0.5 is allowed, and 2 with "
+            "Geometry = nodes. "
             "Units: cells.");
-        prm.declare_entry("Sub-grid compliance", "true", Bool(),
-                          "Whether light contacts of round bodies get the dent that is narrower "
-                          "than a cell, by a "
-                          "law measured against finite elements. With B-splines, geometry surface and scheme "
-                          "quasi_static only.");
+        prm.declare_entry(
+            "Sub-grid compliance", "true", Bool(),
+            "Whether light contacts of round bodies get the dent that is narrower "
+            "than a cell, by a "
+            "law measured against finite elements. With B-splines and scheme quasi_static only.");
         ContactSettings::declare_parameters(
             prm, "1e-7",
             {{"automatic",

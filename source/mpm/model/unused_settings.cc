@@ -33,7 +33,7 @@ std::vector<std::string> unused_settings(const ParameterSection &all, const Sett
       {by_geometry,
        {{!rays || scheme.inertia, "Quasi-static", {"Held motion"}},
         {!rays, "Newton", {"Displacement tolerance", "Energy tolerance"}},
-        {!rays,
+        {!rays || !scheme.implicit,
          "Contact",
          {"Tolerance", "Maximum sweeps", "Relaxation", "Algorithm", "Keep failed problems in"}},
         {!settings.contact_on_boundaries, "Contact", {"Nodal gap"}}}}};

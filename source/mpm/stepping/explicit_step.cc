@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
@@ -6,11 +7,13 @@
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
+#include <softgrain/mpm/stepping/ray_rows.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -31,10 +34,12 @@ void solve_contacts(const Problem &problem,
   if (work.contact.empty())
     return;
   dealii::TimerOutput::Scope section(*work.timer, "contact solve");
-  work.contact.lump(state.bodies);
+  work.contact.lump(state.bodies, dt);
   // An open gap may close, but no further; a closed one holds at velocity level.
-  const contact::SolverReport report = work.contact.solve(
-      row_velocity(state, work, v, motion, {}, 1., dt, {}), problem.settings.contact_solver);
+  std::vector<double> free_velocity = row_velocity(state, work, v, motion, {}, 1., dt, {});
+  work.contact.take_back_softness(dt, free_velocity);
+  const contact::SolverReport report =
+      work.contact.solve(std::move(free_velocity), problem.settings.contact_solver);
   outcome.contact_sweeps = report.sweeps;
   outcome.contact_residual = report.residual;
   if (!report.converged)
@@ -61,12 +66,19 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   StepOutcome outcome;
   const StepPlan plan{dt, false, 0.};
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
-  find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);
   const unsigned int n_bodies = state.bodies.size();
   Vectors v(n_bodies), increment(n_bodies),
       external = external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
   for (const Body<2> &body : state.bodies)
     v[body.index] = body.velocity;
+  std::optional<RayRows> rays;
+  if (problem.settings.meets_by_rays())
+  {
+    renew_outlines(state.bodies, work.outlines, state.frames);
+    rays.emplace(problem, state, work, dt, motion).find(v);
+  }
+  else
+    find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);
   state.for_moving_bodies(
       [&](const Body<2> &body)
       {
@@ -137,6 +149,8 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   if (!outcome.reason.empty())
     return outcome;
   FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0., {}};
+  if (rays)
+    state.frames = rays->frames_after();
   accept_step(problem, state, work, found);
   outcome.accepted = true;
   return outcome;

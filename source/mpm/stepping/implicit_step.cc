@@ -11,6 +11,7 @@
 #include <softgrain/mpm/stepping/judge_step.h>
 #include <softgrain/mpm/stepping/newton_search.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
+#include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step_contact.h>
 #include <softgrain/mpm/stepping/step_equations.h>
@@ -315,6 +316,8 @@ void ImplicitStep::accept(State &state_to_change)
 
 StepOutcome implicit_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
+  if (problem.settings.meets_by_rays())
+    return ray_step(problem, state, work, plan);
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   ImplicitStep step(problem, state, work, plan, motion);
   step.outcome.reason = step.find();

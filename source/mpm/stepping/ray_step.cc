@@ -2,12 +2,12 @@
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/frame_rows.h>
-#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
+#include <softgrain/mpm/stepping/plane_scene.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_newton.h>
 #include <softgrain/mpm/stepping/ray_step.h>
@@ -44,10 +44,8 @@ public:
 private:
   void find_free_walls() override;
   void move_free_walls() override;
-  double other_way() const override;
+  double other_way() const override { return plane.largest_way(); }
   std::string partner_of(const ContactFrame<2> &frame) const override;
-  std::vector<Vector> ways_of_bodies() const;
-  std::vector<double> own_ways() const;
   void hand_over_rows();
 
   const Problem &problem;
@@ -55,8 +53,7 @@ private:
   Workspace &work;
   std::vector<WallMotion<2>> &motion;
   StepEquations &step_equations;
-  std::optional<CellMotion> cell;
-  const std::vector<ObstacleLine> lines;
+  PlaneScene plane;
 };
 
 RayStep::RayStep(const Problem &problem,
@@ -75,41 +72,10 @@ RayStep::RayStep(const Problem &problem,
     , work(work)
     , motion(motion)
     , step_equations(equations)
-    , cell(state.cell_motion(motion))
-    , lines(state.obstacles.begin(), state.obstacles.end())
+    , plane(problem, state, work, plan.dt, motion)
 {
-  scene.pairs = &problem.pairs;
-  scene.cell = cell ? &*cell : nullptr;
-  scene.lines = &lines;
-  scene.adhesion = problem.pairs.adhere() ? &state.adhesion : nullptr;
-  scene.carried = ways_of_bodies();
-  scene.own_way = own_ways();
+  plane.complete(scene);
   scene.reach = 0.5 * h + 2. * largest_way() + (problem.pairs.adhere() ? state.adhesion.reach() : 0.);
-}
-
-/// By which bodies move beside what their nodes do, see FrameScene::carried.
-std::vector<RayStep::Vector> RayStep::ways_of_bodies() const
-{
-  std::vector<Vector> ways(state.bodies.size());
-  for (const Body<2> &body : state.bodies)
-    if (body.driven)
-      ways[body.index] = plan.dt * work.drive[body.index];
-    else if (cell)
-      ways[body.index] = plan.dt * cell->velocity(body.center());
-  return ways;
-}
-
-/// See FrameScene::own_way; those of driven bodies are in largest_way().
-std::vector<double> RayStep::own_ways() const
-{
-  std::vector<double> ways;
-  if (!inertia)
-    return ways;
-  for (const auto &way : work.share.numbers<1>(
-           state.bodies, [&](const Body<2> &body)
-           { return std::array<double, 1>{plan.dt * mpm::largest_way(body, body.velocity)}; }))
-    ways.push_back(way[0]);
-  return ways;
 }
 
 /// Puts walls under loads where they have come to.
@@ -121,14 +87,13 @@ void RayStep::move_free_walls()
   if (list.empty())
     return;
   settle_free_walls(problem, state, work, motion);
-  cell = state.cell_motion(motion);
-  scene.carried = ways_of_bodies();
+  plane.renew(scene);
 }
 
 /// Walls under loads become unknowns.
 void RayStep::find_free_walls()
 {
-  const PeriodicCell<2> *repeats = cell ? &cell->cell : nullptr;
+  const PeriodicCell<2> *repeats = scene.cell != nullptr ? &scene.cell->cell : nullptr;
   for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
     const Wall &wall = state.walls[free.wall];
@@ -152,17 +117,6 @@ void RayStep::find_free_walls()
                              free.mass / (plan.dt * plan.dt) * problem.settings.regularisation /
                                  plan.regularisation);
   }
-}
-
-double RayStep::other_way() const
-{
-  double way = 0.;
-  for (const ObstacleLine &line : lines)
-    way = std::max(way, line.largest_way());
-  for (const Body<2> &body : state.bodies)
-    if (body.driven)
-      way = std::max(way, plan.dt * work.drive[body.index].norm());
-  return way;
 }
 
 std::string RayStep::partner_of(const ContactFrame<2> &frame) const

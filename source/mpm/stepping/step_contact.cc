@@ -54,7 +54,7 @@ std::string StepContact::solve_condensed(const Vectors &trial, const Vectors &di
 
 std::string StepContact::solve_lumped(const Vectors &trial)
 {
-  work.contact.lump(state.bodies);
+  work.contact.lump(state.bodies, plan.dt);
   // The momentum balance at the present iterate, solved for the contact velocities with the masses alone.
   Vectors v = trial;
   for (unsigned int b = 0; b < trial.size(); ++b)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
-#include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
@@ -36,9 +35,7 @@ public:
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
-    const StepPlan plan{dt, false, 0.};
-    return problem.settings.meets_by_rays() ? ray_step(problem, state, work, plan)
-                                            : implicit_step(problem, state, work, plan);
+    return implicit_step(problem, state, work, {dt, false, 0.});
   }
 };
 

@@ -105,8 +105,11 @@ public:
   /// Energy in these dents [J/m].
   double
   subgrid_energy(const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid, double dt) const;
-  /// W from nodal masses: H M^-1 H^T.
-  void lump(const std::vector<Body<dim>> &bodies);
+  /// W from nodal masses: H M^-1 H^T, and in a step of length @p dt from the softness of rows.
+  void lump(const std::vector<Body<dim>> &bodies, double dt);
+  /// What the softness of rows does to the present impulses, before a solve, is no part of the velocities
+  /// that it takes: adds it to @p free_velocity [m/s].
+  void take_back_softness(double dt, std::vector<double> &free_velocity) const;
 
   /**
    * @brief Solves Signorini and Coulomb for the given free relative velocity, starting from the present

@@ -6,10 +6,17 @@
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/frame_system.h>
 
+#include <memory>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// What a place is to the nodes of its body.
+std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &function);
+
+/// The row of ray @p k of a frame: all but its gap, its friction and what nodes have to do with its places.
+ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame, unsigned int k);
+
 /**
  * @brief Rays that carry force as contact rows, for all that reads forces of contacts.
  *

@@ -6,8 +6,7 @@
 
 namespace softgrain::mpm
 {
-/// Whether rays go together with the scheme, the linear solver, which has to tell how many directions lower
-/// the energy, and the way in which contact is solved.
+/// Whether rays go together with the way in which contact is solved.
 bool rays_serve(const Settings &settings);
 
 /// @throw InputError for settings that do not go together with `Contact/Geometry` = `rays`

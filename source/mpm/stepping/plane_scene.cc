@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/plane_scene.h>
+
+#include <algorithm>
+#include <array>
+
+namespace softgrain::mpm
+{
+PlaneScene::PlaneScene(const Problem &problem,
+                       const State &state,
+                       const Workspace &work,
+                       const double dt,
+                       const std::vector<WallMotion<2>> &motion)
+    : problem(problem)
+    , state(state)
+    , work(work)
+    , dt(dt)
+    , motion(motion)
+    , cell(state.cell_motion(motion))
+    , lines(state.obstacles.begin(), state.obstacles.end())
+{
+}
+
+/// By which bodies move beside what their nodes do, see FrameScene::carried.
+std::vector<PlaneScene::Vector> PlaneScene::ways_of_bodies() const
+{
+  std::vector<Vector> ways(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      ways[body.index] = dt * work.drive[body.index];
+    else if (cell)
+      ways[body.index] = dt * cell->velocity(body.center());
+  return ways;
+}
+
+/// See FrameScene::own_way; those of driven bodies are in largest_way().
+std::vector<double> PlaneScene::own_ways() const
+{
+  std::vector<double> ways;
+  if (!problem.settings.scheme.inertia)
+    return ways;
+  for (const auto &way :
+       work.share.numbers<1>(state.bodies, [&](const Body<2> &body)
+                             { return std::array<double, 1>{dt * mpm::largest_way(body, body.velocity)}; }))
+    ways.push_back(way[0]);
+  return ways;
+}
+
+double PlaneScene::largest_way() const
+{
+  double way = 0.;
+  for (const ObstacleLine &line : lines)
+    way = std::max(way, line.largest_way());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      way = std::max(way, dt * work.drive[body.index].norm());
+  return way;
+}
+
+void PlaneScene::complete(FrameScene<2> &scene) const
+{
+  scene.pairs = &problem.pairs;
+  scene.cell = cell ? &*cell : nullptr;
+  scene.lines = &lines;
+  scene.adhesion = problem.pairs.adhere() ? &state.adhesion : nullptr;
+  scene.carried = ways_of_bodies();
+  scene.own_way = own_ways();
+}
+
+void PlaneScene::renew(FrameScene<2> &scene)
+{
+  cell = state.cell_motion(motion);
+  scene.carried = ways_of_bodies();
+}
+} // namespace softgrain::mpm

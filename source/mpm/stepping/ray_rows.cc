@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/told_rays.h>
+#include <softgrain/mpm/stepping/ray_rows.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double margin = 0.05; ///< gap beyond what bodies close up to which a ray has a row [cells]
+} // namespace
+
+RayRows::RayRows(const Problem &problem,
+                 const State &state,
+                 Workspace &work,
+                 const double dt,
+                 const std::vector<WallMotion<2>> &motion)
+    : problem(problem)
+    , state(state)
+    , work(work)
+    , dt(dt)
+    , h(problem.lattice->cell_size())
+    , motion(motion)
+    , plane(problem, state, work, dt, motion)
+    , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h}
+{
+  scene.dt = dt;
+  scene.met_at = 0.5;
+  plane.complete(scene);
+  double walls_way = plane.largest_way(), bodies_way = 0.;
+  for (const WallMotion<2> &wall : motion)
+    walls_way =
+        std::max(walls_way, dt * (std::max(std::abs(wall.velocity), wall.fastest) + std::abs(wall.slide)));
+  for (const double way : scene.own_way)
+    bodies_way = std::max(bodies_way, way);
+  scene.reach += 2. * walls_way + (problem.pairs.adhere() ? state.adhesion.reach() : 0.);
+  within = margin * h + walls_way + 2. * bodies_way;
+  scene.looking = &work.share;
+}
+
+void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
+{
+  std::vector<Eigen::VectorXd> displacement;
+  for (const Body<2> &body : state.bodies)
+  {
+    displacement.push_back(body.displacement + scene.met_at * way[body.index]);
+    path = std::max(path, h + way[body.index].lpNorm<Eigen::Infinity>());
+  }
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    frames[f].prepare(scene, way, force[f], path, within);
+  look_and_tell(work.share, frames,
+                [&](const unsigned int f)
+                {
+                  const unsigned int w = frames[f].layout().wall;
+                  const dealii::Tensor<1, 2> of_wall = w < motion.size()
+                                                           ? dt * (motion[w].velocity * motion[w].normal +
+                                                                   motion[w].slide * motion[w].tangent())
+                                                           : dealii::Tensor<1, 2>();
+                  frames[f].look(scene, displacement, way, of_wall, force[f]);
+                });
+}
+
+void RayRows::find(const std::vector<Eigen::VectorXd> &velocity)
+{
+  dealii::TimerOutput::Scope section(*work.timer, "contact search");
+  for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
+  {
+    frames.emplace_back(frame, scene);
+    force.emplace_back();
+    for (const ContactFrame<2>::RayPlace &of_ray : frame.rays)
+      force.back().push_back(of_ray.force);
+  }
+  std::vector<Eigen::VectorXd> way;
+  for (const Body<2> &body : state.bodies)
+    way.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));
+  meet(way);
+  for (FrameState<2> &frame : frames)
+    frame.find_pulls(scene, false);
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+      way[body.index] = dt * velocity[body.index];
+  meet(way);
+  std::vector<ContactRow<2>> rows;
+  ray.clear();
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+      add_row(f, k, rows);
+  work.contact.reinit(std::move(rows), work.share, true, state.bodies, dt, &state.memory);
+}
+
+void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<ContactRow<2>> &rows)
+{
+  const FrameState<2> &frame = frames[f];
+  const FrameState<2>::RayHere &here = frame.ray(k);
+  if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.pull > 0.))
+    return;
+  ContactRow<2> row = row_of_ray(scene, frame, k);
+  row.gap = row.gap_where_found = here.at_start / frame.resultant(k).norm();
+  row.softness = frame.ray_softness() / frame.resultant(k).norm_square();
+  row.friction = frame.rubs(k) ? frame.friction_coefficient() : 0.;
+  for (const unsigned int side : {0, 1})
+    if (const unsigned int b = frame.unknown(side); b != FrameState<2>::none)
+    {
+      // Other ranks know the place only.
+      const RaySide<2> &there = here.side[side];
+      auto &weights = side == 0 ? row.partner_weights : row.body_weights;
+      PlaceFunctions<2> function = there.function;
+      if (function.node.empty())
+        function = state.bodies[b].field.functions_at(there.place.position);
+      weights = weights_of(function);
+    }
+  ray.emplace_back(f, k);
+  rows.push_back(std::move(row));
+}
+
+std::vector<ContactFrame<2>> RayRows::frames_after() const
+{
+  RayForces normal, rubbing;
+  for (const FrameState<2> &frame : frames)
+  {
+    normal.emplace_back(frame.n_rays(), 0.);
+    rubbing.emplace_back(frame.n_rays(), 0.);
+  }
+  const std::vector<double> &P = work.contact.impulses();
+  const unsigned int components = work.contact.n_components();
+  for (unsigned int r = 0; r < ray.size(); ++r)
+  {
+    const auto [f, k] = ray[r];
+    normal[f][k] = P[r * components] / (dt * frames[f].resultant(k).norm());
+    if (components > 1)
+      rubbing[f][k] = P[r * components + 1] / dt;
+  }
+  std::vector<ContactFrame<2>> result;
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    result.push_back(frames[f].after(scene, normal[f], rubbing[f]));
+  return result;
+}
+} // namespace softgrain::mpm
