@@ -78,7 +78,7 @@ RayStep::RayStep(const Problem &problem,
   scene.reach = 0.5 * h + 2. * largest_way() + (problem.pairs.adhere() ? state.adhesion.reach() : 0.);
 }
 
-/// Puts walls under loads where they have come to.
+// Puts walls under loads where they have come to.
 void RayStep::move_free_walls()
 {
   std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
@@ -90,7 +90,7 @@ void RayStep::move_free_walls()
   plane.renew(scene);
 }
 
-/// Walls under loads become unknowns.
+// Walls under loads become unknowns.
 void RayStep::find_free_walls()
 {
   const PeriodicCell<2> *repeats = scene.cell != nullptr ? &scene.cell->cell : nullptr;
@@ -147,7 +147,7 @@ std::string RayStep::find()
   return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
 }
 
-/// Rays that carry force, as those who keep accounts want them.
+// Rays that carry force, as those who keep accounts want them.
 void RayStep::hand_over_rows()
 {
   ContactMemory<2> memory;
