@@ -2,10 +2,10 @@
 """
 Stretches of outline that are behind a wall or in another body when they are found are pushed out without velocity: in no step
 contact gives the bodies more than a thousandth of the energy that they have (it gave 4.5 % in one step of the first scene, 21 % in
-one of the second). By rays the first scene goes on until its corners hook inwards, which is owed (smooth_force_of_a_plate).
+one of the second). The first scene ends at 1.59e-4 s with either geometry: matter beside a corner is turned inside out.
 """
 RUNS = {"pressed_rectangle, rays": ("pressed_rectangle.prm", "Stop/End time=1.5e-4"),
-        "pressed_rectangle, surface": ("pressed_rectangle.prm", "Contact/Geometry=surface"),
+        "pressed_rectangle, surface": ("pressed_rectangle.prm", "Stop/End time=1.5e-4", "Contact/Geometry=surface"),
         "three_bodies_pressed": ("three_bodies_pressed.prm",)}
 
 

@@ -25,7 +25,7 @@ def is_right(found):
 
 
 def is_known(found):
-    """The rectangle's corners hook inwards: steps are short and forces leap, or the run ends with place and depth."""
+    """Matter beside a corner is turned inside out: steps are short and forces leap, or the run ends with place and depth."""
     ends = [text for text in found["says"] if text]
     return found["largest over mean"] >= 5 if found["code"] == 0 else all(
         found["code"] == 1 and "lie " in text and " cells deep in each other at (" in text for text in ends)
