@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/geometry/outline_overlap.h>
+#include <softgrain/geometry/turning.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@ namespace
 using Place = Outline::Place;
 using Vector = dealii::Tensor<1, 2>;
 
-constexpr double backwards =
-    100. / 180. * 3.14159265358979323846; ///< turning of an edge that crosses itself [rad]
-constexpr double full_turn = 2. * 3.14159265358979323846;
 constexpr double before_it = 1e-3; ///< where a vertex looks for material [edges]
 
 double cross(const Vector &a, const Vector &b)
@@ -25,30 +23,6 @@ double cross(const Vector &a, const Vector &b)
 Vector outward(const Vector &edge)
 {
   return Vector({edge[1], -edge[0]});
-}
-
-/// Whether a loop may meet itself: it turns backwards by much, or forwards by more than once around, as
-/// matter that is turned inside out.
-bool may_meet_itself(const Outline &outline, const unsigned int begin, const unsigned int end)
-{
-  const unsigned int n = end - begin;
-  const auto edge = [&](const unsigned int k)
-  { return outline.vertices[begin + (k + 1) % n] - outline.vertices[begin + k % n]; };
-  double angle = 0., largest = 0., once_around = 0.;
-  Vector last = edge(0);
-  // Twice around: the fold may lie where the list begins.
-  for (unsigned int k = 1; k <= 2 * n; ++k)
-  {
-    const Vector next = edge(k);
-    angle += std::atan2(cross(last, next), last * next);
-    largest = std::max(largest, angle);
-    if (largest - angle > backwards)
-      return true;
-    if (k == n)
-      once_around = angle;
-    last = next;
-  }
-  return std::abs(once_around) > 1.5 * full_turn;
 }
 
 /// How often the edge goes around a place.
@@ -126,18 +100,25 @@ Intrusion deepest_fold(const Outline &outline, const double least_way)
   for (std::size_t l = 0; l + 1 < outline.loop_start.size(); ++l)
   {
     const unsigned int begin = outline.loop_start[l], end = outline.loop_start[l + 1];
-    if (!may_meet_itself(outline, begin, end))
+    const unsigned int n = end - begin;
+    const auto edge = [&](const unsigned int k)
+    { return outline.vertices[begin + (k + 1) % n] - outline.vertices[begin + k % n]; };
+    if (!may_meet_itself(n,
+                         [&](const unsigned int k)
+                         {
+                           const Vector before = edge(k), after = edge(k + 1);
+                           return std::atan2(cross(before, after), before * after);
+                         }))
       continue;
     if (along.empty())
       along = ways_along(outline);
     for (unsigned int v = begin; v < end; ++v)
     {
       const Place &x = outline.vertices[v];
-      const Vector before = x - outline.vertices[v == begin ? end - 1 : v - 1],
-                   after = outline.vertices[v + 1 == end ? begin : v + 1] - x;
+      const Vector before = edge(v - begin + n - 1), after = edge(v - begin);
       const Vector normal = outward(before) / before.norm() + outward(after) / after.norm();
       const double length = normal.norm();
-      // What is as sharp as a needle has no side.
+      // At the tip of a needle the normals of both edges cancel: their mean tells no side.
       if (length < 0.5 || winding(outline, x + before_it * after.norm() / length * normal) == 0)
         continue;
       deepest.take({distance_to_facing(outline, v, along, normal, least_way), x});

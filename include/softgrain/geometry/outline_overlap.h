@@ -80,11 +80,12 @@ struct Intrusion
 Intrusion deepest_intrusion(const Outline &a, const Outline &b);
 
 /**
- * @brief How deep a body lies in itself, where its edge has folded and come through: the largest distance of
- * a vertex that has material before it from the edge that it came through.
+ * @brief How deep a body lies in itself, where its outline has folded and crossed itself: the largest
+ * distance from a vertex that has material on its outer side to the nearest edge that faces it.
  *
- * The edge must have its material on the left. @param least_way along the edge between two parts that count
- * as two: a tip that is turned inside out is smaller [m]
+ * The outline must have its material on the left.
+ * @param least_way length of outline between two places that count as different parts: the tip of a corner
+ * that is turned inside out is shorter [m]
  */
 Intrusion deepest_fold(const Outline &outline, double least_way);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/geometry/turning.h>
 #include <softgrain/mpm/contact/folded_surface.h>
 
 #include <algorithm>
@@ -8,8 +9,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double backwards = 100. / 180. * 3.14159265358979323846; ///< turning of two places that face [rad]
-constexpr double full_turn = 2. * 3.14159265358979323846;
 constexpr double longer_along = 1.3;    ///< way along the outline over the distance across, at least
 constexpr double shortest_along = 2.;   ///< way along the outline [spacings]
 constexpr double deepest_overlap = 0.5; ///< of places that face each other [spacings]
@@ -38,29 +37,24 @@ double turning(const SampledSurface<2>::Sample &from, const SampledSurface<2>::S
 
 bool is_folded(const SampledSurface<2> &surface)
 {
-  for (const Loop &loop : loops_of(surface))
-  {
-    const unsigned int n = loop.end - loop.begin;
-    double angle = 0., largest = 0., once_around = 0.;
-    // Twice around: the fold may lie where the list begins.
-    for (unsigned int k = 0; k < 2 * n; ++k)
-    {
-      angle += turning(surface.samples[loop.begin + k % n], surface.samples[loop.begin + (k + 1) % n]);
-      largest = std::max(largest, angle);
-      if (largest - angle > backwards)
-        return true;
-      if (k + 1 == n)
-        once_around = angle;
-    }
-    if (std::abs(once_around) > 1.5 * full_turn)
-      return true;
-  }
-  return false;
+  const std::vector<Loop> loops = loops_of(surface);
+  return std::any_of(loops.begin(), loops.end(),
+                     [&](const Loop &loop)
+                     {
+                       const unsigned int n = loop.end - loop.begin;
+                       return may_meet_itself(n,
+                                              [&](const unsigned int k) {
+                                                return turning(surface.samples[loop.begin + k],
+                                                               surface.samples[loop.begin + (k + 1) % n]);
+                                              });
+                     });
 }
 
 std::vector<NearStretch<2>> stretches_of_fold(const SampledSurface<2> &surface, const double reach)
 {
-  std::vector<double> along(surface.samples.size(), 0.), round(along), number(along);
+  std::vector<double> along(surface.samples.size(), 0.),
+      round(along);                               // of the loop: to a sample, and all [m]
+  std::vector<unsigned int> number(along.size()); // of the loop
   const std::vector<Loop> loops = loops_of(surface);
   for (unsigned int l = 0; l < loops.size(); ++l)
   {

@@ -292,7 +292,7 @@ std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
 {
   const bool any_lines = scene.lines != nullptr && !scene.lines->empty();
   if (scene.bodies.size() < 2 && scene.walls.empty() && !any_lines && scene.cell == nullptr)
-    return {}; // nothing meets anything
+    return {}; // nothing meets anything; folds of a body alone are left to the check of outlines
   std::uint64_t next_id = 1;
   for (const Frame<dim> &frame : frames)
     next_id = std::max(next_id, frame.id + 1);
