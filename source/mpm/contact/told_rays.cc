@@ -142,10 +142,17 @@ void FrameState<dim>::take(const double *numbers)
 }
 
 template <int dim>
-void look_and_tell(const BodyShare &share,
-                   std::vector<FrameState<dim>> &frames,
-                   const std::function<void(unsigned int f)> &look)
+void meet_frames(const BodyShare &share,
+                 const FrameScene<dim> &scene,
+                 const std::vector<std::vector<double>> &force,
+                 const std::vector<Eigen::VectorXd> &displacement,
+                 const std::vector<Eigen::VectorXd> &way,
+                 const double path,
+                 const double within,
+                 std::vector<FrameState<dim>> &frames)
 {
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    frames[f].prepare(scene, way, force[f], path, within);
   std::vector<std::size_t> first(1, 0); // of the numbers of every frame
   for (const FrameState<dim> &frame : frames)
     first.push_back(first.back() + (share.alone() ? 0 : frame.n_told()));
@@ -159,7 +166,8 @@ void look_and_tell(const BodyShare &share,
                        for (std::size_t f = begin; f < end; ++f)
                          if (is_here(share, frames[f]))
                          {
-                           look(f);
+                           frames[f].look(scene, displacement, way,
+                                          scene.way_of_wall(frames[f].layout().wall), force[f]);
                            if (!share.alone())
                              frames[f].tell(told.data() + first[f]);
                          }
@@ -175,10 +183,22 @@ void look_and_tell(const BodyShare &share,
       frames[f].take(told.data() + first[f]);
 }
 
-template void
-look_and_tell(const BodyShare &, std::vector<FrameState<2>> &, const std::function<void(unsigned int)> &);
-template void
-look_and_tell(const BodyShare &, std::vector<FrameState<3>> &, const std::function<void(unsigned int)> &);
+template void meet_frames(const BodyShare &,
+                          const FrameScene<2> &,
+                          const std::vector<std::vector<double>> &,
+                          const std::vector<Eigen::VectorXd> &,
+                          const std::vector<Eigen::VectorXd> &,
+                          double,
+                          double,
+                          std::vector<FrameState<2>> &);
+template void meet_frames(const BodyShare &,
+                          const FrameScene<3> &,
+                          const std::vector<std::vector<double>> &,
+                          const std::vector<Eigen::VectorXd> &,
+                          const std::vector<Eigen::VectorXd> &,
+                          double,
+                          double,
+                          std::vector<FrameState<3>> &);
 template std::size_t FrameState<2>::n_told() const;
 template void FrameState<2>::tell(double *);
 template void FrameState<2>::take(const double *);

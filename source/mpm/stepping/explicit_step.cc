@@ -75,7 +75,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   if (problem.settings.meets_by_rays())
   {
     renew_outlines(state.bodies, work.outlines, state.frames);
-    rays.emplace(problem, state, work, dt, motion).find(v);
+    rays.emplace(problem, state, work, dt, motion).find();
   }
   else
     find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);

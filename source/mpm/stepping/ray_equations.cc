@@ -83,20 +83,11 @@ Eigen::VectorXd RayEquations<dim>::end_velocity(const unsigned int b, const Eige
 }
 
 template <int dim>
-typename RayEquations<dim>::Vector RayEquations<dim>::way_of(const WallMotion<dim> &wall) const
-{
-  if constexpr (dim == 2)
-    return plan.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
-  else
-    return plan.dt * wall.velocity * wall.normal;
-}
-
-template <int dim>
 double RayEquations<dim>::walls_way() const
 {
   double way = 0.;
-  for (const WallMotion<dim> &wall : world.motion)
-    way = std::max(way, way_of(wall).norm());
+  for (unsigned int w = 0; w < scene.walls.size(); ++w)
+    way = std::max(way, scene.way_of_wall(w).norm());
   return way;
 }
 
@@ -118,16 +109,8 @@ bool RayEquations<dim>::meet(const Vectors &to)
   for (unsigned int b = 0; b < to.size(); ++b)
     displacement[b] = world.bodies[b].displacement + scene.met_at * to[b];
   dealii::TimerOutput::Scope section(world.timer, "contact search");
-  const double within = 2. * candidates_within() + largest_way();
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    frames[f].prepare(scene, to, force[f], path, within);
-  look_and_tell(world.share, frames,
-                [&](const unsigned int f)
-                {
-                  const unsigned int w = frames[f].layout().wall;
-                  frames[f].look(scene, displacement, to,
-                                 w < world.motion.size() ? way_of(world.motion[w]) : Vector(), force[f]);
-                });
+  meet_frames(world.share, scene, force, displacement, to, path, 2. * candidates_within() + largest_way(),
+              frames);
   for (unsigned int f = 0; f < frames.size() && not_met == none; ++f)
     if (!frames[f].meets(force[f]))
       not_met = f;

@@ -18,12 +18,10 @@ RayRows::RayRows(const Problem &problem,
                  Workspace &work,
                  const double dt,
                  const std::vector<WallMotion<2>> &motion)
-    : problem(problem)
-    , state(state)
+    : state(state)
     , work(work)
     , dt(dt)
     , h(problem.lattice->cell_size())
-    , motion(motion)
     , plane(problem, state, work, dt, motion)
     , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h}
 {
@@ -49,21 +47,10 @@ void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
     displacement.push_back(body.displacement + scene.met_at * way[body.index]);
     path = std::max(path, h + way[body.index].lpNorm<Eigen::Infinity>());
   }
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    frames[f].prepare(scene, way, force[f], path, within);
-  look_and_tell(work.share, frames,
-                [&](const unsigned int f)
-                {
-                  const unsigned int w = frames[f].layout().wall;
-                  const dealii::Tensor<1, 2> of_wall = w < motion.size()
-                                                           ? dt * (motion[w].velocity * motion[w].normal +
-                                                                   motion[w].slide * motion[w].tangent())
-                                                           : dealii::Tensor<1, 2>();
-                  frames[f].look(scene, displacement, way, of_wall, force[f]);
-                });
+  meet_frames(work.share, scene, force, displacement, way, path, within, frames);
 }
 
-void RayRows::find(const std::vector<Eigen::VectorXd> &velocity)
+void RayRows::find()
 {
   dealii::TimerOutput::Scope section(*work.timer, "contact search");
   for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
@@ -81,7 +68,7 @@ void RayRows::find(const std::vector<Eigen::VectorXd> &velocity)
     frame.find_pulls(scene, false);
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
-      way[body.index] = dt * velocity[body.index];
+      way[body.index] = dt * body.velocity;
   meet(way);
   std::vector<ContactRow<2>> rows;
   ray.clear();
@@ -98,7 +85,7 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
   if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.pull > 0.))
     return;
   ContactRow<2> row = row_of_ray(scene, frame, k);
-  row.gap = row.gap_where_found = here.at_start / frame.resultant(k).norm();
+  row.gap = here.at_start / frame.resultant(k).norm();
   row.softness = frame.ray_softness() / frame.resultant(k).norm_square();
   row.friction = frame.rubs(k) ? frame.friction_coefficient() : 0.;
   for (const unsigned int side : {0, 1})

@@ -81,6 +81,16 @@ struct FrameScene
   /// Gaps that differ by less are the same [m].
   double same_gap() const { return 1e-6 * cell_size; }
   double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
+  /// Of a wall over the step; none of an obstacle [m].
+  dealii::Tensor<1, dim> way_of_wall(const unsigned int w) const
+  {
+    if (w >= walls.size())
+      return dealii::Tensor<1, dim>();
+    if constexpr (dim == 2)
+      return dt * (walls[w].velocity * walls[w].normal + walls[w].slide * walls[w].tangent());
+    else
+      return dt * walls[w].velocity * walls[w].normal;
+  }
 
   /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].
   dealii::Tensor<1, dim> apart(const ContactFrame<dim> &frame) const;

@@ -93,8 +93,6 @@ protected:
   std::optional<unsigned int> factorise();
   /// The largest by which something that is no unknown brings two places nearer [m].
   double largest_way() const { return std::max(walls_way(), other_way()); }
-  /// Of a wall over the step [m].
-  Vector way_of(const WallMotion<dim> &wall) const;
 
   const RayWorld<dim> world;
   const StepPlan &plan;

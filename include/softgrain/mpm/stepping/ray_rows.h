@@ -11,11 +11,10 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The contact rows of a step whose equations do not know that places slide and normals turn: one for
- * every ray, as it is met halfway by bodies that go on as they do.
+ * @brief The contact rows of an explicit step, one for every ray.
  *
- * The gap of a row is that at the start of the step, over the length of its gradient, so that both are
- * measured along the normal.
+ * Places and normal of a row are those where its ray meets the bodies halfway through the step, if they keep
+ * their velocities. Its gap is that at the start of the step, measured along the normal.
  */
 class RayRows
 {
@@ -27,8 +26,8 @@ public:
           double dt,
           const std::vector<WallMotion<2>> &motion);
 
-  /// Hands them to the contact problem of the step. @param velocity with which the bodies go on [m/s]
-  void find(const std::vector<Eigen::VectorXd> &velocity);
+  /// Hands them to the contact problem of the step.
+  void find();
   /// The frames as the step leaves them, with the impulses that the contact problem has found.
   std::vector<ContactFrame<2>> frames_after() const;
 
@@ -36,15 +35,13 @@ private:
   void meet(const std::vector<Eigen::VectorXd> &way);
   void add_row(unsigned int f, unsigned int k, std::vector<ContactRow<2>> &rows);
 
-  const Problem &problem;
   const State &state;
   Workspace &work;
   const double dt, h;
-  const std::vector<WallMotion<2>> &motion;
   PlaneScene plane;
   FrameScene<2> scene;
   double within = 0.; ///< gap up to which a ray has a row [m]
-  double path = 0.;   ///< no place has moved by more, all that was tried summed [m]
+  double path = 0.;   ///< see FrameState::prepare() [m]
   std::vector<FrameState<2>> frames;
   RayForces force;                                        ///< with which the step begins [N/m]
   std::vector<std::pair<unsigned int, unsigned int>> ray; ///< of every row: frame and number
