@@ -14,18 +14,21 @@ void ContactSystem<dim>::list_components(const std::vector<Body<dim>> &bodies)
     list.clear();
   rows_at_driven.clear();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    for (const unsigned int b : {rows[r].body, rows[r].partner})
+  {
+    const auto take = [&](const unsigned int b)
     {
-      const bool both_sides = rows[r].partner == rows[r].body; // it has one set of components
-      if (b == ContactRow<dim>::none ||
-          (both_sides && !body_components[b].empty() && body_components[b].back() / n_components() == r))
-        continue;
+      if (b == ContactRow<dim>::none)
+        return;
       if (bodies[b].driven)
         rows_at_driven.push_back(r);
       else
         for (unsigned int c = 0; c < n_components(); ++c)
           body_components[b].push_back(r * n_components() + c);
-    }
+    };
+    take(rows[r].body);
+    if (rows[r].partner != rows[r].body)
+      take(rows[r].partner);
+  }
   component_start.assign(1, 0);
   for (const std::vector<unsigned int> &list : body_components)
     component_start.push_back(component_start.back() + list.size());

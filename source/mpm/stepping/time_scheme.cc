@@ -28,10 +28,10 @@ TimeScheme TimeScheme::create(const std::string &name, const double theta)
 
 namespace
 {
-class MoreauJean final : public TimeIntegrator
+/// Schemes that differ in their terms alone.
+class ImplicitWithInertia : public TimeIntegrator
 {
 public:
-  TimeScheme terms(const double theta) const override { return {"", theta, true, true, 0.5, true}; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
@@ -39,15 +39,16 @@ public:
   }
 };
 
-class Newmark final : public TimeIntegrator
+class MoreauJean final : public ImplicitWithInertia
+{
+public:
+  TimeScheme terms(const double theta) const override { return {"", theta, true, true, 0.5, true}; }
+};
+
+class Newmark final : public ImplicitWithInertia
 {
 public:
   TimeScheme terms(double) const override { return {"", 0.5, true, true}; }
-  StepOutcome
-  step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
-  {
-    return implicit_step(problem, state, work, {dt, false, 0.});
-  }
 };
 
 class SymplecticEuler final : public TimeIntegrator
