@@ -48,8 +48,8 @@ struct ContactRow
   bool dented = true; ///< whether the law of dents that the grid misses holds for it
   /// Of the gap from where the row is to the ends of its length, where it adheres [m].
   std::array<double, 2> lift = {{0., 0.}};
-  /// By how much the change of its force in a step closes its gap beside all else, and lets its places slide
-  /// [m^2/N].
+  /// How much a change of its force in a step closes its gap and lets its places slide, beside what the
+  /// bodies yield [m^2/N].
   double softness = 0;
   double work_beyond = 0; ///< its work beside that of its impulse on the way by which its places part [J/m]
   double pull = 0;        ///< cohesive force over the step, as its impulses count forces [N/m]

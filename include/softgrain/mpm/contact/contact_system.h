@@ -105,10 +105,10 @@ public:
   /// Energy in these dents [J/m].
   double
   subgrid_energy(const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid, double dt) const;
-  /// W from nodal masses: H M^-1 H^T, and in a step of length @p dt from the softness of rows.
+  /// W from nodal masses, H M^-1 H^T, plus the softness of rows in a step of length @p dt [s].
   void lump(const std::vector<Body<dim>> &bodies, double dt);
-  /// What the softness of rows does to the present impulses, before a solve, is no part of the velocities
-  /// that it takes: adds it to @p free_velocity [m/s].
+  /// Rows yield to the change of their force only: subtracts from @p free_velocity [m/s] what softness makes
+  /// of the impulses with which the next solve() starts, those of the step before.
   void take_back_softness(double dt, std::vector<double> &free_velocity) const;
 
   /**

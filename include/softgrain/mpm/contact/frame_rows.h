@@ -11,10 +11,10 @@
 
 namespace softgrain::mpm
 {
-/// What a place is to the nodes of its body.
+/// The values of the shape functions at a place, as weights of the nodes of its body.
 std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &function);
 
-/// The row of ray @p k of a frame: all but its gap, its friction and what nodes have to do with its places.
+/// The contact row of ray @p k of a frame, without gap, friction and weights of nodes.
 ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame, unsigned int k);
 
 /**

@@ -10,8 +10,8 @@
 
 namespace softgrain::mpm
 {
-/// What frames meet in a step of the plane beside bodies and planes: obstacles, bodies that are driven, and
-/// images in a cell that repeats.
+/// What rays of a two-dimensional step meet beside free bodies and plane walls: obstacles, bodies that are
+/// driven, and images of bodies in a cell that repeats.
 class PlaneScene
 {
 public:
