@@ -12,7 +12,8 @@ LONGEST = 40
 # Comments that lean on a declaration elsewhere, or begin in the middle of a sentence: the reader has to guess what they are about.
 # "The same polygon with ..." has its noun, "The same with ..." has none.
 NO_SUBJECT = re.compile(
-    r"(?:Of|As|By|From|With|Without|Per|For|At|On|To|Also|Likewise|Its|Their|Ditto|And|Or|But|So|Then)\b"
+    r"(?:Of|As|By|From|With|Without|Per|For|At|On|In|To|Over|Along|Between|After|Before|While|If|Also|Likewise|Its|Their|And|Or|But|So"
+    r"|Then|Nothing)\b"
     r"|The same(?:[.,;:]|$| (?:a|after|along|and|as|at|before|but|by|for|from|if|in|of|on|over|that|the|there|to|when|where|which|with|without)\b)")
 LIST_ITEM = re.compile(r"(?:[-*+]|\d+[.)])\s+")
 END = re.compile(r"(?<=[.!?])[\"”')*\]]*\s+")
@@ -63,7 +64,7 @@ def comments(lines):
             yield block[0], " ".join(block[1])
             block = None
         if block is not None and block[2]:
-            block[1].append(re.sub(r"^\*+\s?|\*/$", "", text).strip())
+            block[1].append(text.removesuffix("*/").strip("* "))
             if text.endswith("*/"):
                 yield block[0], " ".join(word for word in block[1] if word)
                 block = None

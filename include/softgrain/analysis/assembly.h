@@ -58,9 +58,9 @@ public:
 
   const Snapshot<2> &snapshot;
   const MeasureContext context;
-  /// In the order of body_a, then body_b, then walls.
+  /// Contacts in the order of body_a, then body_b, then walls.
   std::vector<BodyContact> contacts;
-  /// Nothing unless all four walls are there.
+  /// The box; there is none unless all four walls are there.
   std::optional<MovingBox> box;
 };
 } // namespace softgrain

@@ -24,7 +24,7 @@ struct BoxStrain
   double volume() const { return along_height + along_width; } ///< e_v = e1 + e2
 };
 
-/// Nothing unless both have the walls bottom, top, left and right.
+/// Strain of the box; there is none unless both states have the walls bottom, top, left and right.
 std::optional<BoxStrain> box_strain(const std::vector<WallState<2>> &start,
                                     const std::vector<WallState<2>> &now);
 
@@ -38,7 +38,7 @@ struct BoxStress
   double deviator() const { return 0.5 * (along_height - along_width); } ///< q, with its sign [Pa]
 };
 
-/// Nothing unless bottom, top, left and right are there.
+/// Stress of the box; there is none unless bottom, top, left and right are there.
 std::optional<BoxStress> box_stress(const std::vector<WallState<2>> &walls);
 
 /// @p solid_area over the area of the box; nothing unless bottom, top, left and right are there.

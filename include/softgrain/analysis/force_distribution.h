@@ -14,7 +14,7 @@ double force_distribution_beta(double gamma);
 double force_distribution(double f, double gamma);
 
 /**
- * @brief gamma of (2.32)-(2.33) by maximum likelihood, without bins.
+ * @brief gamma of @cite nguyen2016, eqs. (2.32)-(2.33) by maximum likelihood, without bins.
  * @param forces in units of their mean
  * @return nothing for fewer than 20 forces, or when no gamma between 1e-6 and 1e3 is better than both ends:
  * forces nearly all alike, or spread at least as an exponential

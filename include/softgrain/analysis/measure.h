@@ -72,7 +72,7 @@ public:
 
   const MeasureSet &measures() const { return set; }
 
-  /// As MeasureSet::evaluate(); @p snapshot is then the one before.
+  /// Values as MeasureSet::evaluate() has them; @p snapshot is the one before for the next call.
   std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<2> &snapshot);
 
   /// Takes a snapshot of the run for the first, or the one before, without measuring it.

@@ -43,7 +43,7 @@ struct BodyState
   std::string name;
   std::vector<std::vector<dealii::Point<dim>>>
       outline; ///< closed polylines, the outer one first, counter-clockwise [m]
-  /// In space the surface, of whose vertices the first outline is a list: counter-clockwise from outside.
+  /// Triangles of the surface in space, counter-clockwise from outside; the first outline lists vertices.
   std::vector<std::array<unsigned int, 3>> triangles;
   double area = 0;                 ///< current area enclosed by the outline, in space volume [m^dim]
   double reference_area = 0;       ///< the same at rest [m^dim]

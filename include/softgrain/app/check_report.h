@@ -33,7 +33,7 @@ void print_check_report(std::ostream &out,
 /// slowness_of_machine() says.
 SizeReport cost_report(const RunOutline &outline, const Forecast &forecast, double slowness);
 
-/// Of a file whose libraries were left out: which, and what only they can know.
+/// Prints which libraries of a file were left out, and what only they can know.
 void print_left_out(std::ostream &out, const Input &input);
 } // namespace softgrain
 

@@ -41,7 +41,7 @@ private:
     script
   };
 
-  /// On all ranks; chooses the number of threads, too.
+  /// Reads the input on all ranks, and chooses the number of threads.
   std::unique_ptr<Input> read_input() const;
   /// @return whether it came to its end
   bool run() const;

@@ -12,7 +12,7 @@ namespace softgrain
 /// says them. @return @p exit_code
 int report_errors(const std::vector<std::string> &messages, int exit_code);
 
-/// The same of a single message.
+/// Reports a single message as one line.
 int report_error(const std::string &message, int exit_code);
 
 /// deal.II's exceptions carry a banner and a stack; what a user needs is the additional information.

@@ -56,9 +56,9 @@ public:
   const RunParameters &run() const { return run_parameters; }
   /// 2 or 3.
   unsigned int dimension() const { return space ? 3 : 2; }
-  /// As described; with the bodies of its packing after complete_scene(). Of the plane, and empty in space.
+  /// The scene of the plane, empty in space; complete_scene() adds the bodies of its packing.
   const Scene<2> &scene() const { return described_scene; }
-  /// The same where the dimension is @p dim.
+  /// The scene in a dimension that is known to be @p dim.
   template <int dim>
   const Scene<dim> &scene_in() const
   {
@@ -94,10 +94,10 @@ public:
   /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
   /// @param state that it is going to load; null: it starts at time zero
   std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
-  /// The same in space.
+  /// Makes the model of a scene in space.
   std::unique_ptr<Model<3>> create_model_in_space();
 
-  /// The same to look at: no file is written.
+  /// Makes a model to look at, which writes no file.
   /// @param changes of parameters of the model, for this one alone
   std::unique_ptr<Model<2>> model_to_look_at(const ParameterValues &changes = {});
 
@@ -125,7 +125,7 @@ private:
   [[noreturn]] void throw_located(const InputError &error) const;
   /// Sets what 'Fidelity' says and the file does not.
   void apply_fidelity(const ModelFactory &factory);
-  /// If it is known beforehand [s]; 0: it is not.
+  /// The time at which the run ends if it is known beforehand [s]; 0: it is not.
   double end_time() const;
 
   ParameterFile file;

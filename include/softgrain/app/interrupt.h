@@ -8,7 +8,7 @@
 namespace softgrain
 {
 /**
- * @brief While it lives, signals that would end the program request an interruption (base/interruption.h).
+ * @brief Turns signals that would end the program into requests to stop (base/interruption.h) while it lives.
  *
  * They are Ctrl-C, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR1, which schedulers send before a limit. One that
  * comes a second later or more ends the program at once; sooner it is the same wish, sent to the group of

@@ -21,7 +21,7 @@ public:
   /// Whether the time is due at @p time; @p slack is what counts as there [s].
   bool due(double time, double slack) const { return time >= next() - slack; }
 
-  /// The same; if so, goes on to the next one. @p slack is what counts as there
+  /// Whether due() holds at @p time; if so, goes on to the next time. @p slack is what counts as there
   /// [s].
   bool reached(double time, double slack);
 

@@ -23,10 +23,10 @@ public:
   /// @param is_terminal whether a line can be written over
   Progress(RunLog &log, bool is_terminal);
 
-  /// Before the first step: from here on time counts.
+  /// Lets time count from here on, before the first step.
   void start();
 
-  /// After a step; @p fraction of the work is done.
+  /// Shows a step; @p fraction of the work is done.
   void update(double time, std::uint64_t step, const StepReport &report, double fraction);
 
   /// Another stage begins, whose steps may take longer or less long than those before.

@@ -28,7 +28,7 @@ public:
   RunLock(const RunLock &) = delete;
   RunLock &operator=(const RunLock &) = delete;
 
-  /// On the rank that holds the lock.
+  /// Checks the folder on the rank that holds the lock.
   /// @throw ComputationError when the folder is no longer the one that was locked: removed, renamed,
   /// replaced.
   void check_folder() const;

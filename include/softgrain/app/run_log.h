@@ -19,13 +19,13 @@ class RunLog
 public:
   explicit RunLog(std::ostream &terminal);
 
-  /// From now on run.log of @p directory has the text, too; what it holds already stays if @p append.
+  /// Writes all further text to run.log of @p directory, too; what it holds already stays if @p append.
   void open(const std::string &directory, bool append);
 
-  /// To both.
+  /// Stream to terminal and file alike.
   std::ostream &both() { return shared; }
   std::ostream &terminal() { return screen; }
-  /// To run.log only; goes nowhere before open().
+  /// Stream to run.log only; it goes nowhere before open().
   std::ostream &file() { return log; }
 
 private:

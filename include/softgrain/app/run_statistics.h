@@ -22,7 +22,7 @@ public:
   explicit RunStatistics(const AnyModel &model);
 
   void add_step(const StepReport &report);
-  /// Of a recorded step, and what rounding alone can make of energies then [J/m].
+  /// Adds the energies of a recorded step, and what @p rounding alone can make of energies then [J/m].
   /// @throw ComputationError when one is no number
   void add_energies(const Energies &energies, double rounding);
 

@@ -86,7 +86,7 @@ private:
   /// One step, fit to be written where it will be. After an exception all is as before it.
   StepReport take_step();
   bool finished() const { return finished(run_done()); }
-  /// The same where run_done() is known.
+  /// Whether the stage is at its end, where run_done() is known to be @p of_run.
   bool finished(double of_run) const;
   /// Part of the way to the stop conditions of the whole run.
   double run_done() const;
@@ -99,7 +99,7 @@ private:
   RunStateIn<dim> run_state() const;
   /// What is due of the state, by the intervals and because a stage or the run ends.
   void write_due_output();
-  /// Of the state, for the balance in the summary.
+  /// Energies of the state; they are noted for the balance in the summary.
   Energies note_energies();
   HistoryRow history_row(const Energies &energies) const;
   /// Puts together what is to be written of the state, for write_waiting().

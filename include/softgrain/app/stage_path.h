@@ -34,7 +34,7 @@ public:
   /// How long the stages are expected to last, of which only ratios count. Without, or empty: all last alike.
   void expect(const std::vector<double> &durations);
 
-  /// After every step: the stop conditions of the present stage see it.
+  /// Shows the stop conditions of the present stage every step.
   void note(double slack);
   /// What they have seen.
   const StopMemory &memory() const { return seen; }
@@ -54,7 +54,7 @@ public:
 
   /// @param ends whether the present stage is done
   void save(StateWriter &writer, bool ends) const;
-  /// Before the model is loaded: its walls are driven as they were.
+  /// Loads the path before the model is loaded: its walls are driven as they were.
   void load(const StateReader &reader);
   /// Whether the loaded state was written as the end of its stage, after its row of the history. The next
   /// stage then begins before the first step.

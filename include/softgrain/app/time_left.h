@@ -15,7 +15,7 @@ namespace softgrain
 class TimeLeft
 {
 public:
-  /// After @p seconds of computing @p fraction of the work is done.
+  /// Notes that @p fraction of the work is done after @p seconds of computing.
   void add(double seconds, double fraction);
 
   /// Seconds [s]; nothing before the second step.

@@ -41,7 +41,7 @@ struct Trial
   bool may_jam = false;        ///< bodies with corners rub on each other
   std::string failure;         ///< why it ended, unless at its end or because the time was up
 
-  /// For the report: what was tried, and how far it went.
+  /// What was tried and how far it went, in words for the report.
   std::string in_words() const;
 };
 

@@ -26,13 +26,13 @@ public:
   /// The sum, rounded once to the nearest double; not a number or infinite when a number was.
   double value() const;
 
-  /// As numbers that can be sent to other ranks; add_packed() adds them to a sum there.
+  /// Puts the sum behind @p numbers that go to other ranks; add_packed() adds it to a sum there.
   void pack(std::vector<double> &numbers) const;
   /// @param number first of those that pack() has made; is moved behind them
   void add_packed(const double *&number);
 
 private:
-  /// From 2^-1074 to 2^1024, and room for the sum of many.
+  /// Digits that reach from 2^-1074 to 2^1024, with room for the sum of many numbers.
   static constexpr unsigned int n_digits = 68;
   using Digits = std::array<std::int64_t, n_digits>;
 

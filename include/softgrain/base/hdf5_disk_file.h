@@ -33,7 +33,7 @@ public:
   /// @throw ComputationError "cannot write PATH: REASON" when the disk has refused something
   void check() const;
 
-  /// When HDF5 has closed its file: closes it, and checks.
+  /// Closes the file when HDF5 has closed its own, and checks.
   void finish();
 
   struct Disk; ///< what HDF5 writes to

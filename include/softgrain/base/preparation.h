@@ -41,7 +41,7 @@ private:
   Clock::time_point last = begin;
 };
 
-/// While it lives, what Preparation tells goes where results go, to std::cout.
+/// Brings what Preparation tells to where results go, std::cout, as long as it lives.
 class PreparationLog
 {
 public:

@@ -16,7 +16,7 @@ struct RankTimes
   std::uint64_t bytes = 0;    ///< that came from others
 };
 
-/// Of all threads of this process so far.
+/// Processor time of all threads of this process so far [s].
 double processor_seconds();
 } // namespace softgrain
 

@@ -53,8 +53,8 @@ public:
     together(work, []() { return std::vector<Piece>(); });
   }
 
-  /// The same, followed by share() of what @p pieces() then names, in one exchange. The sizes of pieces must
-  /// be alike on all ranks also when @p work has failed.
+  /// Does @p work together, and then share() of what @p pieces() names, in one exchange. The sizes of pieces
+  /// must be alike on all ranks also when @p work has failed.
   template <class Work, class Pieces>
   void together(const Work &work, const Pieces &pieces) const
   {
@@ -100,14 +100,14 @@ public:
   /// list; of the places it names, an owner needs its own, and the first rank all.
   void bring(const std::vector<Piece> &pieces) const;
 
-  /// Of numbers each of which one rank has, where the others have +0: all of them on the first rank. The
-  /// others keep what they have.
+  /// Brings numbers each of which one rank has to the first rank, where the others have +0. The others keep
+  /// what they have.
   void join_at_first(double *numbers, std::size_t size) const;
 
   /// @p numbers of every rank, as many on each; first those of the first rank.
   std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;
 
-  /// The same where each rank has a list of its own length.
+  /// Lists of all ranks, where each has one of its own length.
   std::vector<std::vector<double>> lists_of_all(const std::vector<double> &list) const;
 
   /// Sends list r of @p lists, one for every rank, to rank r. @return those that came here, by rank
@@ -153,9 +153,9 @@ public:
   void check_alike(const std::vector<double> &numbers) const;
 
   /**
-   * @brief For a rank that has caught what ends the run: returns when all ranks have, which is so when all
-   * went the same way. When some do not come within ten seconds, it ends the program on all ranks, with exit
-   * code 1 and a line that says @p why: they would wait for this one for ever.
+   * @brief Waits on a rank that has caught what ends the run, and returns when all ranks have, which is so
+   * when all went the same way. When some do not come within ten seconds, it ends the program on all ranks,
+   * with exit code 1 and a line that says @p why: they would wait for this one for ever.
    */
   void fail_alike(const std::string &why) const;
 

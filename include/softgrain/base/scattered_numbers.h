@@ -28,7 +28,7 @@ public:
     }
   }
   bool empty() const { return places.empty(); }
-  /// To be freed.
+  /// The type of these numbers for MPI, which the caller has to free.
   MPI_Datatype type() const
   {
     MPI_Datatype result;

@@ -11,10 +11,10 @@ namespace softgrain::constitutive
  *
  *   sigma = C : eps,   C = lambda I x I + 2 mu II_s,   psi = 1/2 sigma : eps,
  *
- * Nguyen (2016), eq. (3.5); plane strain in 2D. The history is eps, the sum of the symmetric parts of the
+ * @cite nguyen2016, eq. (3.5); plane strain in 2D. The history is eps, the sum of the symmetric parts of the
  * increments of all steps. Large rotations are not taken out of it, so a body that turns gets spurious
- * stress: the price of comparing with the thesis. The volume of a point by eq. (3.17) is the caller's
- * business; the law takes sigma and psi per unit of the volume at hand.
+ * stress: the price of comparing with the thesis. The volume of a point by @cite nguyen2016, eq. (3.17) is
+ * the caller's business; the law takes sigma and psi per unit of the volume at hand.
  */
 template <int dim>
 class LinearElastic final : public ElasticLaw<dim>

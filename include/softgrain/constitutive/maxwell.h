@@ -27,7 +27,7 @@ public:
   std::string title() const override { return "Maxwell"; }
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(dealii::ParameterHandler &prm) override;
-  /// For every branch Fv^-1, then E_k; out of the plane nothing is strained in 2D, and nothing flows.
+  /// Number of values: Fv^-1 for every branch, then E_k; in 2D nothing flows out of the plane.
   unsigned int n_history() const override { return times.size() * n_of_branch; }
   void initial_history(double *history) const override;
   std::vector<std::string> history_names() const override;

@@ -56,8 +56,8 @@ struct Outputs
   /// One number for the batch, which a law with Law::limits_step() lowers to the largest share of dt that it
   /// allows: below 1 the step is tried again shorter. The other outputs are valid nevertheless.
   double *step_share = nullptr;
-  /// Of laws with Law::is_active(): energy that they bring in over the step per reference volume [J/m^3]; may
-  /// be negative. Starts from 0 for laws that do not write it.
+  /// Energy that laws with Law::is_active() bring in over the step per reference volume [J/m^3]; may be
+  /// negative. It starts from 0 for laws that do not write it.
   double *supply = nullptr;
 };
 } // namespace softgrain::constitutive

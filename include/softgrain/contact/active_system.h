@@ -54,7 +54,7 @@ public:
 
 private:
   using DenseFactors = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>;
-  /// Its ordering keeps the symmetric pattern of W, which leaves a third of the entries of SparseLU.
+  /// UMFPACK's ordering keeps the symmetric pattern of W, which leaves a third of the entries of SparseLU.
   using SparseFactors = Eigen::UmfPackLU<Eigen::SparseMatrix<double>>;
 
   /// Rows of a symmetric matrix are its columns; of those the lower half is enough.

@@ -37,7 +37,7 @@ public:
 
   /// Adds a block without its matrix, which set_block() gives or somebody writes to block_values().
   void add_room(const std::vector<unsigned int> &components);
-  /// Its matrix; blocks may get theirs at the same time. @throw as add_block()
+  /// Sets the matrix of block @p b; blocks may get theirs at the same time. @throw as add_block()
   void set_block(unsigned int b, const Eigen::Ref<const Eigen::MatrixXd> &block);
   /// Numbers of block @p b, row by row, until the next one is added.
   double *block_values(const unsigned int b) { return values.data() + blocks[b].value; }

@@ -58,7 +58,7 @@ struct DiskRound
 struct DiskExchanges
 {
   std::vector<std::vector<DiskRound>> rounds; ///< one after the other, behind each colour; walls are the last
-  /// Of every colour, the end of the tiles of every rank; all lie one after the other.
+  /// End of the tiles of every rank for every colour; all lie one after the other.
   std::vector<std::vector<std::uint32_t>> end_of_tiles;
   unsigned int n_walls = 0; ///< with contacts, on any rank
   bool rotate = false;      ///< a rank without bodies cannot know

@@ -62,7 +62,7 @@ struct DiskRow : DiskRowExtra<n>
   double previous[n]; ///< impulse before the last sweep, for the momentum
 };
 
-/// The same in a cell that deforms.
+/// A row in a cell that deforms.
 template <unsigned int n>
 struct DiskRowInCell : DiskRow<n>
 {
@@ -166,7 +166,7 @@ struct DiskContact
     }
   }
 
-  /// The impulse that makes @p row obey Signorini, Coulomb and (2.12), given @p w with the impulse @p y.
+  /// The impulse by which @p row obeys Signorini, Coulomb and rolling, given @p w with the impulse @p y.
   static void solve(
       const Row &row, const DiskCompliance<n> &W, const double (&w)[n], const double (&y)[n], double (&P)[n])
   {

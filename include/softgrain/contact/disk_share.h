@@ -48,9 +48,9 @@ public:
             const std::vector<ContactRange> &ranges,
             const std::vector<std::uint32_t> &colour_end);
 
-  /// Of ranks that each know their own contacts: @p exchanges says what belongs to whom, of tiles that are
-  /// the
-  /// @p ranges; the other arguments as above.
+  /// Shares among ranks that each know their own contacts: @p exchanges says what belongs to whom, of tiles
+  /// that are the
+  /// @p ranges; the other arguments are those above.
   DiskShare(const Ranks &ranks,
             const DiskExchanges &exchanges,
             const std::vector<std::uint32_t> &number_of,
@@ -72,8 +72,8 @@ public:
   const std::vector<std::uint32_t> &own_bodies() const { return touched; }
 
   /**
-   * @brief After a colour: velocities of the bodies that other ranks have to know, or that they have changed.
-   * @tparam n components
+   * @brief Brings other ranks, after a colour, velocities of the bodies that they have to know, or that they
+   * have changed.
    * @param colour that has just been swept
    * @param at gives the place of component c of body i
    */
@@ -104,7 +104,7 @@ public:
 
   /// Gives all ranks what each has in the contacts that it sweeps, of one vector with a number per contact.
   void share_contacts(std::vector<double> &of_contacts) const;
-  /// The same of a vector with a number per range.
+  /// Shares a vector with a number per range.
   void share_ranges(std::vector<double> &of_ranges) const;
   /// Gives all ranks what the one has that sweeps contacts with walls; of the same size on all.
   void share_walls(std::vector<double> &of_walls) const;

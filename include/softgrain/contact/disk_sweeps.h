@@ -119,7 +119,7 @@ private:
   /// each colour the ranks tell each other what has changed.
   template <class Work>
   void for_ranges(const Work &work);
-  /// As for_ranges(), but without word between colours: for work that only reads bodies.
+  /// Works on ranges as for_ranges(), but without word between colours: for work that only reads bodies.
   template <class Work>
   void for_ranges_at_once(const Work &work);
   template <class Work>

@@ -51,7 +51,7 @@ struct DiskBodies
  *
  * Contact: `0 <= P ⟂ n·(v_a - v_b) + gap_velocity >= 0` with n the unit vector from b to a. With rotations:
  * `t = (-n_y, n_x)`, tangential velocity `t·(v_a - v_b) - arm_a ω_a - arm_b ω_b`, |P_t| <= friction P;
- * rolling velocity `ω_a - ω_b`, |P_r| <= rolling P (2.12).
+ * rolling velocity `ω_a - ω_b`, |P_r| <= rolling P (@cite nguyen2016, eq. (2.12)).
  *
  * Contacts are ordered by tiles: two tiles of one colour share no body, so that they may be swept at the same
  * time with the same answer for any number of threads. Contacts with walls come last and are swept one after

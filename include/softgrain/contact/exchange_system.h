@@ -12,7 +12,7 @@
 
 namespace softgrain::contact
 {
-/// Of a contact with friction in the plane. Slides up: w_t >= 0, P_t = -mu P_n; down: w_t <= 0, P_t = mu P_n.
+/// State of a contact in the plane. It slides up: w_t >= 0, P_t = -mu P_n; or down: w_t <= 0, P_t = mu P_n.
 enum class ContactState : char
 {
   open,

@@ -26,7 +26,7 @@ struct SolverSettings
   /// Sweeps over all contacts at most, those before and after Newton included.
   unsigned int max_sweeps = 10000;
 
-  /// Of plain sweeps: factor on the change of each impulse, in (0, 2); the result is projected back on the
+  /// Factor of plain sweeps on the change of each impulse, in (0, 2); the result is projected back on the
   /// cone when it is not 1.
   double relaxation = 1.;
 
@@ -49,9 +49,9 @@ struct SolverSettings
   /// to it, it tries nothing dearer.
   double passable = 0.;
 
-  /// In the plane, a mean_natural_residual() with which the caller can go on where Newton's method repeats
-  /// its iterates, since one or two contacts neither stick nor slide as the others are: nothing dearer is
-  /// tried then. 0: never.
+  /// Largest mean_natural_residual() in the plane with which the caller can go on where Newton's method
+  /// repeats its iterates, since one or two contacts neither stick nor slide as the others are: nothing
+  /// dearer is tried then. 0: never.
   double passable_mean = 0.;
 
   /// @throw InputError when a value is out of range.
@@ -62,7 +62,7 @@ struct SolverSettings
 struct SolverReport
 {
   unsigned int sweeps = 0;
-  /// Of the solution returned, recomputed from its impulses: natural_residual().
+  /// natural_residual() of the solution returned, recomputed from its impulses.
   double residual = 0.;
   bool converged = true;
   /// Not converged, but the residual is below what rounding leaves of W P (rigid modes far above the elastic

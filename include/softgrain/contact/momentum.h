@@ -24,10 +24,10 @@ public:
   /// Bound with friction: Coulomb's law has no potential, so more may feed on itself.
   static constexpr double frictional = 0.9;
 
-  /// With friction: growth of the residual over the lowest one after which to start afresh.
+  /// Growth of the residual over the lowest one after which momentum starts afresh where there is friction.
   static constexpr double restart_growth = 2.;
 
-  /// The same for giving it up. Up to 10 were seen where it did well in the end.
+  /// Growth after which momentum is given up. Up to 10 were seen where it did well in the end.
   static constexpr double fallback_growth = 50.;
 
   /// @param components of a contact; one means no friction

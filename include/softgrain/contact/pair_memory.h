@@ -23,7 +23,7 @@ public:
   unsigned int n_impulses() const { return width; }
   std::size_t size() const { return numbers.size() / width; }
 
-  /// So many pairs that remember nothing.
+  /// Makes @p n_pairs pairs that remember nothing.
   void assign(const std::size_t n_pairs) { numbers.assign(n_pairs * width, 0.); }
 
   Impulses operator[](const std::size_t pair) const

@@ -45,7 +45,7 @@ struct SavedProblem
 /// Writes @p saved to @p path: whole or not at all (to path + ".tmp", then renamed). @throw ComputationError.
 void save_problem(const std::string &path, const SavedProblem &saved);
 
-/// The same from the arguments of solve(); a DiagonalDelassus is stored as one block per contact.
+/// Writes a problem from the arguments of solve(); a DiagonalDelassus is stored as one block per contact.
 void save_problem(const std::string &path,
                   const BlockDelassus &delassus,
                   const Problem &problem,
@@ -81,7 +81,7 @@ SavedProblem load_siconos_problem(const std::string &path);
 /// Solves @p saved with its own settings and warm start, as solve() did when it was saved.
 SolverReport replay(SavedProblem &saved, std::vector<double> &impulses, std::vector<double> &velocities);
 
-/// The same for the file @p path.
+/// Solves the problem of the file @p path again.
 SolverReport replay(const std::string &path, std::vector<double> &impulses, std::vector<double> &velocities);
 } // namespace softgrain::contact
 

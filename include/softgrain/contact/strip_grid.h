@@ -20,8 +20,8 @@ namespace softgrain::contact
  */
 struct StripGrid
 {
-  /// From the first to the last of some disks along x, none of which is farther than a cell from the next
-  /// [m].
+  /// Interval along x from the first to the last of some disks, none of which is farther than a cell from the
+  /// next [m].
   using Span = std::array<double, 2>;
 
   /// Disks per strip that keep it in the cache and leave enough strips for all threads.

@@ -45,12 +45,12 @@ public:
   /// @param gap at its start [m]
   double share(std::uint64_t key, double gap) const;
 
-  /// The same of a contact along a line, whose gap changes from its middle to its ends by @p lift [m]: the
-  /// mean over its length. Where nothing is held beyond what the model can tell from touching it is that of
-  /// the middle.
+  /// The part that still holds of a contact along a line, whose gap changes from its middle to its ends by
+  /// @p lift [m]: the mean over its length. Where nothing is held beyond what the model can tell from
+  /// touching it is that of the middle.
   double share(std::uint64_t key, double gap, const std::array<double, 2> &lift) const;
 
-  /// Of a contact along a line the gap that counts for its memory: the smallest of its length [m].
+  /// The gap of a contact along a line that counts for its memory: the smallest of its length [m].
   double nearest(double gap, const std::array<double, 2> &lift) const;
 
   /// What has become in a step of a contact that began it with @p gap [m]; for laws that remember.

@@ -27,7 +27,7 @@ struct CellMotion
 
   bool deforms() const { return gradient.norm_square() > 0. || drift.norm_square() > 0.; }
 
-  /// Of a body with its centre at @p x [m/s].
+  /// Velocity that the cell gives a body with its centre at @p x [m/s].
   dealii::Tensor<1, 2> velocity(const dealii::Point<2> &x) const
   {
     return drift + gradient * (x - cell.lower);

@@ -22,7 +22,7 @@ public:
   WallInertia inertia() const override { return resistance; }
 
 protected:
-  /// Of the parameter, in the middle of a step.
+  /// Value of the parameter in the middle of a step.
   double value(const WallStep &step) const { return formula({step.middle()}); }
 
 private:

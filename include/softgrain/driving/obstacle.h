@@ -20,7 +20,7 @@ struct ObstacleMotion
   Pose start, end;
   double dt = 0; ///< [s]; 0: it stands
 
-  /// In between, @p share of the step after its start.
+  /// Pose @p share of the step after its start.
   Pose at(double share) const;
 
   /// Mean over the step, of a point of the drawn obstacle [m/s].

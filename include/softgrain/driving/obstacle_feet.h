@@ -51,8 +51,8 @@ public:
   /// How far any of its places goes at most in the step that is planned for obstacle @p o [m].
   double farthest_way(std::size_t o) const;
 
-  /// From a place of the drawn obstacle @p o to its line [m]; anything larger than @p far where it is
-  /// farther.
+  /// Distance of a place of the drawn obstacle @p o from its line [m]; anything larger than @p far where it
+  /// is farther.
   double distance(std::size_t o, const dealii::Point<2> &drawn, double far) const;
 
   std::size_t n_pieces(std::size_t o) const { return pieces(o).size(); }

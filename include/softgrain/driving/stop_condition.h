@@ -43,7 +43,7 @@ class StopCondition
 public:
   virtual ~StopCondition() = default;
 
-  /// Its parameter in section `Stop`; a value above 0 asks for the condition.
+  /// Name of the parameter in section `Stop`; a value above 0 asks for the condition.
   virtual std::string key() const = 0;
 
   /// Declares key(), and more if there is more; the handler stands in section `Stop`.
@@ -85,7 +85,7 @@ Registry<StopCondition> &Registry<StopCondition>::instance();
 /// What conditions that look back have kept, by their keys.
 using StopMemory = std::map<std::string, std::vector<double>>;
 
-/// In a checkpoint, under @p name. A run may go on with other conditions than before.
+/// Saves @p memory in a checkpoint, under @p name. A run may go on with other conditions than before.
 void save(StateWriter &out, const std::string &name, const StopMemory &memory);
 StopMemory load_stop_memory(const StateReader &in, const std::string &name);
 
@@ -109,10 +109,10 @@ public:
   double end_time() const;
   /// Whether what the bodies do may end it before.
   bool depend_on_bodies() const;
-  /// After every step. @p memory of all conditions, empty at the start
+  /// Shows the conditions a step. @p memory of all conditions, empty at the start
   void note(const RunState &now, StopMemory &memory) const;
   double fraction_done(const RunState &state, const StopMemory &memory) const;
-  /// The same in space, where no condition looks back.
+  /// Notes nothing in space, where no condition looks back.
   void note(const RunStateIn<3> &, StopMemory &) const {}
   double fraction_done(const RunStateIn<3> &state, const StopMemory &) const;
   /// "t = 1 s, axial strain 0.3".

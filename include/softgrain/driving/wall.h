@@ -141,7 +141,7 @@ struct FreeWallStep
 /// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
 FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double impulse = 0.);
 
-/// The same along the tangent of a wall that is free to slide.
+/// Step along the tangent of a wall that is free to slide.
 FreeWallStep free_slide_step(const Wall &wall, double dt, double theta, double impulse = 0.);
 
 /// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of

@@ -48,7 +48,7 @@ public:
 
   /// Whether a place lies in the material.
   bool encloses(const Place &x) const;
-  /// From a place to the nearest edge [m].
+  /// Distance of a place from the nearest edge [m].
   double distance(const Place &x) const;
 
   const std::vector<Place> &vertices;

@@ -34,7 +34,7 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
-  /// Of the chord from vertex @p piece to the next [m].
+  /// Length of the chord from vertex @p piece to the next [m].
   double length(const unsigned int piece) const { return chord[piece]; }
 
   Place move(const Place &place, const dealii::Tensor<1, 1> &way) const override;

@@ -38,7 +38,7 @@ struct PeriodicCell
     return std::any_of(periodic.begin(), periodic.end(), [](bool does) { return does; });
   }
 
-  /// From a body to its image @p n [m].
+  /// Vector from a body to its image @p n [m].
   dealii::Tensor<1, dim> shift(const Image &n) const
   {
     dealii::Tensor<1, dim> way;

@@ -60,7 +60,7 @@ public:
   /// Whether the boundary is round everywhere, so that an outline has no corners but for its edges.
   virtual bool round() const { return false; }
 
-  /// Without holes [m^2].
+  /// Area without holes [m^2].
   virtual double area() const;
 
   /// Least and greatest signed distance from a plane, along its unit normal [m].

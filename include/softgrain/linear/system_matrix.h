@@ -56,8 +56,8 @@ public:
             values[*start + k] += factor * value(a, e, b, d);
   }
 
-  /// The same in the plane of a matrix in blocks, of directions x x, x y and y y side by side: rows for the
-  /// first direction, columns for the second. @param stride between columns
+  /// Adds a cell in the plane from a matrix in blocks, of directions x x, x y and y y side by side: rows for
+  /// the first direction, columns for the second. @param stride between columns
   void add_plane_cell(unsigned int cell, const double *blocks, std::ptrdiff_t stride);
 
   /// Adds @p factor * @p mass to the diagonal, one mass per node.

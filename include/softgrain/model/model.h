@@ -66,15 +66,15 @@ public:
   virtual void settle(StepReport &report) { (void) report; }
 
   /**
-   * @brief After a step that was given up, before the state is drawn for the last time: what the attempt has
-   * left of contacts is not that of the state.
+   * @brief Forgets a step that was given up, before the state is drawn for the last time: what the attempt
+   * has left of contacts is not that of the state.
    *
    * Where a model cannot tell what contacts carried before, it shows none. No step follows.
    */
   virtual void forget_attempt() {}
 
   /**
-   * @brief Between steps, on all ranks: gives them other parts of the work when it has become uneven.
+   * @brief Gives the ranks other parts of the work when it has become uneven; all call it between steps.
    * @return what the log is to say of it; empty when all stays as it is
    */
   virtual std::string share_out_anew() { return {}; }
@@ -139,9 +139,9 @@ public:
   /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
   virtual Snapshot<dim> snapshot() const = 0;
 
-  /// As much of the neutral state as tells who touches whom: time, centres of bodies, walls, obstacles and
-  /// contacts, without points and outlines. Cheap enough for every step. With several ranks all call it, and
-  /// what the first one is told counts.
+  /// The part of the neutral state that tells who touches whom: time, centres of bodies, walls, obstacles and
+  /// contacts, without points and outlines. It is cheap enough for every step. With several ranks all call
+  /// it, and what the first one is told counts.
   virtual Snapshot<dim> touching_state() const { return snapshot(); }
 
   /// Walls alone, cheap enough for every step.

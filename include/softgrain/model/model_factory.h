@@ -114,7 +114,7 @@ public:
     return create(scene, prm);
   }
 
-  /// @name The same in space; a model need not know it.
+  /// @name Scenes in space; a model need not know them.
   ///@{
   virtual void check_in_space(const Scene<3> & /*scene*/, dealii::ParameterHandler &prm) const
   {

@@ -57,7 +57,7 @@ public:
 class ListSize
 {
 public:
-  /// So many.
+  /// A list of @p exact numbers.
   ListSize(const std::size_t exact) : unit(exact), several(false) {}
   /// Any number of rows of so many numbers, also none.
   static ListSize rows_of(const std::size_t width) { return ListSize(width, true); }

@@ -49,8 +49,8 @@ public:
   /// Adds one frame; frames at this time or later are replaced by it. @throw ComputationError when the disk
   /// refuses.
   void write(const Snapshot<2> &snapshot);
-  /// The same in space, where outlines are surfaces of triangles, with places that carry force in a file of
-  /// their own; walls are not drawn.
+  /// Writes a state in space, where outlines are surfaces of triangles, with places that carry force in a
+  /// file of their own; walls are not drawn.
   void write(const Snapshot<3> &snapshot);
 
   /// Frames in `fields.pvd`.

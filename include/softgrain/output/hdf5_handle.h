@@ -35,7 +35,7 @@ std::string hdf5_reason();
 [[noreturn]] void fail_to_write(const std::string &path, const std::string &name);
 [[noreturn]] void fail_to_read(const std::string &path, const std::string &name, const std::string &why);
 
-/// Of texts with so many bytes.
+/// Type of texts of @p size bytes.
 Hdf5Handle hdf5_text_type(std::size_t size);
 
 /// 'd' double, 'u' unsigned integer, 't' text, '?' another.

@@ -46,7 +46,7 @@ public:
    */
   void resume(std::uint64_t step, const std::vector<std::string> &columns = {}, bool own_row_stays = true);
 
-  /// Nothing is written yet, and no file is continued.
+  /// Whether nothing is written yet, and no file is continued.
   bool is_new() const { return header.empty(); }
 
   /// @throw InputError when the columns are not those of the file that is continued,

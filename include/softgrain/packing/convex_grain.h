@@ -23,7 +23,7 @@ public:
   /// Puts it somewhere. @param angle of its first axis [rad]
   void put(const Place &center, double angle);
 
-  /// Its place furthest along @p direction, which need not be unit [m].
+  /// The place of the grain furthest along @p direction, which need not be unit [m].
   Place support(const Vector &direction) const;
 
   const Place &center() const { return middle; }

@@ -30,7 +30,7 @@ struct GrainForm2D
   unsigned int corners = 0; ///< of a polygon
   double angle = 0;         ///< of the first axis, where a polygon has a corner; counter-clockwise [degrees]
 
-  /// Of the corners of a polygon, as they would be on a unit circle.
+  /// Directions of the corners of a polygon, as they would be on a unit circle.
   std::vector<dealii::Tensor<1, 2>> directions() const;
   /// @param radius of the disk around it [m] @return [m^2]
   double area(double radius) const;
@@ -42,7 +42,7 @@ struct GrainForm2D
 template <int dim>
 struct Packing
 {
-  /// In the plane a disk.
+  /// A ball, in the plane a disk.
   struct Ball
   {
     dealii::Point<dim> center; ///< [m]
@@ -55,7 +55,7 @@ struct Packing
   std::string file; ///< that the grains were read from; empty: none
 };
 
-/// Of all its grains [m^2].
+/// Area of all grains of a packing [m^2].
 double solid_area(const Packing<2> &packing);
 
 /// Form of a grain, that of a disk where there are no others.

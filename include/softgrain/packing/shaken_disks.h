@@ -40,7 +40,7 @@ public:
 private:
   void fill_cells();
   std::size_t cell_of(const Place &place) const;
-  /// Over the sides without walls, the nearest image.
+  /// Vector between two places, to the nearest image over the sides without walls.
   Place apart(const Place &a, const Place &b) const;
   bool inside(const Place &place, double radius) const;
   /// Calls work(j) for all disks in the cells around @p place, until it returns false. @return whether it
@@ -50,7 +50,7 @@ private:
   bool is_free(std::size_t i, const Place &place, double radius) const;
   bool move(std::size_t i, const Place &way);
   bool swap(std::size_t i, std::size_t j);
-  /// By how much the box may become smaller: a factor, at most 1.
+  /// Factor by which the box may become smaller, at most 1.
   double room() const;
   void scale_by(double factor);
 

@@ -66,7 +66,7 @@ private:
   double wall_gap(unsigned int wall, std::size_t disk) const;
   bool co_moving() const { return form.periodic[0] || form.periodic[1]; }
 
-  /// From disk b to disk a [m]; @p nearest over the periodic sides, else straight.
+  /// Vector from disk b to disk a [m]; @p nearest over the periodic sides, else straight.
   Place branch(std::uint32_t a, std::uint32_t b, bool nearest) const;
   /// Calls work(a, b, branch) once for every pair of disks nearer than @p reach of each other across a
   /// periodic side.

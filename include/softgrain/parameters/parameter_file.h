@@ -37,7 +37,7 @@ public:
   /// @throw InputError "FILE:LINE: …" when the file cannot be read or is not well formed.
   explicit ParameterFile(const std::string &file_name);
 
-  /// The same, but what is wrong with single lines is added to @p mistakes, and the others are read.
+  /// Reads a file of which what is wrong with single lines is added to @p mistakes, and the others are read.
   /// @throw InputError when it is unknown what they mean: a file that is missing, a section without an end
   ParameterFile(const std::string &file_name, Mistakes &mistakes);
 
@@ -75,7 +75,7 @@ public:
   void apply(dealii::ParameterHandler &prm) const;
 
   /**
-   * @brief The same, but what cannot be set is added to @p mistakes, and the rest is set.
+   * @brief Sets what can be set, and adds the rest to @p mistakes.
    * @param unknown not null: names that are not declared are no mistakes, but are noted here, as
    * "FILE:LINE: 'Section/Key' = 'value'"
    */
@@ -98,8 +98,8 @@ private:
 /// Sections within sections that a file may open; none of softgrain's goes deeper than five.
 constexpr unsigned int max_section_depth = 16;
 
-/// Without the byte-order mark that some editors write. @throw InputError when @p file_name is missing, a
-/// folder, unreadable or not text.
+/// Text of a file without the byte-order mark that some editors write. @throw InputError when @p file_name is
+/// missing, a folder, unreadable or not text.
 std::string read_text_file(const std::string &file_name);
 
 /// Files on the way from the one that is read to one that it includes, both counted.

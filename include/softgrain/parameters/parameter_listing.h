@@ -8,13 +8,13 @@
 
 namespace softgrain
 {
-/// As a parameter file, which can be read back; with meaning and range as comments, or with values alone.
+/// Prints a parameter file, which can be read back; with meaning and range as comments, or with values alone.
 void print_prm(std::ostream &out, const ParameterSection &top, bool with_documentation);
 
-/// As nested JSON objects; a parameter is an object with value, default, allowed, meaning.
+/// Prints nested JSON objects; a parameter is an object with value, default, allowed, meaning.
 void print_json(std::ostream &out, const ParameterSection &top);
 
-/// As Markdown, one table per section.
+/// Prints Markdown, one table per section.
 void print_markdown(std::ostream &out, const ParameterSection &top);
 } // namespace softgrain
 

@@ -38,7 +38,7 @@ public:
   /// The scene, not yet checked as a whole; see check_scene().
   /// @throw InputError naming section, value and what is allowed.
   Scene<2> parse_parameters(dealii::ParameterHandler &prm) const;
-  /// The same in space: what is in no Scene<3> yet is looked for by check_scene_in_space().
+  /// Parses a scene in space: what is in no Scene<3> yet is looked for by check_scene_in_space().
   Scene<3> parse_parameters_in_space(dealii::ParameterHandler &prm) const;
 
 private:

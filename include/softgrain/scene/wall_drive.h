@@ -68,7 +68,7 @@ public:
   /// Whether the pressure it asks for depends on the stress beside it.
   virtual bool looks_beside() const { return false; }
 
-  /// Of a wall that is not prescribed.
+  /// Inertia of a wall that is not prescribed.
   virtual WallInertia inertia() const { return {}; }
 
   /// Moves the wall along its tangent too, whatever moves it along its normal. @param formula of t [m/s]
@@ -77,10 +77,10 @@ public:
   /// Velocity along the tangent, mean over the step [m/s].
   double slide_velocity(const WallStep &step) const { return sliding ? (*sliding)({step.middle()}) : 0.; }
 
-  /// In its place: frees the wall to move along its tangent under a stress. @param formula of t [Pa]
+  /// Frees the wall to move along its tangent under a stress, in place of slide(). @param formula of t [Pa]
   void shear(const Expression &formula) { shearing = formula; }
   bool shears() const { return shearing.has_value(); }
-  /// Along the tangent on the length of the wall, mean over the step [Pa].
+  /// Shear stress on the length of the wall, mean over the step [Pa].
   double shear_stress(const WallStep &step) const { return shearing ? (*shearing)({step.middle()}) : 0.; }
 
 private:

@@ -38,7 +38,7 @@ public:
   /// Force at contact [N/m in 2D]: the scale of forces and of the time step.
   virtual double contact_force() const = 0;
 
-  /// F0 of the characteristic stress p_I = F0 / a0 (3.32) [N/m in 2D].
+  /// F0 of the characteristic stress p_I = F0 / a0 (@cite nguyen2016, eq. (3.32)) [N/m in 2D].
   virtual double characteristic_force() const { return contact_force(); }
 
   /**

@@ -107,7 +107,7 @@ private:
   Outlines outlines() const;
   std::vector<double> outlined_areas() const; ///< [m^2]
   void draw_outlines(Outlines &result) const;
-  /// Where each rank has some primaries: draws those of some bodies. @return which
+  /// Draws the outlines of some bodies where each rank has some primaries. @return which
   std::vector<std::size_t> draw_own_outlines(Outlines &result) const;
   void refresh_solid_area() const;
   /// Writes numbers of all primaries; @p values has those of the primaries here.

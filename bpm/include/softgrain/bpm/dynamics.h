@@ -34,7 +34,7 @@ namespace softgrain::bpm
 struct DynamicsSettings
 {
   ContactPairs pairs;                  ///< friction and adhesion of primaries of different bodies and walls
-  double rolling_resistance = 0;       ///< mu_r of (2.12), primaries of different bodies and walls
+  double rolling_resistance = 0;       ///< mu_r of @cite nguyen2016, eq. (2.12): different bodies, walls
   double inner_rolling_resistance = 0; ///< mu_r between primaries of one body
   double restitution = 0;              ///< normal, of every contact
   double gap_correction = 1;           ///< share of an overlap that is pushed out in a step
@@ -91,7 +91,7 @@ struct DynamicsReport
 };
 
 /**
- * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction (3.1), contacts (Signorini, Coulomb), walls.
+ * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction, contacts (Signorini, Coulomb), walls.
  *
  * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
  * the velocities after contact; forces and contacts for the new places. In a cell that repeats, places are
@@ -199,7 +199,7 @@ public:
   /// Energy of the attractions, zero when all pairs are out of range [J/m].
   double attraction_energy() const { return stored_energy; }
   double kinetic_energy() const { return share ? totals.kinetic : sum_motion().kinetic; }
-  /// Of primaries that are not fixed [kg/s].
+  /// Momentum of the primaries that are not fixed [kg/s].
   dealii::Tensor<1, 2> momentum() const { return share ? totals.momentum : sum_motion().momentum; }
   /// Sum of mass times speed of all primaries [kg/s].
   double moving() const { return share ? totals.moving : sum_motion().moving; }
@@ -210,8 +210,8 @@ public:
   /// Deepest overlap of the present places [m].
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
-  /// The same with bodies and place; of @p bodies_apart only between different bodies, and with walls and
-  /// obstacles. All ranks together.
+  /// The deepest overlap with its bodies and its place, of all ranks together. With @p bodies_apart it is
+  /// that between different bodies, and with walls and obstacles.
   Overlap deepest_overlap(bool bodies_apart = false) const;
 
   /// Memories of the contacts between bodies and with walls.
@@ -286,7 +286,7 @@ private:
   struct WallGuests
   {
     std::vector<AtWall> at_walls;
-    /// Of every other rank: its own primaries at walls, and its copies of some; by their places here.
+    /// What every other rank has, by places here: its own primaries at walls, and its copies of some.
     std::map<unsigned int, std::vector<std::uint32_t>> own, copies;
   };
   void take_guests(unsigned int rank, const std::vector<double> &list, WallGuests &guests);
@@ -308,14 +308,14 @@ private:
   contact::PairMemory::Impulses
   remembered_at(std::uint32_t surface, std::uint32_t primary, std::uint32_t first, std::uint32_t end) const;
   void drive_obstacles(std::size_t n_walls);
-  /// Of the place of an obstacle that row @p row touches, in the step to come [m/s].
+  /// Velocity in the step to come of the place of an obstacle that row @p row touches [m/s].
   dealii::Tensor<1, 2> obstacle_velocity(std::size_t row) const;
   void move_obstacles(double dt, DynamicsReport &report);
   bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
   void see_cell(const std::vector<Wall> &walls);
   contact::ImageLattice lattice() const;
   void find_centers();
-  /// In a cell: from the centre of the body of @p b, or its image, to that of @p a; zero in a body [m].
+  /// Branch in a cell: from the centre of the body of @p b, or its image, to that of @p a; 0 in a body [m].
   dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell<2>::Image &image) const;
   void prepare_cell(double dt, const std::vector<Wall> &walls);
   void load_cell(double dt, std::vector<Wall> &walls) const;

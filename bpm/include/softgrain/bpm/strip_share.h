@@ -67,21 +67,21 @@ public:
   /// The rank whose strips come before those of @p rank; none where nothing comes before.
   unsigned int before(unsigned int rank) const;
 
-  /// Of both colours, the end of the tiles of every rank.
+  /// End of the tiles of every rank, for both colours.
   const std::vector<std::vector<std::uint32_t>> &end_of_tiles() const { return tile_end; }
   /// Tiles of @p colour of @p rank: first and end.
   std::pair<std::uint32_t, std::uint32_t> tiles(unsigned int colour, unsigned int rank) const;
 
   /// Numbers of all primaries on the first rank, @p n of each, by number; nothing on others.
   std::vector<double> at_first(const double *values, unsigned int n, const Primaries &disks) const;
-  /// Of numbers of tiles, in the order of the tiles here, of which @p n_first belong to the first colour:
-  /// those of all tiles on the first rank.
+  /// Numbers of all tiles on the first rank, made of @p values of the tiles here in their order, of which
+  /// @p n_first belong to the first colour.
   std::vector<double> tiles_at_first(const std::vector<double> &values, std::size_t n_first) const;
 
-  /// @name For files: all together bring rows of a list of all, from @p begin to @p end, to the first rank.
+  /// @name Files: all ranks together bring rows of a list of all, from @p begin to @p end, to the first rank.
   ///@{
 
-  /// Of @p n numbers of every primary, by number; @p values are those here.
+  /// Brings @p n numbers of every primary, by number; @p values are those here.
   void bring_rows(const double *values,
                   std::size_t n,
                   const Primaries &disks,
@@ -111,9 +111,9 @@ public:
       }
     }
   };
-  /// For @p n rows in the order of the tiles here, of which @p n_first belong to the first colour.
+  /// Places in the list of all of @p n rows here, ordered by tiles; @p n_first have the first colour.
   TileRows rows_of_tiles(std::size_t n_first, std::size_t n) const;
-  /// Of @p width numbers in each of these rows.
+  /// Brings @p width numbers of each of these rows.
   void bring_tiles(const std::vector<double> &values,
                    std::size_t width,
                    const TileRows &tiles,

@@ -90,7 +90,7 @@ struct Body
   BodyField<dim> field;
   std::shared_ptr<const CellLevels<dim>> levels; ///< sizes of its cells; none: as the lattice has them
 
-  Eigen::VectorXd mass;               ///< per independent node, lumped (3.10) [kg]
+  Eigen::VectorXd mass;               ///< per independent node, lumped (@cite nguyen2016, eq. (3.10)) [kg]
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
   Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
   Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]; likewise
@@ -105,7 +105,7 @@ struct Body
   bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
   /// Momentum of the nodal field, zero where it has no velocity [kg m/s].
   dealii::Tensor<1, dim> momentum() const;
-  /// Of its mass [m].
+  /// Centre of mass [m].
   dealii::Point<dim> center() const;
   double kinetic_energy() const;
   /// Takes it along as a whole, but for its boundary [m].

@@ -49,8 +49,8 @@ void start_body(Body<2> &body, const BodyDescription<2> &description, const Buil
 BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context);
 
 /**
- * @brief Lays the grid under the points of a body, sorted before: numbering, shape values, lumped mass (3.10)
- * and what the points bring to the nodes (3.13).
+ * @brief Lays the grid under the points of a body, sorted before: numbering, shape values, lumped mass and
+ * what the points bring to the nodes (@cite nguyen2016, eqs. (3.10) and (3.13)).
  */
 void lay_grid(Body<2> &body, const BuildContext &context);
 

@@ -36,7 +36,7 @@ public:
   bool holds(const unsigned int b) const { return ranks.alone() || lies_here[b] != 0; }
   unsigned int owner(const unsigned int b) const { return ranks.alone() ? 0 : owner_of[b]; }
 
-  /// From now on these ranks own the bodies. @param held of every body, whether its points lie here
+  /// Gives the bodies to these ranks from now on. @param held of every body, whether its points lie here
   void give(std::vector<unsigned int> owners, std::vector<char> held)
   {
     owner_of = std::move(owners);
@@ -51,7 +51,7 @@ public:
     ranks.together([&]() { for_mine_here(bodies, work); });
   }
 
-  /// The same without waiting for other ranks, as a part of what is done together().
+  /// Works on the bodies of this rank without waiting for others, as a part of what is done together().
   template <class Bodies, class Work>
   void for_mine_here(Bodies &bodies, const Work &work) const
   {
@@ -94,7 +94,7 @@ public:
     together([&]() { for_mine_here(bodies, work); }, fill);
   }
 
-  /// The same of any work, see Ranks::together().
+  /// Does any work together, see Ranks::together().
   template <class Work, class Fill>
   void together(const Work &work, const Fill &fill) const
   {

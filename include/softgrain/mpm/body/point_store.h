@@ -33,7 +33,7 @@ public:
   using Index = typename Lattice<dim>::Index;
   using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-  /// Before there are points, cover() is to be called.
+  /// A store without points; cover() is to be called before there are any.
   PointStore(const Lattice<dim> &lattice, const PointLayout<dim> &layout);
   PointStore(const PointStore &) = delete;
   PointStore &operator=(const PointStore &) = delete;
@@ -73,7 +73,7 @@ public:
    */
   void sort();
 
-  /// Of every body, the sizes of its cells; null: as the lattice has them.
+  /// Sizes of the cells of every body; null: as the lattice has them.
   using LevelsOfBodies = std::vector<const CellLevels<dim> *>;
 
   /// Handles of the points of every body, by cell in the order of the lattice, in a cell by id.

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// When the grid was laid [m].
+  /// Place when the grid was laid [m].
   const dealii::Point<dim> &position() const { return pool->get_location(handle); }
   void move_to(const dealii::Point<dim> &x) { pool->set_location(handle, x); }
 
@@ -52,7 +52,7 @@ public:
   }
   dealii::SymmetricTensor<2, dim> &stress() { return at<dealii::SymmetricTensor<2, dim>>(PointSlot::stress); }
 
-  /// Only where the layout has it, like those that follow.
+  /// Volume; it is there only where the layout has it, like those that follow.
   double volume() const { return at<double>(PointSlot::volume); }
   double &volume() { return at<double>(PointSlot::volume); }
   const dealii::Tensor<2, dim> &affine() const { return at<dealii::Tensor<2, dim>>(PointSlot::affine); }

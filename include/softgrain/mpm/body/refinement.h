@@ -11,7 +11,7 @@
 
 namespace softgrain::mpm
 {
-/// Of every body of a scene, the sizes of its cells; null: as the lattice has them.
+/// Sizes of the cells of every body of a scene; null: as the lattice has them.
 using LevelsOfScene = std::vector<std::shared_ptr<const CellLevels<2>>>;
 
 /// Whether a scene has contacts near which cells can be refined. @throw InputError when it does not

@@ -12,9 +12,9 @@ namespace softgrain::mpm
 /// Vector z over the dofs of a body whose product with a nodal velocity is the mean angular velocity [1/s] of
 /// the whole body, mass by mass; force z times a torque turns the body and does nothing else.
 Eigen::VectorXd whole_rotation(const Body<2> &body);
-/// The same where the nodes have moved on by @p way [m], over the rotary inertia before they did: its product
-/// with the change of nodal velocities is that of the angular momentum about the place on the way, over that
-/// inertia.
+/// Whole rotation where the nodes have moved on by @p way [m], over the rotary inertia before they did: its
+/// product with the change of nodal velocities is that of the angular momentum about the place on the way,
+/// over that inertia.
 Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way);
 
 /// Rotary inertia of a body about its centre of mass, of its whole_rotation() @p r [kg m^2/m].

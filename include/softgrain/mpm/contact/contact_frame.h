@@ -45,7 +45,7 @@ struct ContactFrame
   dealii::Tensor<1, dim> direction;                   ///< unit, from the partner to the body
   std::array<dealii::Tensor<1, dim>, dim - 1> across; ///< unit
   double spacing = 0;                                 ///< of the lattice [m]
-  /// Of the places where body and partner touch first, see SubgridCompliance::log_full_width().
+  /// SubgridCompliance::log_full_width() at the places where body and partner touch first.
   std::array<double, 2> log_full_width = {{0., 0.}};
 
   struct RayPlace

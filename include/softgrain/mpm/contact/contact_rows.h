@@ -43,10 +43,10 @@ struct ContactRow
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
   double adhesion = 0; ///< strength of the pair [N/m^2]
-  /// Of its place on the body and on the partner, see SubgridCompliance::log_full_width().
+  /// Width of the grid at the places on the body and on the partner, see SubgridCompliance::log_full_width().
   std::array<double, 2> log_full_width = {{0., 0.}};
   bool dented = true; ///< whether the law of dents that the grid misses holds for it
-  /// Of the gap from where the row is to the ends of its length, where it adheres [m].
+  /// Change of the gap from where the row is to the ends of its length, where it adheres [m].
   std::array<double, 2> lift = {{0., 0.}};
   /// How much a change of its force in a step closes its gap and lets its places slide, beside what the
   /// bodies yield [m^2/N].
@@ -58,16 +58,16 @@ struct ContactRow
       slide;             ///< of the places of the pair; null where they stay on the body
   double slope = 0;      ///< of the gap along the outline, per marker [m]
   std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
-  /// In a cell that repeats: to the centre of the body from that of the image it meets, or from the wall, at
-  /// the start of the step; the cell moves them apart at gradient * branch [m].
+  /// Branch in a cell that repeats: to the centre of the body from that of the image it meets, or from the
+  /// wall, at the start of the step; the cell moves them apart at gradient * branch [m].
   dealii::Tensor<1, dim> branch;
-  /// Of the partner, that the body meets, as if no body had been brought into the cell.
+  /// Image of the partner that the body meets, as if no body had been brought into the cell.
   typename PeriodicCell<dim>::Image image{};
   /// Copy of the cell that the body would be in, as if no body had been brought into the cell: `place` is
   /// where it is in the cell itself.
   typename PeriodicCell<dim>::Image fold{};
 
-  /// Of the sum of all that an impulse in this component does to the body; the partner feels the opposite.
+  /// Direction of all that an impulse in this component does to the body; the partner feels the opposite.
   dealii::Tensor<1, dim> resultant(const unsigned int component) const
   {
     if (component == 0 && slide != nullptr)

@@ -38,7 +38,7 @@ struct FreeWay
           double limit,
           double stiffness);
 
-  /// By which the partner, or the wall, and the body of a frame move per unit of the way.
+  /// Ways of the partner, or the wall, and of the body of a frame per unit of the way.
   std::array<Vector, 2> moves(const FrameScene<dim> &scene, const FrameState<dim> &frame) const;
 
   /// Whether it moves bodies, or what they have outlines with, and not a plane alone.

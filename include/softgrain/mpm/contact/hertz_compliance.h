@@ -31,8 +31,8 @@ struct HertzCompliance
                         const dealii::Tensor<1, 3> &normal) const;
 
   using Dent = HertzDent;
-  /// Of the contact of @p body with @p partner, or with a rigid plane when that is null; @p log_full_width of
-  /// both where they touch.
+  /// Dent of the contact of @p body with @p partner, or with a rigid plane when that is null;
+  /// @p log_full_width of both where they touch.
   Dent dent(const Body<3> &body, const Body<3> *partner, const std::array<double, 2> &log_full_width) const;
 
   /// Approach per force that the grid misses under @p force [m/N].

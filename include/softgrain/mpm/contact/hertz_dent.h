@@ -5,8 +5,8 @@
 namespace softgrain::mpm
 {
 /**
- * @brief By how much a round body comes nearer to a wall than its grid says: the dent of a contact that is
- * narrower than a cell.
+ * @brief The dent of a contact that is narrower than a cell: how much nearer a round body comes to a wall
+ * than its grid says.
  *
  * Hertz's contact of radius a = (3 F R / 4 E*)^(1/3) gives way by a²/R. A grid with cells of edge h spreads
  * the force over about a cell, and shows β F / (E* h) of that. What is left is

@@ -18,8 +18,8 @@ NodeWeights blend(const NodeWeightsView &a, const NodeWeightsView &b, double sha
 /// What nodes of @p body have to do with the place @p share of the way from a marker to the next.
 NodeWeights weights_on_outline(const Body<2> &body, unsigned int marker, double share);
 
-/// Of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go far and move
-/// nothing.
+/// Largest way of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go
+/// far and move nothing.
 double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
 
 /**
@@ -45,7 +45,7 @@ public:
   /// What tells whether anything may meet it: of a boundary that another rank has moved.
   using Sketch = std::array<double, 13>;
   Sketch sketch() const;
-  /// Without markers, as its sketch has it.
+  /// A boundary without markers, as its sketch has it.
   MovedBoundary(const Body<2> &body, const Sketch &sketch);
   bool has_markers() const { return !position.empty(); }
   /// Gives such a one its markers, which go as the rank that has moved it tells: two numbers each [m].
@@ -81,7 +81,7 @@ public:
   /// What nodes have to do with it; empty for a driven body.
   NodeWeights weights(unsigned int m, double share) const;
   NodeWeights weights(double parameter) const;
-  /// Its position alone [m].
+  /// Position at a parameter, alone [m].
   Point position_at(double parameter) const;
   /// Where the ray from the centre along @p direction leaves a smooth boundary; its parameter.
   double facing(const Vector &direction) const;
@@ -115,7 +115,7 @@ public:
 
   /// Whether a point is inside of the outline, by the number of edges that a ray from it crosses.
   bool encloses(const Point &x) const;
-  /// From the plane through @p point with unit @p normal to the nearest marker, along the normal [m].
+  /// Distance of the nearest marker from the plane through @p point with unit @p normal, along that [m].
   double distance_from(const Point &point, const Vector &normal) const;
 
   /// Whether places that look for contact may stand in space: round, smooth, and ContactScene::free_places.

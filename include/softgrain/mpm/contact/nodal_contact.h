@@ -8,7 +8,7 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The multi-mesh contact of the thesis: rows at the lattice nodes that two bodies share (3.23)-(3.26).
+ * @brief Multi-mesh contact, @cite nguyen2016, eqs. (3.23)-(3.26): rows at lattice nodes that bodies share.
  *
  * The normal comes from the mass gradients of both bodies; where three and more bodies meet, every pair has
  * its row. A body that lies all around a node has no gradient there: the normal is then that of the other

@@ -25,7 +25,7 @@ public:
   {
     return way.at(share).placed(place.position);
   }
-  /// Over the step [m].
+  /// Way of a place over the step [m].
   dealii::Tensor<1, 2> way_of(const SurfacePlace<2> &place) const
   {
     return way.end.placed(place.position) - way.start.placed(place.position);

@@ -13,8 +13,8 @@ namespace softgrain::mpm
 /// in between: half of the material of a strip or a ring.
 constexpr double largest_way_in_widths = 0.25;
 
-/// Of a body where it is narrowest, as it is now: the diameter of a disk, twice the width of a strip or of
-/// the material of a ring [m].
+/// Width of a body where it is narrowest, as it is now: the diameter of a disk, twice the width of a strip or
+/// of the material of a ring [m].
 double width_of(const Body<2> &body);
 
 /// Two that meet: a body and another, a wall or an obstacle.

@@ -22,7 +22,7 @@ struct Opening
   bool opens = false; ///< else a gap that is closed stays as it is
   double length = 0;  ///< 0: always at once [m]
 
-  /// Of a closed gap of @p body, that opens in a step of @p dt [s]; c = sqrt(E/rho).
+  /// Share of a closed gap of @p body that opens in a step of @p dt [s]; c = sqrt(E/rho).
   double share(const Body<2> &body, double dt) const;
 };
 

@@ -15,7 +15,7 @@ namespace softgrain::mpm
  */
 MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scene);
 
-/// The same where there is one rank, or where each has all that it needs.
+/// Moves outlines where there is one rank, or where each has all that it needs.
 MovedOutlines move_outlines(const ContactScene<2> &scene);
 } // namespace softgrain::mpm
 

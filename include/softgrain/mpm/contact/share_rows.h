@@ -30,7 +30,7 @@ void share_rows(const BodyShare &share,
                 const RowParts &told,
                 std::vector<ContactRow<2>> &rows);
 
-/// The same where only the gaps matter.
+/// Shares rows where only their gaps matter.
 GapsByRow share_gaps_where_found(const BodyShare &share,
                                  std::size_t n_bodies,
                                  const std::function<void()> &find,

@@ -49,8 +49,8 @@ struct SubgridCompliance
     double compliance = 0.; ///< C [m^2/N]; 0: nothing is missed
     double full_force = 0.; ///< from which on the grid sees the whole dent [N/m]
   };
-  /// Of the contact of @p body with @p partner, or with a rigid plane when that is null; @p log_full_width of
-  /// both where they touch.
+  /// Dent of the contact of @p body with @p partner, or with a rigid plane when that is null;
+  /// @p log_full_width of both where they touch.
   Dent dent(const Body<2> &body, const Body<2> *partner, const std::array<double, 2> &log_full_width) const;
 
   /// Approach per force that the grid misses under @p force [N/m]; [m^2/N]

@@ -138,7 +138,7 @@ public:
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.
   NodeWeights weights_at(const dealii::Point<dim> &x) const;
-  /// The same with slopes.
+  /// Functions at a place with their slopes.
   PlaceFunctions<dim> functions_at(const dealii::Point<dim> &x) const;
 
   /// Independent nodes that the nodes of cell @p c depend on, and the matrix (nodes_per_cell x that many)
@@ -209,7 +209,7 @@ private:
   const Lattice<dim> *lattice = nullptr;
   const ShapeFunction *shape = nullptr;
   const CellLevels<dim> *levels = nullptr;
-  /// Of every node that lies on a face of a larger cell and is none of its nodes: what it hangs on.
+  /// What a node hangs on, for every node that lies on a face of a larger cell and is none of its nodes.
   std::vector<Entries> hanging;
   std::shared_ptr<const CellFunctions<dim>> functions;
   unsigned int n_cell_nodes = 0;

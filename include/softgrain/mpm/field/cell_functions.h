@@ -45,11 +45,11 @@ public:
                 std::vector<double> &values,
                 std::vector<dealii::Tensor<1, dim>> &slopes) const;
 
-  /// For every direction the functions of one dimension, their first and their second derivatives [per cell
-  /// edge, and squared]; the functions of the cell and their derivatives are products of these.
+  /// Functions of one dimension for every direction, with their first and second derivatives [per cell edge,
+  /// and squared]; the functions of the cell and their derivatives are products of these.
   using Factors = std::array<std::array<ShapeFunction::Values, 3>, dim>;
-  /// At a place without extent. A kink of the functions has no second derivative: there it is that of one
-  /// side. Nothing is allocated.
+  /// Factors at a place without extent. A kink of the functions has no second derivative: there it is that of
+  /// one side. Nothing is allocated.
   Factors factors(const dealii::Point<dim> &unit) const;
 
   /// Nodes that the points of a cell always reach and that carry its polynomial; GIMP's outer ring is reached
@@ -65,7 +65,7 @@ private:
   std::vector<Offset> offsets;
   std::vector<unsigned int> core_nodes;
   std::optional<dealii::TensorProductPolynomials<dim>> products;
-  /// Of the polynomials, from the constant on; none where functions are no polynomials.
+  /// Coefficients of the polynomials, from the constant on; none where functions are no polynomials.
   std::vector<std::array<double, ShapeFunction::max_nodes>> coefficients;
   std::vector<ShapeFunction::Polynomial>
       extrapolation; ///< of the core nodes in one direction, over their numbers

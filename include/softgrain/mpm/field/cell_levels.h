@@ -45,7 +45,7 @@ public:
   unsigned int level(const Index &c) const;
   /// Cells of the lattice along its edge.
   int edge(const Index &c) const { return 1 << level(c); }
-  /// Its first cell of the lattice.
+  /// The first cell of the lattice in cell @p c.
   Index first(const Index &c) const;
 
 private:

@@ -40,7 +40,7 @@ public:
       result += direction[d] * slope[d];
     return result;
   }
-  /// Its second change, along @p one and @p other [per m^2].
+  /// Second change of the field along @p one and @p other [per m^2].
   Vector along(const Vector &one, const Vector &other) const
   {
     Vector result;

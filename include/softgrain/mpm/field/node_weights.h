@@ -25,7 +25,7 @@ struct NodeWeights
   }
 };
 
-/// The same, kept elsewhere.
+/// Weights of nodes that are kept elsewhere.
 struct NodeWeightsView
 {
   const unsigned int *node;

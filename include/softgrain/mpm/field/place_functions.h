@@ -24,7 +24,7 @@ struct PlaceFunctions
 {
   using Vector = dealii::Tensor<1, dim>;
 
-  /// As many as most places have without an allocation.
+  /// A list with room for as many as most places have, without an allocation.
   template <class T>
   using List = boost::container::small_vector<T, dim == 2 ? 16 : 36>;
 

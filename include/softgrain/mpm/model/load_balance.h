@@ -20,7 +20,7 @@ public:
   /// @param weights what bodies are thought to cost before anything is measured, in any unit
   void start(std::vector<double> weights) { costs = std::move(weights); }
 
-  /// To be called by all ranks between steps. @return whether it has measured, and found work uneven
+  /// Measures the work; all ranks call it between steps. @return whether it has, and found work uneven
   bool uneven(const Ranks &ranks);
 
   /// Work of the busiest rank over the mean, of late.

@@ -66,7 +66,7 @@ public:
 
   const std::vector<Body<2>> &bodies() const { return state.bodies; }
 
-  /// Between steps: gives every body to a rank, with its points and all else that its owner alone has. No
+  /// Gives every body to a rank between steps, with its points and all else that its owner alone has. No
   /// result depends on it. All ranks call it with the same @p owners.
   void move_bodies(std::vector<unsigned int> owners);
 
@@ -75,12 +75,12 @@ private:
   bool laws_limit_step() const;
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
   StepReport try_steps(double dt_limit);
-  /// Its name, place and speed, for messages.
+  /// Name, place and speed of the fastest body, for messages.
   std::string fastest_body() const;
-  /// Without inertia a step goes on in held steps, and one that ends early is to leave nothing behind.
+  /// Whether steps keep the state before them: held steps may end early, and leave nothing behind then.
   bool keeps_state_before_step() const { return !problem.settings.scheme.inertia; }
   void renew_grids();
-  /// Of the grids of all bodies, see grid_distortion(); only where it is asked for.
+  /// Distortions of the grids of all bodies, see grid_distortion(); found only where they are asked for.
   std::vector<double> grid_distortions() const;
   /// Makes the mesh where points of this rank may be.
   void cover_points();
@@ -88,18 +88,18 @@ private:
   void fill_bodies(const std::vector<BodyDescription<2>> &descriptions);
   /// Gives every body to a rank, as long as there is more than one.
   void share_out_bodies(const std::vector<BodyDescription<2>> &descriptions);
-  /// Of every body, whether its points lie here when these ranks own the bodies.
+  /// Whether the points of every body lie here when these ranks own the bodies.
   std::vector<char> held_here(const std::vector<unsigned int> &owners) const;
-  /// After bodies have moved: @p points are those of this rank, as save_points() writes them.
+  /// Takes points of bodies that have moved: @p points are those of this rank, as save_points() writes them.
   void take_moved(const StateReader &points, const std::vector<char> &comes, const std::vector<char> &goes);
-  /// Of a body whose points have gone to another rank, keeps what all ranks know.
+  /// Keeps what all ranks know of a body whose points have gone to another one.
   void keep_outline(Body<2> &body);
   /// Matrix and solver of a body of this rank, where steps need them.
   void prepare_solver(const Body<2> &body);
   std::vector<unsigned int> all_bodies() const;
   /// Moves the points of these bodies along with their grids and lays new ones.
   void lay_grids_anew(const std::vector<unsigned int> &bodies);
-  /// After grids were laid: tells other ranks what belongs to nodes and outlines.
+  /// Tells other ranks what belongs to nodes and outlines, after grids were laid.
   void share_grids(const std::vector<unsigned int> &of_bodies);
   void share_trial_volumes(const std::vector<unsigned int> &of_bodies);
   /// What a checkpoint holds; @p of_all: of the points of all ranks, to be called by all, else of those here.

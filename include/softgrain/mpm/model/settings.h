@@ -58,8 +58,8 @@ struct Settings
   double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
   double wall_way = 0.;      ///< of the fastest wall in a step [cells]; 0: steps do not depend on walls
 
-  double displacement_tolerance = 1e-5; ///< epsilon_1 of (3.22)
-  double energy_tolerance = 1e-8;       ///< epsilon_2 of (3.22)
+  double displacement_tolerance = 1e-5; ///< epsilon_1 of @cite nguyen2016, eq. (3.22)
+  double energy_tolerance = 1e-8;       ///< epsilon_2 of @cite nguyen2016, eq. (3.22)
   double residual_tolerance = 1e-5;
   unsigned int max_newton = 25;
   double max_strain = 0.3; ///< of any material point in one implicit step

@@ -61,8 +61,8 @@ struct State
   std::vector<ContactFrame<2>> frames; ///< of the last step, where contact is found by rays
   /// `quasi_static`: what resisted the motion of each body at the end of the last step [N/m].
   std::vector<dealii::Tensor<1, 2>> resistance;
-  /// The same where contact is found by rays, summed over the nodes without regard to direction: a body that
-  /// is not held back has none, whatever holds it against turning or changing its shape [N/m].
+  /// What holds back each body where rays find contact, summed over nodes without regard to direction: none
+  /// where a body is not held back, whatever holds it against turning or changing its shape [N/m].
   std::vector<double> held_back;
   Adhesion adhesion;
   Balance balance;

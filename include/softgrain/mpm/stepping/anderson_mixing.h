@@ -27,7 +27,7 @@ public:
 
   /// The x to go on with, from the last @p x and its @p g.
   Eigen::VectorXd next(const Eigen::VectorXd &x, const Eigen::VectorXd &g);
-  /// The same for vectors in parts.
+  /// The next iterate for vectors in parts.
   std::vector<Eigen::VectorXd> next(const std::vector<Eigen::VectorXd> &x,
                                     const std::vector<Eigen::VectorXd> &g);
 

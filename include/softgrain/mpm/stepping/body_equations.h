@@ -33,7 +33,7 @@ public:
   virtual std::string why_not() const = 0;
   /// Impulse that is missing for balance without contact, as last evaluated [N s/m^(3-dim)].
   virtual const Eigen::VectorXd &missing(unsigned int b) const = 0;
-  /// By what the unbalanced impulse of a body may be off by rounding, as last evaluated.
+  /// Size of what the unbalanced impulse of a body may be off by rounding, as last evaluated.
   /// @param contact norm of the impulses of contacts on its nodes
   virtual double rounding(const Body<dim> &body, double contact) const = 0;
   /// Fills the matrix A of one body as its forces have it, nothing held stable.

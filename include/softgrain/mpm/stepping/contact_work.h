@@ -32,7 +32,7 @@ public:
   double acting(unsigned int row, unsigned int component) const;
   /// How fast the body parts from what it meets, the motion of walls, obstacles and the cell counted [m/s].
   double parting(unsigned int row, unsigned int component) const;
-  /// Of adhesion, which pulls what comes nearer; part of what the row does [J/m].
+  /// Work of adhesion, which pulls what comes nearer; part of what the row does [J/m].
   double adhesion_work(unsigned int row) const;
 
   /// Energy that contact gives the bodies, beyond what walls, obstacles and adhesion do on them.
@@ -69,7 +69,7 @@ std::string why_contact_gives(const Problem &problem,
                               const Workspace &work,
                               const ContactWork &contact,
                               const std::vector<Eigen::VectorXd> &increment);
-/// The same of the present rows, whose bodies have moved by @p increment in @p dt [m], [s].
+/// Why the present rows give energy, whose bodies have moved by @p increment in @p dt [m], [s].
 std::string why_contact_gives(const Problem &problem,
                               const State &state,
                               const Workspace &work,

@@ -19,8 +19,8 @@ bool external_force(const Body<dim> &body,
                     double time,
                     Eigen::VectorXd &force);
 
-/// The same of all bodies that are not driven, on all ranks; empty vectors where there is none. Loads of
-/// gravity are computed by all alike, those of a body's own by its rank.
+/// External forces on all bodies that are not driven, on all ranks; empty vectors where there is none. Loads
+/// of gravity are computed by all alike, those of a body's own by its rank.
 std::vector<Eigen::VectorXd> external_forces(const std::vector<Body<2>> &bodies,
                                              const BodyShare &share,
                                              const dealii::Tensor<1, 2> &gravity,

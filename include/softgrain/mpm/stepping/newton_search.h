@@ -22,7 +22,7 @@ public:
   std::string go(Vectors &trial, const Vectors &direction, const StepEquations::Slope &slope, bool first);
 
   /// Whether the step is found with the end velocities last evaluated: in balance, and the last direction
-  /// short (3.22).
+  /// short (@cite nguyen2016, eq. (3.22)).
   bool converged() const;
 
   /// Whether the factors of the last direction are good enough for the next one.
@@ -30,15 +30,15 @@ public:
 
 private:
   bool still_goes_down(const Vectors &direction, double work_at_start) const;
-  /// When no way along @p direction leaves less: back to where it began. @return why the search ends there,
-  /// empty when what is left is rounding
+  /// Goes back to where the search began when no way along @p direction leaves less. @return why the search
+  /// ends there, empty when what is left is rounding
   std::string end_of_search(Vectors &trial, const Vectors &direction, double least);
 
   const Problem &problem;
   const State &state;
   const Workspace &work;
   StepEquations &equations;
-  /// Of the bodies of this rank, where the last search began; kept, for fresh memory is dear.
+  /// Velocities of bodies of this rank where the last search began; kept, for fresh memory is dear.
   Vectors x, from;
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
   bool stands_still = false; ///< the last direction left nearly as much as there was

@@ -14,7 +14,7 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
 /// Writes into @p motion where free walls go under the present impulses.
 void follow_free_walls(const Problem &problem, const Workspace &work, std::vector<WallMotion<2>> &motion);
 
-/// The same when the step is found; slabs go with their walls.
+/// Settles the free walls when the step is found; slabs go with their walls.
 void settle_free_walls(const Problem &problem,
                        const State &state,
                        Workspace &work,

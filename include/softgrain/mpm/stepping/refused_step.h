@@ -41,9 +41,9 @@ class SharedOutcomes
 {
 public:
   SharedOutcomes(const BodyShare &share, std::vector<StressOutcome> &stress) : share(share), stress(stress) {}
-  /// When this rank's are there.
+  /// Adds the outcomes of this rank, when they are there.
   void add_to(BodyShare::Message &message);
-  /// After the exchange.
+  /// Takes the outcomes of all ranks, after the exchange.
   void take();
 
 private:

@@ -58,7 +58,7 @@ public:
   void resist_more(double factor) override;
   void solve_free(unsigned int b, Eigen::VectorXd &x) const override;
 
-  /// As State::held_back [N].
+  /// What holds back a body, as State::held_back [N].
   double held_back(unsigned int b) const;
   /// Work that what resists takes from a body in the step as last evaluated [J].
   double regularisation_work(unsigned int b) const;

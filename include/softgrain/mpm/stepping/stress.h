@@ -29,9 +29,9 @@ struct StressOutcome
 /// What evaluate_stress() is to do beside the stress.
 struct Trial
 {
-  double half_dt =
-      0; ///< dt/2 when volumes of small-strain laws follow (3.17) within the step, 0: they stay [s]
-  bool tangent = false;  ///< add_stiffness() is to follow
+  double half_dt = 0;   ///< dt/2 when volumes of small-strain laws follow @cite nguyen2016, eq. (3.17) within
+                        ///< the step, 0: they stay [s]
+  bool tangent = false; ///< add_stiffness() is to follow
   double max_strain = 0; ///< largest strain of any point over the step, see leaps(); 0: any
   double dt = 0;         ///< time that passes for the law, 0 where bodies only come to balance [s]
   double time = 0;       ///< at the end of the step [s]
@@ -60,7 +60,7 @@ struct PointMeasures
 {
   double energy = 0;                       ///< stored in all points [J/m]
   std::vector<double> out_of_plane_stress; ///< per point, as the law returns it [Pa]
-  /// Per point F as the stress sees it: with F-bar its dilatation is mostly that of the cell.
+  /// F of every point as the stress sees it: with F-bar its dilatation is mostly that of the cell.
   std::vector<dealii::Tensor<2, dim>> gradient;
 };
 
@@ -73,7 +73,7 @@ template <int dim>
 PointMeasures<dim>
 measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const Eigen::VectorXd &increment);
 
-/// Internal force (3.11) on the independent nodes for the stress last evaluated [N].
+/// Internal force (@cite nguyen2016, eq. (3.11)) on the independent nodes for the stress last evaluated [N].
 template <int dim>
 void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &force);
 } // namespace softgrain::mpm
