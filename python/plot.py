@@ -4,11 +4,10 @@
 
 import argparse
 import os
-import sys
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
+from needed import packages_of
+
+with packages_of("plot"):
     import matplotlib.pyplot as plt
     import numpy as np
     from softgrain import InputError, Run, fits, split_unit
@@ -18,10 +17,6 @@ try:
     from softgrain.drawing import STYLE
     from softgrain.options import add_shared, check_labels
     from softgrain.theory import THEORIES
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"plot: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
 
 THEORY_DASHES = {"hertz": (0, (6, 2)), "johnson": (0, (1.5, 1.5))}
 

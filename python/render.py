@@ -4,22 +4,17 @@
 
 import argparse
 import os
-import sys
 from dataclasses import fields
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
+from needed import packages_of
+
+with packages_of("render"):
     from softgrain import InputError, Run
     from softgrain.command import Parser, run_tool
     from softgrain import film
     from softgrain.colouring import columns_of
     from softgrain.options import add_shared, between
     from softgrain.picture import Options, picture_of
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"render: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
 
 
 def parse_arguments():

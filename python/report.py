@@ -4,20 +4,15 @@
 
 import argparse
 import os
-import sys
 from dataclasses import fields
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
+from needed import packages_of
+
+with packages_of("report"):
     from softgrain import InputError, Run
     from softgrain.command import Parser, run_tool
     from softgrain.options import add_shared, between, check_labels
     from softgrain.report import Choices, report
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"report: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
 
 
 def parse_arguments():

@@ -6,9 +6,9 @@ import argparse
 import os
 import sys
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
+from needed import packages_of
+
+with packages_of("study"):
     from softgrain import InputError
     from softgrain.command import Parser, run_tool, save_figure
     from softgrain.runner import heeding_signals
@@ -16,10 +16,6 @@ try:
     from softgrain.study_page import study_page
     from softgrain.study_picture import draw_study
     from softgrain.study_text import print_findings
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"study: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
 
 INTERRUPTED, FAILED = 3, 1
 

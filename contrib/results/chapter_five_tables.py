@@ -16,7 +16,7 @@ from running import PYTHON, softgrain
 
 sys.path.insert(0, str(PYTHON))
 from softgrain.contacts import NONE  # noqa: E402
-from figures_paths import STEADY, constants_of, groups_of, line, not_fitted, read_path, stages_of  # noqa: E402
+from softgrain.figures.paths import STEADY, constants_of, groups_of, line, not_fitted, read_path, stages_of  # noqa: E402
 
 WINDOW = 0.02  # of shear strain, over which the curves of bonded primaries are averaged
 ROWS = 5  # of the history, over which their stresses are averaged in cycles

@@ -20,9 +20,10 @@ from .errors import InputError, MissingName, RunFailed
 from .folder import Run
 from .folder import open_run as open  # noqa: A004  (as h5py.File and xarray.open_dataset: softgrain.open)
 from .lammps import read_dump as read_lammps_dump
+from .outlines import Outlines
 from .programs import find_program, measure, run
 from .scene import Scene
-from .state import Outlines, State
+from .state import State
 from .study import run_study
 from .sweeps import Row, Sweep, sweep
 from .tables import Table, read_table

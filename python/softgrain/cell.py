@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .state import Outlines
+from .outlines import Outlines
 from .tables import Table
 
 

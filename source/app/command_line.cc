@@ -109,23 +109,12 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
         std::pair("plot", "draw curves from the history of runs: softgrain plot DIR..."),
         std::pair("report", "make one page of runs, to look at in a browser: softgrain report DIR..."),
         std::pair("study",
-                  "run a scene with many settings and show what accuracy costs: softgrain study FILE")})
+                  "run a scene with many settings and show what accuracy costs: softgrain study FILE"),
+        std::pair("figures", "draw the figures of a publication from runs: softgrain figures NAME DIR...")})
   {
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
   }
-  CLI::App *figures_command = app.add_subcommand("figures", "draw the figures of a publication from runs");
-  figures_command->require_subcommand(1);
-  for (const auto &[name, help] :
-       {std::pair("thesis-3", "section 3.4 of Nguyen (2016), one grain: softgrain figures thesis-3 DIR..."),
-        std::pair("thesis-4", "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR..."),
-        std::pair("thesis-5",
-                  "chapter 5 of Nguyen (2016), biaxial compression: softgrain figures thesis-5 DIR...")})
-  {
-    CLI::App *sub = figures_command->add_subcommand(name, help)->prefix_command();
-    sub->set_help_flag();
-  }
-
   add_examples(app);
 
   try
@@ -161,13 +150,6 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
     command = Command::measure;
     if (directory.empty() && !list_measures)
       return report_error("measure: name the output folder of a run, or --list", bad_input);
-  }
-  else if (chosen == figures_command)
-  {
-    command = Command::script;
-    const CLI::App *figures = figures_command->get_subcommands().front();
-    script = "figures_thesis" + figures->get_name().substr(std::string("thesis-").size());
-    script_arguments = figures->remaining();
   }
   else
   {

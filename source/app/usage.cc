@@ -53,12 +53,6 @@ const char *const measure_examples =
   softgrain measure output/scene
   softgrain measure output/scene --measures stress,coordination --output stress.csv)";
 
-const char *const figures_examples =
-    R"(Examples:
-  softgrain figures thesis-4 output/uniaxial_compaction_mpm
-  softgrain figures thesis-5 output/biaxial_thirty_grains_mpm
-  softgrain figures thesis-3 --help)";
-
 std::vector<std::string> command_names(const CLI::App &app)
 {
   std::vector<std::string> names;
@@ -103,8 +97,7 @@ void add_examples(CLI::App &app)
   add(app, program_examples);
   for (const auto &[name, examples] :
        {std::pair("run", run_examples), std::pair("check", check_examples),
-        std::pair("parameters", parameters_examples), std::pair("measure", measure_examples),
-        std::pair("figures", figures_examples)})
+        std::pair("parameters", parameters_examples), std::pair("measure", measure_examples)})
     add(*app.get_subcommand(name), examples);
 }
 

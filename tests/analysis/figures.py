@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-figures_thesis4.py on runs that follow the laws of Nguyen (2016) exactly: it must find their constants again.
+softgrain.figures.thesis_4 on runs that follow the laws of Nguyen (2016) exactly: it must find their constants again.
 
 Arguments: PYTHON_DIR WORK.
 """
@@ -96,7 +96,7 @@ class Figures(unittest.TestCase):
                 write_run("mpm2", "mpm", 0, beta=12, gamma=0.15),
                 write_run("mpm_friction", "mpm", 0.5, beta=8, exponent=0.7),
                 write_run("bpm", "bpm", 0, alpha=0.27, gamma=0.25)]
-        code, printed, errors = run("figures_thesis4.py", *runs, "--output", os.path.join(WORK, "figures"), "--dpi",
+        code, printed, errors = run("figures.py", "thesis-4", *runs, "--output", os.path.join(WORK, "figures"), "--dpi",
                                     "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertNotIn("left out", printed)
@@ -143,7 +143,7 @@ class Figures(unittest.TestCase):
         for row in rows:
             row[force] = str(REFERENCE_STRESS * WIDTH * (1 + 5 * max(0., float(row[packing]) - 0.93) * 1e3))
         write_table(history, {name: np.array([float(row[i]) for row in rows]) for i, name in enumerate(names)})
-        code, printed, errors = run("figures_thesis4.py", bent, "--output", os.path.join(WORK, "bent_figures"), "--only",
+        code, printed, errors = run("figures.py", "thesis-4", bent, "--output", os.path.join(WORK, "bent_figures"), "--only",
                                     "4.2", "--dpi", "40")
         self.assertEqual(code, 0)
         self.assertIn("constants.json", printed)
@@ -155,7 +155,7 @@ class Figures(unittest.TestCase):
 
     def test_what_is_missing_is_said(self):
         bare = write_run("bare", "bpm", 0, alpha=0.3, measures=False)
-        code, printed, errors = run("figures_thesis4.py", bare, "--output", os.path.join(WORK, "bare_figures"),
+        code, printed, errors = run("figures.py", "thesis-4", bare, "--output", os.path.join(WORK, "bare_figures"),
                                     "--format", "svg",
                                     "--only", "4.3", "4.8")
         self.assertEqual((code, errors), (0, ""))
@@ -167,7 +167,7 @@ class Figures(unittest.TestCase):
         for arguments, words in (([other], "is no compaction"), (["nowhere"], "there is no folder"),
                                  ([bare, "--only", "4.6"], "4.6"),
                                  ([bare, "--reference", "2"], "--reference")):
-            code, _, errors = run("figures_thesis4.py", *arguments)
+            code, _, errors = run("figures.py", "thesis-4", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

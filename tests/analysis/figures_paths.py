@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-figures_thesis5.py on paths that follow the laws of Nguyen (2016), chapter 5, exactly: it must find their constants again.
+softgrain.figures.thesis_5 on paths that follow the laws of Nguyen (2016), chapter 5, exactly: it must find their constants again.
 
 Arguments: PYTHON_DIR WORK.
 """
@@ -94,7 +94,7 @@ class Figures(unittest.TestCase):
     def test_constants_of_the_thesis_are_found_again(self):
         runs = [write_path(f"bpm-{kappa}", kappa, unload=kappa == 0.4, close=kappa == 1.6) for kappa in (0.2, 0.4, 1.6)]
         runs += [write_path("mpm", 0.05, model="mpm", friction=0.5)]
-        code, printed, errors = run("figures_thesis5.py", *runs, "--output", os.path.join(WORK, "figures"), "--dpi", "40")
+        code, printed, errors = run("figures.py", "thesis-5", *runs, "--output", os.path.join(WORK, "figures"), "--dpi", "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertNotIn("left out", printed)
         for number in ("5.2", "5.3", "5.4", "5.5", "5.7", "5.8", "5.9", "5.10", "5.11", "5.12", "5.13", "5.16", "5.17", "5.18",
@@ -122,7 +122,7 @@ class Figures(unittest.TestCase):
         runs = [write_path(f"few-{kappa}", kappa, grains=30) for kappa in (0.2, 0.4, 0.41)]
         runs += [write_path(f"many-{kappa}", kappa, grains=100) for kappa in (0.2, 0.4, 1.6)]
         folder = os.path.join(WORK, "few")
-        code, printed, errors = run("figures_thesis5.py", *runs, "--output", folder, "--only", "5.2", "5.5", "--dpi", "40")
+        code, printed, errors = run("figures.py", "thesis-5", *runs, "--output", folder, "--only", "5.2", "5.5", "--dpi", "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertEqual([line for line in printed.splitlines() if "fitted" in line],
                          ["BPM, 30 grains: (5.2)-(5.5) are not fitted, 2 pressures, and a fit needs 3"])
@@ -135,12 +135,12 @@ class Figures(unittest.TestCase):
         self.assertAlmostEqual(many["constants"]["packing_slope"], 0.13, delta=1e-6)
 
     def test_shear_between_centres(self):
-        import figures_thesis5
+        from softgrain.figures import thesis_5
         before = np.array([[0., 0.], [1., 0.], [0., 1.], [1., 1.]])
-        _, shear = figures_thesis5.local_shear(before, before * np.exp([0.1, -0.2]))
+        _, shear = thesis_5.local_shear(before, before * np.exp([0.1, -0.2]))
         self.assertTrue(np.allclose(shear, 0.3))
         turned = before @ np.array([[0.6, 0.8], [-0.8, 0.6]])
-        self.assertTrue(np.allclose(figures_thesis5.local_shear(before, turned)[1], 0))
+        self.assertTrue(np.allclose(thesis_5.local_shear(before, turned)[1], 0))
 
     def test_what_is_missing_is_said(self):
         other = os.path.join(WORK, "other")
@@ -150,7 +150,7 @@ class Figures(unittest.TestCase):
             file.write("set Model = mpm\n")
         for arguments, words in (([other], "has no stages"), (["nowhere"], "there is no folder"),
                                  ([other, "--only", "5.6"], "5.6"), ([other, "--dpi", "1"], "--dpi")):
-            code, _, errors = run("figures_thesis5.py", *arguments)
+            code, _, errors = run("figures.py", "thesis-5", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

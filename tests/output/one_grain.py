@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-figures_thesis3.py on a grain made up: linear, then a plateau, then a line back; it must find slopes and plateau again.
+softgrain.figures.thesis_3 on a grain made up: linear, then a plateau, then a line back; it must find slopes and plateau again.
 
 Arguments: PYTHON_DIR WORK.
 """
@@ -18,7 +18,7 @@ from tool_runs import run  # noqa: E402  (before matplotlib and the tools)
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
-import figures_diametral  # noqa: E402
+from softgrain.figures import one_grain  # noqa: E402
 from vtu import write_grid, write_series  # noqa: E402
 
 SLOPE, PLATEAU, UNLOADING = 10e6, 0.3e6, 60e6  # [Pa]
@@ -96,7 +96,7 @@ class OneGrain(unittest.TestCase):
                 write_run("finer", "fields", diameters=(1e-4, 2e-4)), write_run("back10", "fields", back=True, end=0.1),
                 write_run("back30", "column", back=True)]
         folder = os.path.join(WORK, "figures")
-        code, printed, errors = run("figures_thesis3.py", *runs, "--output", folder, "--dpi", "40")
+        code, printed, errors = run("figures.py", "thesis-3", *runs, "--output", folder, "--dpi", "40")
         self.assertEqual((code, errors), (0, ""))
         self.assertNotIn("left out", printed)
         for number in ("3.10", "3.11", "3.12"):
@@ -130,19 +130,19 @@ class OneGrain(unittest.TestCase):
         x = np.sort(np.random.default_rng(2).uniform(0, 1, 300))
         x[0], x[-1] = 0, 1
         places = np.linspace(0.2, 0.8, 7)
-        np.testing.assert_allclose(figures_diametral.running_mean(x, 3 * x - 1, 0.1, places), 3 * places - 1, atol=1e-9)
+        np.testing.assert_allclose(one_grain.running_mean(x, 3 * x - 1, 0.1, places), 3 * places - 1, atol=1e-9)
         # At an end the mean is that of the half which is there.
-        np.testing.assert_allclose(figures_diametral.running_mean(x, x, 0.1, np.array([0., 1.])), [0.025, 0.975])
+        np.testing.assert_allclose(one_grain.running_mean(x, x, 0.1, np.array([0., 1.])), [0.025, 0.975])
 
     def test_leaving_linearity_upwards(self):
         strain = np.linspace(0, 0.3, 601)
-        slope, end = figures_diametral.linear_part(strain, 2e6 * (strain + np.maximum(strain - 0.1, 0)))
+        slope, end = one_grain.linear_part(strain, 2e6 * (strain + np.maximum(strain - 0.1, 0)))
         self.assertAlmostEqual(slope, 2e6, places=3)
         self.assertAlmostEqual(end, 0.1 / 0.9, delta=1e-4)
 
     def test_what_is_missing_is_said(self):
         alone = write_run("alone", "column")
-        code, printed, errors = run("figures_thesis3.py", alone, "--output", os.path.join(WORK, "alone_figures"))
+        code, printed, errors = run("figures.py", "thesis-3", alone, "--output", os.path.join(WORK, "alone_figures"))
         self.assertEqual((code, errors), (0, ""))
         for words in ("figure 3.10 is left out: it needs a run by MPM", "figure 3.11 is left out",
                       "figure 3.12 is left out: it needs runs by BPM whose walls open again"):
@@ -158,7 +158,7 @@ class OneGrain(unittest.TestCase):
             file.write("time_s\n0\n1\n")
         for arguments, words in ((["nowhere"], "there is no folder"), ([other], "no column bottom_position_m"),
                                  ([narrow], "how wide the grain is"), ([alone, "--dpi", "1"], "--dpi")):
-            code, _, errors = run("figures_thesis3.py", *arguments)
+            code, _, errors = run("figures.py", "thesis-3", *arguments)
             self.assertEqual((code, len(errors.splitlines())), (2, 1), errors)
             self.assertIn(words, errors)
 

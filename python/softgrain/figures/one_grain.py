@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A grain between two walls as section 3.4 of Nguyen (2016) sees it: stress against strain, and its constants."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 
 import numpy as np
 
-import softgrain
-from softgrain import InputError, fits
+from .. import InputError, fits
+from .. import open as open_run
 
 LOADING_MEAN = 0.005  # strain over which the moving mean of loading goes
 UNLOADING_MEAN = 0.0005  # unloading is over within a strain of 0.01
@@ -106,7 +108,7 @@ def mean_diameter_of(output):
 
 
 def read_run(directory):
-    output = softgrain.open(directory)
+    output = open_run(directory)
     history, parameters = output.history_table, output.parameters
     for name in ("time_s", "bottom_position_m", "top_position_m", "bottom_force_N_per_m", "top_force_N_per_m"):
         if name not in history:

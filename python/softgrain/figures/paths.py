@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A path of stages as chapter 5 of Nguyen (2016) sees it: isotropic compaction, biaxial compression, unloading."""
 
+from __future__ import annotations
+
 import os
 from dataclasses import dataclass, field
 
 import numpy as np
 
-import softgrain
-from softgrain import InputError
+from .. import InputError
+from .. import Run as Output
+from .. import open as open_run
 
 FEWEST = 3  # pressures of a fit of (5.2)-(5.5): a line goes through any two
 STEADY = (0.3, 0.4)  # the steady state: the last of these shares of the shear strain, the shear strain it takes at least
@@ -22,14 +25,10 @@ MEASURED = ("packing_fraction", "void_ratio", "coordination_of_bodies", "shear_s
             "wall_deviator_Pa", "wall_stress_ratio")
 
 
-class NotDrawn(Exception):
-    """Why a figure cannot be made of these runs."""
-
-
 @dataclass
 class Path:
     """A run in stages: what measures.csv says of each of its parts."""
-    output: softgrain.Run
+    output: Output
     model: str
     friction: float
     grains: int | None    # None where the run does not say
@@ -117,7 +116,7 @@ def part_of(measures, begin, end, first):
 
 
 def read_path(directory):
-    output = softgrain.open(directory)
+    output = open_run(directory)
     stages, measures = stages_of(output), output.measures_table
     missing = [name for name in MEASURED if name not in measures]
     if missing:

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A compaction run as chapter 4 of Nguyen (2016) sees it: its curves against a reference state, its constants."""
 
+from __future__ import annotations
+
 import os
 from dataclasses import dataclass, field
 
 import numpy as np
 
-import softgrain
-from softgrain import InputError, fits
+from .. import InputError, fits
+from .. import Run as Output
+from .. import open as open_run
 
 PACKINGS = (0.80, 0.85, 0.90, 0.95)  # of the force distributions
 NEAR = 0.01  # states within this packing count as one
@@ -35,14 +38,10 @@ CONSTANTS = {
 }
 
 
-class NotDrawn(Exception):
-    """Why a figure cannot be made of these runs."""
-
-
 @dataclass
 class Run:
     """Curves of one run while the walls close: in steps (history) and at snapshots (measures)."""
-    output: softgrain.Run
+    output: Output
     model: str
     friction: float
     strain: np.ndarray = None
@@ -79,7 +78,7 @@ class Run:
 
 
 def read_run(directory, reference):
-    output = softgrain.open(directory)
+    output = open_run(directory)
     history = output.history_table
     for name in ("axial_strain", "packing_fraction", "bottom_force_N_per_m", "left_position_m", "right_position_m"):
         if name not in history:

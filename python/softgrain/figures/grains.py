@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Grains of states of a run from its snapshots: figure 4.1 of Nguyen (2016)."""
 
+from __future__ import annotations
+
 import os
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import EllipseCollection, PathCollection
 
-from figures_runs import NotDrawn
-from softgrain.drawing import INK, outline_path
+from ..drawing import INK, outline_path
+from .tool import NotDrawn
 
 STATES = (0.75, 0.85, 0.95)  # packing fractions
 FILLS = ("#cfe3f2", "#f6d9c4", "#cfe8dc", "#efd7e4", "#f5e6bd", "#dfdfdf")

@@ -1,28 +1,18 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws figures 5.2-5.5 and 5.7-5.23 of Nguyen (2016) from paths of isotropic and biaxial compression, and fits its laws."""
 
-import argparse
-import json
-import os
-import sys
+from __future__ import annotations
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
-    import matplotlib.pyplot as plt
-    import numpy as np
-    from matplotlib.tri import Triangulation
-    from figures_grains import draw_grains, read_frame
-    from figures_paths import CONSTANTS, NotDrawn, constants_of, groups_of, isotropic_line, not_fitted, read_path, states_at, void_line
-    from softgrain import InputError
-    from softgrain.command import Parser, run_tool
-    from softgrain.drawing import STYLE
-    from softgrain.options import add_shared
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"figures thesis-5: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.tri import Triangulation
+
+from ..drawing import INK
+from .grains import draw_grains, read_frame
+from .paths import (CONSTANTS, constants_of, groups_of, isotropic_line, not_fitted, read_path,
+                    states_at, void_line)
+from .tool import NotDrawn, draw_all, parser_of, write_constants
+from .tool import finish as finish_panel
 
 COLOURS = ("#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7", "#1a1a1a")
 MARKERS = "os^Dv<>p"
@@ -30,27 +20,16 @@ EPS_Q = "shear strain $\\varepsilon_q$"
 STRAINS = (0., 0.2, 0.5, 0.8)  # of the pictures
 
 
-def parse_arguments():
-    parser = Parser(
-        prog="softgrain figures thesis-5", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="Each run is a path of stages: the walls top and right under pressure, then top driven down (and up again)\n"
-               "while right keeps its pressure. Runs of one model, friction and number of grains are one group, and laws\n"
-               "are fitted to groups of three pressures and more. They need Output/Snapshots every and Output/Measures = all\n"
-               "(or 'softgrain measure DIR' afterwards).\n\n"
-               "examples:\n"
-               "  softgrain figures thesis-5 output/biaxial_*\n"
-               "  softgrain figures thesis-5 bpm-0.2 bpm-0.4 bpm-0.8 --output doc/pictures --format svg\n")
-    parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
-    parser.add_argument("--output", metavar="FOLDER", default="thesis-5",
-                        help="for figures, constants.md and constants.json (default: %(default)s)")
-    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
-    add_shared(parser, "dpi", default=150)
-    parser.add_argument("--only", metavar="NUMBER", nargs="+", choices=list(FIGURES),
-                        help="figures to draw, of " + ", ".join(FIGURES) + " (default: all)")
-    arguments = parser.parse_args()
-    if not 10 <= arguments.dpi <= 2400:
-        raise InputError("--dpi must be 10 to 2400")
-    return arguments
+EPILOG = """\
+Each run is a path of stages: the walls top and right under pressure, then top driven down (and up
+again) while right keeps its pressure. Runs of one model, friction and number of grains are one
+group, and laws are fitted to groups of three pressures and more. They need Output/Snapshots every
+and Output/Measures = all (or 'softgrain measure DIR' afterwards).
+
+examples:
+  softgrain figures thesis-5 output/biaxial_*
+  softgrain figures thesis-5 bpm-0.2 bpm-0.4 bpm-0.8 --output doc/pictures --format svg
+"""
 
 
 def panels(title, groups, height=3.9):
@@ -66,11 +45,7 @@ def panels(title, groups, height=3.9):
 
 
 def finish(axes, x, y, **limits):
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.set(**limits)
-    if axes.get_legend_handles_labels()[1]:
-        axes.legend(frameon=False, fontsize=8)
+    finish_panel(axes, x, y, fontsize=8, **limits)
 
 
 def pressure_of(path):
@@ -111,7 +86,7 @@ def against_pressure(groups, number):
             axes.semilogx(ends, found[0] + found[1] * np.log10(ends), color=COLOURS[0], linewidth=0.9,
                           label=f"{symbol} = {found[0]:.3g} {found[1]:+.2g} log10(p/p_I)")
         if group[0].model == "bpm":
-            axes.semilogx(ends, start + slope * np.log10(ends), color="#1a1a1a", linestyle=":", linewidth=1,
+            axes.semilogx(ends, start + slope * np.log10(ends), color=INK, linestyle=":", linewidth=1,
                           label=f"thesis: {start:g} {slope:+g} log10(p/p_I)")
         finish(axes, "$p_c$ over stiffness", text)
     return figure
@@ -200,7 +175,7 @@ def prediction(groups):
                 axes.plot(np.abs(path.shear["wall_stress_ratio"]), path.anisotropies(), **{**style, "linestyle": "none"})
                 drawn = True
         ends = axes.get_xlim()
-        axes.plot(ends, ends, color="#1a1a1a", linewidth=0.8, linestyle=":")
+        axes.plot(ends, ends, color=INK, linewidth=0.8, linestyle=":")
         with_friction = group[0].friction > 0
         finish(axes, "$|q/p|$", "$(a_c + a_f + a_t)/2$" if with_friction else "$(a_c + a_f)/2$")
     if not drawn:
@@ -219,7 +194,7 @@ def unloading(groups):
             for part in (path.shear, path.unloading):
                 axes.plot(part["shear_strain"], part["wall_stress_ratio"], **{**style, "label": None})
             axes.plot([], [], **style)
-        axes.axhline(0, color="#1a1a1a", linewidth=0.6)
+        axes.axhline(0, color=INK, linewidth=0.6)
         finish(axes, EPS_Q, "$q/p$")
     return figure
 
@@ -334,44 +309,12 @@ def numbers_of(groups):
                                  for path in group]} for group in groups]}
 
 
-def write(path, save):
-    """Whole or not at all."""
-    folder, name = os.path.split(path)
-    temporary = os.path.join(folder, ".part-" + name)
-    save(temporary)
-    os.replace(temporary, path)
-    print(path)
-
-
-def write_text(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-
-
-def main():
-    arguments = parse_arguments()
-    groups = groups_of([read_path(directory) for directory in arguments.directories])
-    os.makedirs(arguments.output, exist_ok=True)
-    plt.rcParams.update(STYLE)
-    for number in arguments.only or FIGURES:
-        try:
-            figure = FIGURES[number](groups)
-        except NotDrawn as reason:
-            print(f"figure {number} is left out: {reason}")
-            continue
-        write(os.path.join(arguments.output, f"fig-{number}.{arguments.format}"),
-              lambda path: figure.savefig(path, dpi=arguments.dpi, facecolor="white"))
-        plt.close("all")
+def main(words):
+    options = parser_of("thesis-5", __doc__, EPILOG, 150, FIGURES).parse_args(words)
+    groups = groups_of([read_path(directory) for directory in options.directories])
+    draw_all(FIGURES, groups, options)
     for group in groups:
         if reason := not_fitted(group):
             print(f"{group[0].group}: (5.2)-(5.5) are not fitted, {reason}")
-    table = table_of(groups)
-    write(os.path.join(arguments.output, "constants.md"), lambda path: write_text(path, table))
-    numbers = json.dumps(numbers_of(groups), indent=1) + "\n"
-    write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
-    print(table, end="")
+    write_constants(table_of(groups), numbers_of(groups), options)
     return 0
-
-
-if __name__ == "__main__":
-    run_tool(main)

@@ -1,28 +1,16 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws figures 3.10-3.12 of Nguyen (2016), a grain between two walls, and measures plateau and unloading."""
 
-import argparse
-import json
-import os
-import sys
+from __future__ import annotations
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
-    import matplotlib.pyplot as plt
-    import numpy as np
-    from figures_diametral import CONSTANTS, compare_slopes, read_run
-    from figures_runs import NotDrawn
-    from figures_thesis4 import axes_of, finish, warn_of_poor_fits, write, write_text
-    from softgrain import InputError
-    from softgrain.command import Parser, run_tool
-    from softgrain.drawing import STYLE
-    from softgrain.options import add_shared
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"figures thesis-3: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
+import os
+
+import numpy as np
+
+from ..drawing import INK
+from .one_grain import CONSTANTS, compare_slopes, read_run
+from .tool import (NotDrawn, axes_of, draw_all, finish, markdown, parser_of, warn_of_poor_fits,
+                   write_constants)
 
 COLOURS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a")
 MPM_COLOUR = "#0072B2"
@@ -33,24 +21,15 @@ THESIS_DIAMETERS = (0.16e-3, 0.26e-3)
 MPA = 1e-6
 
 
-def parse_arguments():
-    parser = Parser(
-        prog="softgrain figures thesis-3", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="What a run is, its parameters.prm and history.csv tell: the model, F0 and the diameters of the\n"
-               "primaries, whether the walls open again. The runs need the walls bottom and top and, unless\n"
-               "history.csv has a column width_m, outlines in snapshots.h5 or fields.pvd.\n\n"
-               "examples:\n"
-               "  softgrain figures thesis-3 output/diametral_compression_*\n"
-               "  softgrain figures thesis-3 mpm bpm unloaded --output doc/pictures --format svg\n")
-    parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
-    parser.add_argument("--output", metavar="FOLDER", default="thesis-3",
-                        help="for figures, constants.md and constants.json (default: %(default)s)")
-    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
-    add_shared(parser, "dpi", default=200)
-    arguments = parser.parse_args()
-    if not 10 <= arguments.dpi <= 2400:
-        raise InputError("--dpi must be 10 to 2400")
-    return arguments
+EPILOG = """\
+What a run is, its parameters.prm and history.csv tell: the model, F0 and the diameters of the
+primaries, whether the walls open again. The runs need the walls bottom and top and, unless
+history.csv has a column width_m, outlines in snapshots.h5 or fields.pvd.
+
+examples:
+  softgrain figures thesis-3 output/diametral_compression_*
+  softgrain figures thesis-3 mpm bpm unloaded --output doc/pictures --format svg
+"""
 
 
 def same_diameters(run, diameters):
@@ -128,7 +107,7 @@ def polydispersities(runs):
         limit_by_means(axes, found)
         finish_stress(axes)
         axes.set_title(f"$F_0$ = {force:g} N/m" if force else "", fontsize=10)
-        scaled.plot([], [], color="#1a1a1a", linestyle=dashes, linewidth=1.3, label=f"$F_0$ = {force or 0:g} N/m")
+        scaled.plot([], [], color=INK, linestyle=dashes, linewidth=1.3, label=f"$F_0$ = {force or 0:g} N/m")
     finish(scaled, "axial strain $\\varepsilon$", "$\\sigma/p_I$ with $p_I = F_0/\\langle a_0\\rangle$", xlim=(0, None),
            ylim=(0, 1.4 * scaled.get_ylim()[1]))
     return figure
@@ -179,10 +158,7 @@ def table_of(runs):
             ["<a0> [mm]", "0.2", *(text_of(run.mean_diameter and 1e3 * run.mean_diameter) for run in runs)]]
     for name, text in CONSTANTS.items():
         rows.append([text, text_of(THESIS.get(name)), *(text_of(run.constants[name]) for run in runs)])
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths)) + " |" for row in rows]
-    lines.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
-    return "\n".join(lines) + "\n"
+    return markdown(rows)
 
 
 def numbers_of(runs):
@@ -194,29 +170,11 @@ def numbers_of(runs):
                       "r_squared": run.quality} for run in runs]}
 
 
-def main():
-    arguments = parse_arguments()
-    runs = [read_run(directory) for directory in arguments.directories]
+def main(words):
+    options = parser_of("thesis-3", __doc__, EPILOG, 200).parse_args(words)
+    runs = [read_run(directory) for directory in options.directories]
     compare_slopes(runs)
-    os.makedirs(arguments.output, exist_ok=True)
-    plt.rcParams.update(STYLE)
-    for number, draw in FIGURES.items():
-        try:
-            figure = draw(runs)
-        except NotDrawn as reason:
-            print(f"figure {number} is left out: {reason}")
-            continue
-        write(os.path.join(arguments.output, f"fig-{number}.{arguments.format}"),
-              lambda path: figure.savefig(path, dpi=arguments.dpi, facecolor="white"))
-        plt.close("all")
-    table = table_of(runs)
-    write(os.path.join(arguments.output, "constants.md"), lambda path: write_text(path, table))
-    numbers = json.dumps(numbers_of(runs), indent=1) + "\n"
-    write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
-    print(table, end="")
-    warn_of_poor_fits("figures thesis-3", runs, CONSTANTS)
+    draw_all(FIGURES, runs, options)
+    write_constants(table_of(runs), numbers_of(runs), options)
+    warn_of_poor_fits("thesis-3", runs, CONSTANTS)
     return 0
-
-
-if __name__ == "__main__":
-    run_tool(main)

@@ -1,58 +1,42 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws figures 4.1-4.5 and 4.8-4.11 of Nguyen (2016) from compaction runs, and fits its laws to them."""
 
-import argparse
-import json
-import os
-import sys
+from __future__ import annotations
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
-    import matplotlib.pyplot as plt
-    import numpy as np
-    import figures_grains as grains
-    from figures_runs import CONSTANTS, PACKINGS, NotDrawn, densities, gamma_near, groups_of, mean_and_spread, read_run
-    from softgrain import InputError
-    from softgrain.command import Parser, run_tool, warn
-    from softgrain import fits
-    from softgrain.drawing import STYLE
-    from softgrain.options import add_shared
-except ImportError as missing:
-    package = f"python3-{(missing.name or 'matplotlib').split('.')[0]}"
-    print(f"figures thesis-4: Debian's package {package} is needed: apt install {package} ({missing})", file=sys.stderr)
-    sys.exit(2)
+import numpy as np
+
+from .. import InputError, fits
+from ..drawing import INK
+from . import grains
+from .compaction import (CONSTANTS, PACKINGS, densities, gamma_near, groups_of, mean_and_spread,
+                         read_run)
+from .tool import (NotDrawn, axes_of, draw_all, finish, markdown, parser_of, warn_of_poor_fits,
+                   write_constants)
 
 COLOURS = {"mpm": ("#0072B2", "#56B4E9"), "bpm": ("#D55E00", "#E69F00")}
 PACKING_COLOURS = ("#0072B2", "#009E73", "#E69F00", "#D55E00")
 REGIMES = (0.78, 0.95)  # of the thesis
 
 
-def parse_arguments():
-    parser = Parser(
-        prog="softgrain figures thesis-4", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="Runs of one model and friction are one group: their constants are given as mean and spread. The runs\n"
-               "need the walls bottom, top, left and right, Output/Snapshots every, and Output/Measures = all (or\n"
-               "'softgrain measure DIR' afterwards).\n\n"
-               "examples:\n"
-               "  softgrain figures thesis-4 output/uniaxial_compaction_*\n"
-               "  softgrain figures thesis-4 mpm mpm_friction bpm bpm_friction --output doc/pictures --format svg\n")
-    parser.add_argument("directories", metavar="DIR", nargs="+", help="output folder of a run")
-    parser.add_argument("--output", metavar="FOLDER", default="thesis-4",
-                        help="for figures, constants.md and constants.json (default: %(default)s)")
-    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png")
-    add_shared(parser, "dpi", default=200)
+EPILOG = """\
+Runs of one model and friction are one group: their constants are given as mean and spread. The
+runs need the walls bottom, top, left and right, Output/Snapshots every, and Output/Measures = all
+(or 'softgrain measure DIR' afterwards).
+
+examples:
+  softgrain figures thesis-4 output/uniaxial_compaction_*
+  softgrain figures thesis-4 mpm mpm_friction bpm bpm_friction --output doc/pictures --format svg
+"""
+
+
+def parse_arguments(words):
+    parser = parser_of("thesis-4", __doc__, EPILOG, 200, FIGURES)
     parser.add_argument("--reference", type=float, default=0.8, metavar="PHI",
                         help="packing fraction of the reference state (default: %(default)s)")
-    parser.add_argument("--only", metavar="NUMBER", nargs="+", choices=list(FIGURES),
-                        help="figures to draw, of " + ", ".join(FIGURES) + " (default: all)")
-    arguments = parser.parse_args()
-    if not 10 <= arguments.dpi <= 2400:
-        raise InputError("--dpi must be 10 to 2400")
-    if not 0 < arguments.reference < 1:
+    options = parser.parse_args(words)
+    if not 0 < options.reference < 1:
         raise InputError("--reference must be between 0 and 1")
-    return arguments
+    return options
 
 
 def style_of(run, markers=False):
@@ -73,25 +57,6 @@ def labelled(groups):
             yield run, run.label if position == 0 else None
 
 
-def axes_of(title, n=1, height=4.2):
-    figure, axes = plt.subplots(1, n, squeeze=False, constrained_layout=True, figsize=(1.0 + 4.4 * n, height))
-    for one in axes[0]:
-        one.minorticks_on()
-        one.tick_params(which="both", top=True, right=True)
-        one.grid(color="#d9d9d9", linewidth=0.6, zorder=0)
-        one.set_axisbelow(True)
-    figure.suptitle(title, fontsize=11)
-    return figure, list(axes[0])
-
-
-def finish(axes, x, y, **limits):
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.set(**limits)
-    if axes.get_legend_handles_labels()[1]:
-        axes.legend(frameon=False, fontsize=9, handlelength=2.6)
-
-
 def references(groups):
     """(run, label, normalised curve) of the runs that pass through the reference state."""
     found = [(run, label, run.normalised()) for run, label in labelled(groups) if run.reference_stress]
@@ -109,7 +74,7 @@ def stress_against_strain(groups):
         found = mean_and_spread(group, "beta")
         if found and group[0].model == "mpm" and group[0].friction == 0:
             end = axes.get_xlim()[1]
-            axes.plot([0, end], [1, 1 + found[0] * end], color="#1a1a1a", linewidth=0.9, linestyle=":", zorder=2,
+            axes.plot([0, end], [1, 1 + found[0] * end], color=INK, linewidth=0.9, linestyle=":", zorder=2,
                       label=f"(4.3), β = {found[0]:.3g} (thesis: 10)")
     finish(axes, "strain since the reference state $\\varepsilon'$", "$\\sigma/\\sigma_0$", xlim=(0, None))
     return figure
@@ -128,10 +93,10 @@ def packing_against_stress(groups):
             continue
         if run.model == "mpm" and (found := mean_and_spread(group, "packing_slope")):
             line = run.reference + found[0] * (stress - 1)
-            axes.plot(stress[line <= 1], line[line <= 1], color="#1a1a1a", linewidth=0.9, linestyle=":", zorder=2,
+            axes.plot(stress[line <= 1], line[line <= 1], color=INK, linewidth=0.9, linestyle=":", zorder=2,
                       label=f"(4.5), $\\Phi_0/\\beta$ = {found[0]:.3g} (thesis: 0.08)")
         elif run.model != "mpm" and (found := mean_and_spread(group, "alpha")):
-            axes.plot(stress, 1 - (1 - run.reference) * np.exp(-found[0] * (stress - 1)), color="#1a1a1a",
+            axes.plot(stress, 1 - (1 - run.reference) * np.exp(-found[0] * (stress - 1)), color=INK,
                       linewidth=0.9, zorder=2, label=f"(4.1), α = {found[0]:.3g} (thesis: 0.27)")
     finish(axes, "$\\sigma/\\sigma_0$", "packing fraction $\\Phi$", xlim=ends, ylim=(None, 1.005))
     return figure
@@ -155,7 +120,7 @@ def coordination_and_packing(groups):
         right.plot(*fits.means(run.strain, run.packing, 0.002), label=label, **style_of(run))
     found = mean_and_spread([run for group in groups for run in group], "initial_packing")
     strain = np.linspace(0, max(run.strain.max() for group in groups for run in group), 100)
-    right.plot(strain, found[0] * np.exp(strain), color="#1a1a1a", linewidth=0.9, linestyle=":", zorder=2,
+    right.plot(strain, found[0] * np.exp(strain), color=INK, linewidth=0.9, linestyle=":", zorder=2,
                label=f"{found[0]:.3f} exp ε (thesis: 0.7)")
     finish(left, "axial strain $\\varepsilon$", "coordination number $Z$", ylim=(0, None))
     finish(right, "axial strain $\\varepsilon$", "packing fraction $\\Phi$")
@@ -179,7 +144,7 @@ def collapse_of_coordination(groups):
     if not drawn:
         raise NotDrawn("no run has the measure 'coordination' above the reference packing")
     packing = np.linspace(reference, 1, 300)
-    axes.plot(packing, ((packing - reference) / (1 - reference))**0.5, color="#1a1a1a", linewidth=1,
+    axes.plot(packing, ((packing - reference) / (1 - reference))**0.5, color=INK, linewidth=1,
               label="$(\\Phi - \\Phi_0)^{0.5}$ (thesis)", zorder=2)
     finish(axes, "packing fraction $\\Phi$", "$(Z - Z_0)/(Z_1 - Z_0)$", ylim=(-0.1, 1.2))
     return figure
@@ -190,7 +155,7 @@ def panels_against_packing(title, groups, measures):
     for axes, (column, text, measure) in zip(panels, measures):
         against(axes, groups, "packing_fraction", column, measure)
         for limit in REGIMES:
-            axes.axvline(limit, color="#1a1a1a", linewidth=0.7, linestyle=":")
+            axes.axvline(limit, color=INK, linewidth=0.7, linestyle=":")
         finish(axes, "packing fraction $\\Phi$", text)
     return figure
 
@@ -228,7 +193,7 @@ def forces(groups, model, number, thesis):
         gammas = [g for g in (gamma_near(run, PACKINGS[0]) for run in group) if g is not None]
         if gammas:
             force, gamma = np.linspace(0, 4, 200), float(np.mean(gammas))
-            axes.semilogy(force, fits.force_density(force, gamma), color="#1a1a1a", linewidth=1.1, zorder=2,
+            axes.semilogy(force, fits.force_density(force, gamma), color=INK, linewidth=1.1, zorder=2,
                           label=f"(2.32), γ = {gamma:.2g} (thesis: {thesis})")
         finish(axes, "normal force over its mean", "probability density", ylim=(5e-3, 3), title=group[0].label)
     if not drawn:
@@ -260,10 +225,7 @@ def table_of(groups):
     for name, (text, mpm, bpm) in CONSTANTS.items():
         values = ["-" if value is None else f"{value:g}" for value in (mpm, bpm)]
         rows.append([text, *values, *(text_of(mean_and_spread(group, name)) for group in groups)])
-    widths = [max(len(row[column]) for row in rows) for column in range(len(head))]
-    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths)) + " |" for row in rows]
-    lines.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
-    return "\n".join(lines) + "\n"
+    return markdown(rows)
 
 
 def numbers_of(groups, reference):
@@ -283,52 +245,11 @@ def numbers_of(groups, reference):
     return result
 
 
-def warn_of_poor_fits(command, runs, texts):
-    """One line for every law that does not describe the data it was fitted to."""
-    for run in runs:
-        for name, quality in run.quality.items():
-            if quality < fits.POOR:
-                warn(command, f"{texts[name].strip()} of {run.directory} fits poorly, R² = {quality:.2f}: the law does not "
-                              "describe these data")
-
-
-def write(path, save):
-    """Whole or not at all."""
-    folder, name = os.path.split(path)
-    temporary = os.path.join(folder, ".part-" + name)
-    save(temporary)
-    os.replace(temporary, path)
-    print(path)
-
-
-def write_text(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-
-
-def main():
-    arguments = parse_arguments()
-    runs = [read_run(directory, arguments.reference) for directory in arguments.directories]
+def main(words):
+    options = parse_arguments(words)
+    runs = [read_run(directory, options.reference) for directory in options.directories]
     groups = groups_of(runs)
-    os.makedirs(arguments.output, exist_ok=True)
-    plt.rcParams.update(STYLE)
-    for number in arguments.only or FIGURES:
-        try:
-            figure = FIGURES[number](groups)
-        except NotDrawn as reason:
-            print(f"figure {number} is left out: {reason}")
-            continue
-        write(os.path.join(arguments.output, f"fig-{number}.{arguments.format}"),
-              lambda path: figure.savefig(path, dpi=arguments.dpi, facecolor="white"))
-        plt.close("all")
-    table = table_of(groups)
-    write(os.path.join(arguments.output, "constants.md"), lambda path: write_text(path, table))
-    numbers = json.dumps(numbers_of(groups, arguments.reference), indent=1) + "\n"
-    write(os.path.join(arguments.output, "constants.json"), lambda path: write_text(path, numbers))
-    print(table, end="")
-    warn_of_poor_fits("figures thesis-4", runs, {name: text for name, (text, *_) in CONSTANTS.items()})
+    draw_all(FIGURES, groups, options)
+    write_constants(table_of(groups), numbers_of(groups, options.reference), options)
+    warn_of_poor_fits("thesis-4", runs, {name: text for name, (text, *_) in CONSTANTS.items()})
     return 0
-
-
-if __name__ == "__main__":
-    run_tool(main)
