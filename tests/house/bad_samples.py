@@ -67,6 +67,16 @@ SAMPLES = {
          ({"a.md": "```\nsoftgrain run gone.prm\n```\n", "parameters/begone.prm": ""}, "no such parameter file: gone.prm"),
          ({"parameters/gallery/new.prm": "", "doc/gallery.md": "`new.prm` in a line of text\n"}, "new.prm has no row"),
          ({"a.h": "/// @cite nobody2000\n"}, "not in doc/references.bib: nobody2000")]),
+    "plain_words": (
+        {"a.md": "A sentence of words. " * 30 + "\n\n| " + "cell " * 50 + "|\n\n```\n" + "word " * 50 + "\n```\n",
+         "include/softgrain/base/a.h": "/// The same polygon with shorter edges.\nint a; ///< of the first body\n"
+                                       "/**\n * @brief Whether it is.\n */\nint b;\n"},
+        [({"a.md": "One " + "word " * 40 + "too many.\n"}, "a.md:1: 43 words in a sentence"),
+         ({"a.md": "Short.\n- A `name` " + "word " * 20 + "\n  goes on " + "word " * 20 + "\n"}, "a.md:2: 44 words"),
+         ({"include/softgrain/base/a.h": "/// Of the first body [m].\nint a;\n"}, "a.h:1: a comment that begins with 'Of'"),
+         ({"include/softgrain/base/a.h": "int a;\n/// The same in space.\nint b;\n"}, "begins with 'The same in'"),
+         ({"bpm/include/softgrain/bpm/a.h": "int a; ///< Of a body\n"}, "begins with 'Of'"),
+         ({"include/softgrain/base/a.h": "/**\n * @brief From here to there.\n */\nint a;\n"}, "begins with 'From'")]),
     "tests": (
         {**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "1\n", "tests/base/a.threads=1.output": "1\n"},
         [({**LISTS, "tests/base/a.cc": ""}, "no a.output beside it"),
@@ -80,10 +90,13 @@ SAMPLES = {
           "the tolerance 1e-09 lets 3e-9 be anything"),
          ({**LISTS, "tests/lost/a.cc": ""}, "tests/lost: nobody runs it")]),
     "scripts": (
-        {"a.py": "print(1)\n", "a.sh": "#!/bin/sh\necho 1\n"},
+        {"a.py": "print(1)\n", "a.sh": "#!/bin/sh\necho 1\n", "python/softgrain/a.py": "from .b import c\nfrom . import d\n",
+         "python/softgrain/b.py": "", "python/softgrain/d.py": "from .figures import e\n", "python/softgrain/figures/e.py": "from .. import b\n"},
         [({"a.py": "def f(:\n"}, "a.py:1"), ({"run": "#!/bin/sh\nif true; then\n"}, "run: line"),
          ({"run": "#!/usr/bin/env python3\nprint(\n"}, "run:2" if sys.version_info < (3, 10) else "run:"),
-         ({"not_executable": "#!/bin/sh\ntrue\n"}, "cannot be executed")]),
+         ({"not_executable": "#!/bin/sh\ntrue\n"}, "cannot be executed"),
+         ({"python/softgrain/a.py": "from .b import c\n", "python/softgrain/b.py": "def f():\n    from . import a\n"},
+          "python/softgrain/a.py: imports itself by way of python/softgrain/b.py")]),
 }
 
 
