@@ -4,6 +4,7 @@
 
 import argparse
 import os
+from typing import Any, List
 
 from needed import packages_of
 
@@ -144,7 +145,7 @@ def draw_theories(axes, arguments, curves, names, column, scale):
     if len(finite) == 0:
         return
     strain = np.linspace(0, finite.max(), 400)
-    divisor = 1.0
+    divisor: Any = 1.0
     if column == DIAMETRAL:  # the width that the run has at this strain
         widths = curves.width()
         known = np.isfinite(strains) & np.isfinite(widths)
@@ -241,7 +242,8 @@ def main():
     for one in curves:
         if not np.isfinite(one.values(x)).any():
             raise InputError(f"the column {x} of {one.run.directory} has no values yet")
-    printed, warnings = [], []
+    printed: List[str] = []
+    warnings: List[str] = []
     with plt.rc_context(STYLE):
         panels = panels_of(columns)
         figure, all_axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, constrained_layout=True,

@@ -2,6 +2,7 @@
 """Cells that repeat: bodies of a state with those of their images that reach into the cell."""
 
 from functools import cached_property
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 
@@ -70,7 +71,7 @@ class SpreadState:
         reach = max((float(np.max(b - a)) for a, b in boxes.values()), default=0.)
         # Neighbours of what is seen, so that forces between them are drawn.
         low, high = np.asarray(low) - reach, np.asarray(high) + reach
-        self.copies = {}
+        self.copies: Dict[Any, Any] = {}
         for image in cell.images():
             way = np.array(image) @ cell.vectors
             for body, (a, b) in boxes.items():
@@ -93,7 +94,7 @@ class SpreadState:
 
     def spread(self, table, key, places):
         """The rows of @table once for every copy of their body, moved there."""
-        rows_of = {}
+        rows_of: Dict[int, List[int]] = {}
         for row, body in enumerate(table[key].astype(int).tolist()):
             rows_of.setdefault(body, []).append(row)
         rows, number, way = [], [], []
@@ -111,20 +112,23 @@ class SpreadState:
     def spread_contacts(self, contacts, cell):
         a, b = contacts["body_a"].astype(int), contacts["body_b"].astype(int)
         image = cell.number(contacts["image_m"]) if "image_m" in contacts else np.zeros((len(a), 2), dtype=int)
-        first_of, rows, ends, way = {}, [], [], []
+        first_of: Dict[int, Any] = {}
+        rows: List[int] = []
+        pairs: List[Any] = []
+        way: List[Any] = []
         for (body, copy), (n, there) in self.copies.items():
             first_of.setdefault(body, []).append((copy, n, there))
         for row in range(len(a)):
             for copy, n, there in first_of.get(a[row], []):
-                partner = -1
+                partner: Optional[int] = -1
                 if b[row] >= 0:
                     partner, _ = self.copies.get((b[row], (copy[0] + image[row, 0], copy[1] + image[row, 1])), (None, None))
                 if partner is not None:
                     rows.append(row)
-                    ends.append((n, partner))
+                    pairs.append((n, partner))
                     way.append(there)
         columns = {name: values[rows] for name, values in contacts.items()}
-        ends = np.array(ends, dtype=int).reshape(-1, 2)
+        ends = np.array(pairs, dtype=int).reshape(-1, 2)
         columns["body_a"], columns["body_b"] = ends[:, 0], ends[:, 1]
         columns["place_m"] = columns["place_m"] + np.array(way).reshape(-1, 2)
         return Table(columns, contacts.title, contacts.path, contacts.units)

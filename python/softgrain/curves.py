@@ -3,6 +3,7 @@
 
 import os
 import re
+from typing import Dict, List
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -116,7 +117,7 @@ def panels_of(columns):
     >>> panels_of(["top_force_N_per_m", "coordination", "bottom_force_N_per_m"])
     [['top_force_N_per_m', 'bottom_force_N_per_m'], ['coordination']]
     """
-    panels = {}
+    panels: Dict[str, List[str]] = {}
     for column in columns:
         unit = split_unit(column)[1]
         panels.setdefault(unit if unit else column, []).append(column)

@@ -4,6 +4,7 @@
 import os
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
+from typing import Any, Dict, List
 
 import numpy as np
 
@@ -37,7 +38,7 @@ def read_series(directory):
         raise InputError(f"{directory} has no fields.pvd: the run has not written pictures; run it again with "
                          "--set 'Output/Fields every=TIME' (or 'Number of field outputs=10' where 'Stop/End time' is set)")
     try:
-        frames = []
+        frames: List[Any] = []
         for item in ElementTree.parse(path).iter("DataSet"):
             time = float(item.attrib["timestep"])
             if not frames or frames[-1].time != time:
@@ -149,7 +150,7 @@ def obstacles_of(grid, names):
 
 def rings_of(grid):
     """{body: [closed outlines]} of a grid of outlines."""
-    rings = {}
+    rings: Dict[int, Any] = {}
     for cell, body in zip(grid.cells, grid.cell_data.get("body", [])):
         vertices = grid.points[cell]
         if len(vertices) > 1 and np.array_equal(vertices[0], vertices[-1]):

@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, Dict
 
 import numpy as np
 
@@ -67,7 +68,7 @@ def curve(x, y, kind):
     if len(x) < FEWEST or not np.ptp(x) > 0:
         return None
     start, extent = x.min(), np.ptp(x)
-    shapes = {"line": (lambda c: lambda v: v, None, "a + b x"),
+    shapes: Dict[str, Any] = {"line": (lambda c: lambda v: v, None, "a + b x"),
               "power": (lambda c: lambda v: np.maximum(v - start, 0.)**c, (0.05, 5.), "a + b (x - x0)^c"),
               "exponential": (lambda c: lambda v: np.exp(c * (v - start)), (-20 / extent, 20 / extent),
                               "a + b exp(c (x - x0))")}

@@ -3,6 +3,7 @@
 
 import json
 import os
+from typing import Any, Dict
 
 import numpy as np
 
@@ -46,7 +47,10 @@ class Run:
             raise InputError(f"there is no folder {self.directory}")
         if source not in (None, "snapshots", "fields"):
             raise InputError(f"source is '{source}'; it can be 'snapshots' or 'fields'")
-        self._source, self._cache = source, {}
+        self._source = source
+        self._cache: Dict[str, Any] = {}
+        self.log: Any = None  # what the program said, of a run that was started from here
+        self.changes: Any = None  # of a run of a sweep
 
     def __repr__(self):
         return f"<run {self.directory}: {len(self)} states in {self.source or 'no file'}, {self.status or 'no summary'}>"

@@ -2,13 +2,14 @@
 """Formulas of study files: numbers, names and known functions only, so that a file can do nothing but compute."""
 
 import ast
+from typing import Any, Callable, Dict
 
 import numpy as np
 
 from .errors import InputError
 from .theory import hertz, johnson
 
-FUNCTIONS = {
+FUNCTIONS: Dict[str, Callable[..., Any]] = {
     "sqrt": np.sqrt, "exp": np.exp, "ln": np.log, "log": np.log, "log2": np.log2, "log10": np.log10, "abs": np.abs,
     "sign": np.sign, "rint": np.rint, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
     "atan": np.arctan, "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "ceil": np.ceil,
@@ -17,9 +18,9 @@ FUNCTIONS = {
     "max": lambda *values: np.maximum.reduce(np.broadcast_arrays(*values)),
 }
 CONSTANTS = {"pi": np.pi, "_e": np.e}
-OPERATORS = {ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
+OPERATORS: Dict[type, Callable[..., Any]] = {ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
              ast.Lt: np.less, ast.LtE: np.less_equal, ast.Gt: np.greater, ast.GtE: np.greater_equal}
-SIGNS = {ast.USub: np.negative, ast.UAdd: np.positive}
+SIGNS: Dict[type, Callable[..., Any]] = {ast.USub: np.negative, ast.UAdd: np.positive}
 
 
 class Formula:
@@ -76,7 +77,7 @@ class Formula:
             except (TypeError, ValueError, OverflowError) as error:
                 raise InputError(f"'{self.text}' cannot be worked out: {error}") from error
 
-    def work_out(self, node, values):
+    def work_out(self, node: Any, values):
         if isinstance(node, ast.Constant):
             return float(node.value)
         if isinstance(node, ast.Name):
@@ -84,7 +85,8 @@ class Formula:
         if isinstance(node, ast.UnaryOp):
             return SIGNS[type(node.op)](self.work_out(node.operand, values))
         if isinstance(node, ast.Call):
-            return FUNCTIONS[node.func.id](*(self.work_out(one, values) for one in node.args))
+            name: Any = node.func
+            return FUNCTIONS[name.id](*(self.work_out(one, values) for one in node.args))
         left, operator, right = (node.left, node.op, node.right) if isinstance(node, ast.BinOp) else \
             (node.left, node.ops[0], node.comparators[0])
         result = OPERATORS[type(operator)](self.work_out(left, values), self.work_out(right, values))

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What follows from the arrays of a state: pressure, von Mises stress, strains, ends of walls."""
 
+from functools import partial
+from typing import Any, Callable, Dict
+
 import numpy as np
 
 
@@ -22,16 +25,21 @@ def pressure(stress, out_of_plane=None):
     return -total / 2 if out_of_plane is None else -(total + out_of_plane) / 3
 
 
+def component_of(table, number):
+    return table["stress_Pa"][:, number]
+
+
 def add_stresses(table):
     """Columns that a stress gives, where the file does not have them."""
     if "stress_Pa" not in table:
         return
     beyond = (lambda: table["out_of_plane_stress_Pa"]) if "out_of_plane_stress_Pa" in table else lambda: None
 
-    columns = {"von_mises_Pa": lambda: von_mises(table["stress_Pa"], beyond()),
-               "pressure_Pa": lambda: pressure(table["stress_Pa"], beyond())}
+    columns: Dict[str, Callable[[], Any]] = {
+        "von_mises_Pa": lambda: von_mises(table["stress_Pa"], beyond()),
+        "pressure_Pa": lambda: pressure(table["stress_Pa"], beyond())}
     for i, name in enumerate(("xx", "yy", "xy")):
-        columns[f"stress_{name}_Pa"] = lambda i=i: table["stress_Pa"][:, i]
+        columns[f"stress_{name}_Pa"] = partial(component_of, table, i)
     if beyond() is not None:
         columns["stress_zz_Pa"] = beyond
     for name, make in columns.items():

@@ -2,6 +2,7 @@
 """LAMMPS dumps of primaries or material points, which OVITO and other viewers of particles open."""
 
 import os
+from typing import Any, Dict, List
 
 import numpy as np
 
@@ -51,7 +52,8 @@ def read_dump(path):
     """
     with open(path, encoding="ascii") as file:
         lines = iter(file.read().splitlines())
-    frames, number, units, time = [], 0, None, None
+    frames: List[Dict[str, Any]] = []
+    number, units, time = 0, None, None
     for line in lines:
         if line == "ITEM: UNITS":
             units = next(lines)

@@ -4,6 +4,8 @@ Measures of a state in numpy, with the names and values of measures.csv (doc/mea
 choice of contacts, or a measure of one's own.
 """
 
+from typing import List
+
 import numpy as np
 
 from .contacts import NONE
@@ -23,7 +25,7 @@ def coordination(state):
     pairs, bodies = state.pairs, state.bodies["body"]
     n, with_wall = len(bodies), pairs["body_b"] == NONE
     degree = state.bodies["coordination"].copy()
-    neighbours = [[] for _ in range(n)]
+    neighbours: List[List[int]] = [[] for _ in range(n)]
     for a, b in zip(pairs["body_a"][~with_wall], pairs["body_b"][~with_wall]):
         neighbours[a].append(b)
         neighbours[b].append(a)

@@ -2,7 +2,7 @@
 """Pictures of grains: bodies or a field in colour, outlines, walls, forces; all of a series by the same scales."""
 
 from dataclasses import dataclass, replace
-from typing import Optional
+from typing import Any, Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -60,7 +60,9 @@ class Picture:
         if options.field is None:
             default = "von_mises_Pa" if first.has("points") else "none"
             options.field = "body" if self.primaries and not options.range else default
-        self.scale = self.numbers = self.colours = None
+        self.scale: Any = None
+        self.numbers: Any = None
+        self.colours: Any = None
         self.contacts = options.contacts
         self.full_force = self.strongest_attraction = 0.
         self.longest, self.with_legend = max(abs(state.time) for state in states), True
@@ -284,11 +286,11 @@ class Picture:
                                         float(np.clip(16 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 2.5, 6.)))
             return
         if scale.field.part == "bodies":
-            bodies = {int(body): value for body, value in zip(state.bodies["body"], values)}
-            shown = [body for body in rings if body in bodies]
+            value_of = {int(body): value for body, value in zip(state.bodies["body"], values)}
+            coloured = [body for body in rings if body in value_of]
             axes.add_collection(PathCollection(
-                [drawing.outline_path(rings[body]) for body in shown], linewidths=0, zorder=2,
-                facecolors=scale.map(scale.norm(np.array([bodies[body] for body in shown])))))
+                [drawing.outline_path(rings[body]) for body in coloured], linewidths=0, zorder=2,
+                facecolors=scale.map(scale.norm(np.array([value_of[body] for body in coloured])))))
             return
         points = state.points
         areas = points["area_m2"] if "area_m2" in points else np.ones(len(points))
@@ -331,7 +333,8 @@ class Picture:
         diameter = 2 * np.median(points["radius_m"]) if points is not None else 0.
         width_per_force = max(0.75 * diameter * points_per_metre, 1.) / self.full_force
         if len(contacts):
-            primaries.draw_force_lines(axes, *primaries.force_lines(contacts, points), width_per_force,
+            lines, forces, on_wall = primaries.force_lines(contacts, points)
+            primaries.draw_force_lines(axes, lines, forces, on_wall, width_per_force,
                                        2 * width_per_force * self.full_force, self.strongest_attraction > 0)
         if self.with_legend:
             primaries.draw_width_legend(figure, axes, width_per_force, self.full_force, self.strongest_attraction)

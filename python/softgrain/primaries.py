@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pieces of pictures of bonded primaries: disks coloured by body, forces as lines between their centres."""
 
+from typing import Any, List, Set
+
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PathCollection
 from matplotlib.colors import to_rgb
@@ -42,7 +44,7 @@ def neighbours_of(tables):
 
 def colour_numbers(n_bodies, pairs, n_colours=len(PALETTE)):
     """A colour for every body, different from those of its neighbours as far as the colours go."""
-    neighbours = [set() for _ in range(n_bodies)]
+    neighbours: List[Set[int]] = [set() for _ in range(n_bodies)]
     for a, b in pairs:
         neighbours[a].add(b)
         neighbours[b].add(a)
@@ -147,7 +149,7 @@ def full_force(forces):
 
 def draw_force_lines(axes, lines, forces, on_wall, width_per_force, widest, attraction):
     """Lines as wide as the force is large, up to @widest [points]; the strong ones lie on top."""
-    kinds = [(forces > 0, REPULSION, width_per_force, 5)]
+    kinds: List[Any] = [(forces > 0, REPULSION, width_per_force, 5)]
     if attraction:
         kinds.append((forces < 0, ATTRACTION, THINNER * width_per_force, 4.5))
     for chosen, colour, per_force, order in kinds:

@@ -4,6 +4,7 @@
 import difflib
 import os
 from dataclasses import dataclass
+from typing import Any, Dict, List
 
 from .errors import InputError
 
@@ -42,7 +43,12 @@ def read_prm(path, including=(), counter=None):
     {('Mesh', 'Cell size'): Item(text='1e-3', where='small.prm:2')}
     """
     counter = counter if counter is not None else []
-    included, items, own, sections, opened, continued = {}, {}, {}, [], [], ""
+    included: Dict[str, Any] = {}
+    items: Dict[Any, Any] = {}
+    own: Dict[Any, Any] = {}
+    sections: List[str] = []
+    opened: List[Any] = []
+    continued = ""
     number = 0
 
     def fail(text):

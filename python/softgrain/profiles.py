@@ -19,6 +19,13 @@ CORNER = math.radians(30)  # turn of an outline from one of its sides to the nex
 N_PLACES = 33
 
 
+class Profile(Table):
+    """A profile along a contact with its resolution."""
+    half_width_m: float
+    resolution_m: float
+    width_from: str  # 'places', 'forces' or "Hertz's law"
+
+
 def profile_of(state, body, partner, smooth=True) -> Table:
     """
     Pressure and traction along the contact of @body with @partner, from one of its ends to the other: how far along it a place is,
@@ -170,7 +177,7 @@ def of_places(rows, smooth, resolution):
     pressed, rubbed, length = rows["pressed"], rows["rubbed"], rows["length_m"]
     if smooth:
         pressed, rubbed = spread(pressed), spread(rubbed)
-    table = Table({"along_m": rows["along_m"], "pressure_Pa": pressed / length, "traction_Pa": rubbed / length, "length_m": length,
+    table = Profile({"along_m": rows["along_m"], "pressure_Pa": pressed / length, "traction_Pa": rubbed / length, "length_m": length,
                    "place_m": rows["place_m"]}, "contact profile")
     table.half_width_m, table.resolution_m, table.width_from = float(length.sum() / 2), resolution, "places"
     return table
@@ -201,7 +208,7 @@ def of_moments(rows, resolution, hertz):
     density = 2 / (np.pi * half) * root
     place = np.stack([np.interp(half * x, along, rows["place_m"][:, axis]) for axis in (0, 1)], axis=1)
     place += direction_of(rows)[None] * (half * x - np.interp(half * x, along, along))[:, None]
-    table = Table({"along_m": half * x, "pressure_Pa": density * shape, "traction_Pa": density * rubbed, "length_m": length,
+    table = Profile({"along_m": half * x, "pressure_Pa": density * shape, "traction_Pa": density * rubbed, "length_m": length,
                    "place_m": place}, "contact profile")
     table.half_width_m, table.resolution_m, table.width_from = half, resolution, "Hertz's law" if by_law else "forces"
     return table

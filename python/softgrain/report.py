@@ -4,6 +4,7 @@
 import os
 import re
 import time
+from typing import Any, Callable, Dict, List, Tuple
 
 import numpy as np
 
@@ -34,7 +35,7 @@ def report(runs, choices=None):
     title = choices.title or (labels[0] if len(labels) == 1 else f"{len(labels)} runs")
     page = Page(title, joined((tag("span", entry.chip if len(entries) > 1 else "", " ", tag(
         "span", entry.status, class_=f"status {entry.kind}")) for entry in entries), " "))
-    problems = []
+    problems: List[str] = []
     overview = page.section("Overview")
     add_pictures(page, entries, choices, problems)
     add_curves(page, entries)
@@ -52,7 +53,7 @@ def report(runs, choices=None):
 
 # --- numbers and warnings ---
 
-NUMBERS = (
+NUMBERS: Tuple[Tuple[str, str, Callable[[Any], str]], ...] = (
     ("status", "status", str), ("model", "model", str), ("bodies", "bodies", "{:,}".format),
     ("material_points", "material points", "{:,}".format), ("primaries", "primaries", "{:,}".format),
     ("steps", "steps", "{:,}".format), ("simulated_time_s", "simulated time", lambda value: with_prefix(value, "s")),
@@ -112,11 +113,11 @@ def add_phases(page, entries):
     if not found:
         return
     section = page.section("Where the time went")
-    totals = {}
+    totals: Dict[str, float] = {}
     for entry in found:
         for name, seconds in entry.summary["phases"].items():
             totals[name] = totals.get(name, 0) + seconds
-    names = sorted(totals, key=totals.get, reverse=True)
+    names = sorted(totals, key=lambda name: totals[name], reverse=True)
     palette = [*COLOURS, "#999933", "#882255", "#44AA99", "#DDCC77", "#332288", "#AA4499", "#117733", "#88CCEE", "#CC6677"]
     traces = [{"type": "bar", "orientation": "h", "name": escape(name), "y": [escape(entry.label) for entry in found],
                "x": [entry.summary["phases"].get(name, 0) for entry in found],
@@ -138,10 +139,10 @@ def add_parameters(page, entries):
         return
     section = page.section("Parameters")
     names = list(dict.fromkeys(name for entry in found for name in entry.run.parameters))
-    groups = {}
+    groups: Dict[str, List[str]] = {}
     for name in names:
         groups.setdefault(name.rpartition("/")[0], []).append(name)
-    rows = []
+    rows: List[Tuple[Any, ...]] = []
     for group, members in sorted(groups.items(), key=lambda item: item[0] != ""):  # those outside of sections first
         rows += [(group.replace("/", " / "),)] if group else []
         for name in members:

@@ -3,7 +3,7 @@
 
 import os
 import re
-from typing import Tuple
+from typing import Any, Dict, Tuple
 
 import numpy as np
 
@@ -36,7 +36,8 @@ def add_tables(page, entries):
     history.csv and measures.csv of every run become tables of the page; returns {number of the run: names of its tables}.
     Rows of measures.csv get the strain that the history has at their time.
     """
-    result, largest = {}, {}
+    result: Dict[int, Any] = {}
+    largest: Dict[str, Any] = {}
     for number, entry in enumerate(entries):
         for file in ("history.csv", "measures.csv"):
             if not os.path.exists(entry.run.path(file)):

@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass
 from typing import Optional
 
+from .folder import Run
 from .page import chip
 from .units import scaled_unit
 
@@ -19,7 +20,7 @@ TEXTS = ("status", "model", "version")  # of summary.json; all else are numbers,
 @dataclass
 class Entry:
     """A run with its name and its colour."""
-    run: object
+    run: Run
     label: str
     colour: str
 

@@ -16,6 +16,7 @@ import subprocess
 import threading
 import time
 from dataclasses import dataclass
+from typing import Any, Set
 
 from .errors import InputError
 from .folder import Run
@@ -231,7 +232,8 @@ def check_jobs(program, jobs, seconds):
     Lets the program read scenes before the first is run; of many, or of those that take long to build, only some: until every
     value was seen once, or @seconds have passed. Gives (job, what the program said) for each that it refuses.
     """
-    seen, begin = set(), time.monotonic()
+    seen: Set[Any] = set()
+    begin = time.monotonic()
     for job in jobs:
         own = {("", job.scene), *job.changes.items()}
         new = own - seen

@@ -2,6 +2,8 @@
 """snapshots.h5: states in full precision."""
 
 import os
+from functools import partial
+from typing import Any, Callable, Dict
 
 import numpy as np
 
@@ -124,13 +126,13 @@ class SnapshotSource:
         key = {"points": "position_m", "bodies": "center_m", "contacts": "place_m", "walls": "name",
                "obstacles": "name"}[part]
         n_rows = sizes.get(key, max(sizes.values(), default=0))
-        columns = {}
+        columns: Dict[str, Callable[[], Any]] = {}
         for name, size in sorted(sizes.items(), key=lambda item: (item[0] not in (key, "name"), shown_name(item[0]))):
             if size == 0 and n_rows > 0:
                 continue  # what this model does not have
             if name in ("line_offsets", "points_m"):
                 continue  # see lines()
-            columns[shown_name(name)] = lambda full=f"{part}/{name}": self.read(full)
+            columns[shown_name(name)] = partial(self.read, f"{part}/{name}")
         if part == "bodies":
             columns = {"body": lambda: np.arange(n_rows), **columns}
         if part == "walls":

@@ -10,7 +10,7 @@ import math
 import os
 import re
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import Any, Dict, Optional, Tuple
 
 from .errors import InputError
 from .formula import CONSTANTS, FUNCTIONS, Formula
@@ -51,12 +51,12 @@ class Quantity:
     y: Formula
     x: Formula
     at: list  # values of x; empty with a window
-    between: tuple  # window of x, None with single values
+    between: Optional[Tuple[float, ...]]  # window of x, None with single values
     width: float  # y is a mean over x ± width
     norm: str
     average: str = "means"  # of averaged runs the means are compared, or errors are averaged
     formula: Optional[Formula] = None  # of x and the numeric knobs
-    curve: object = None  # table of two columns
+    curve: Any = None  # table of two columns
     where: str = ""
 
     @property
@@ -73,7 +73,7 @@ class Study:
     settings: dict  # {parameter: (text, where)}
     knobs: list
     quantities: list
-    reference: dict  # {knob: value}; None without one
+    reference: Optional[dict]  # {knob: value}; None without one
     combinations: str
     cost: str
     longest_run: float  # seconds, 0: no limit
@@ -233,9 +233,10 @@ def read_quantity(reader, name, knobs):
     if (*key, "Formula") in reader.items and (*key, "Curve") in reader.items:
         raise InputError(f"{reader.where(*key, 'Curve')}: 'Quantities/{name}' has both a 'Formula' and a 'Curve'")
     if (*key, "Formula") in reader.items:
-        result.formula = reader.formula(*key, "Formula")
+        formula = reader.formula(*key, "Formula")
+        result.formula = formula
         known = {"x"} | {knob.name for knob in knobs if knob.numeric and not knob.average}
-        if unknown := sorted(result.formula.names - known):
+        if unknown := sorted(formula.names - known):
             reader.refuse((*key, "Formula"), f"there is no '{unknown[0]}'; there are {', '.join(sorted(known))}")
     if (*key, "Curve") in reader.items:
         result.curve = read_curve(reader, (*key, "Curve"))
@@ -311,7 +312,7 @@ def check_settings(study):
                     raise InputError(f"{item.where}: 'Settings/{name}' = '{item.text}' is not allowed: there is no knob "
                                      f"'{one}' with numbers; knobs: {', '.join(knobs)}")
             used |= names
-    taken = {}
+    taken: Dict[str, Any] = {}
     for knob in study.knobs:
         if not knob.parameter and knob.name not in used:
             raise InputError(f"{knob.where}: 'Knobs/{knob.name}' changes nothing: it needs 'Parameter', or a setting with "

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The picture of a study: error against cost, the best points joined."""
 
+from typing import Any, Dict
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
@@ -38,7 +40,7 @@ def groups_of(findings):
     if not knobs:
         return None, {}
     many = max(knobs, key=lambda knob: len(knob.values))
-    groups = {}
+    groups: Dict[str, Any] = {}
     for one in findings.results:
         others = ", ".join(f"{name} = {value}" for name, value in one.point.values.items() if name != many.name)
         groups.setdefault(others, []).append(one)

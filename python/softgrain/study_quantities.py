@@ -24,7 +24,10 @@ class Difference:
 
 def places(quantity):
     """Values of x at which a quantity is looked at."""
-    return np.array(quantity.at) if quantity.at else np.linspace(*quantity.between, WINDOW)
+    if quantity.at:
+        return np.array(quantity.at)
+    begin, end = quantity.between
+    return np.linspace(begin, end, WINDOW)
 
 
 def curve_of(run, quantity):
@@ -98,7 +101,8 @@ def reference_values(quantity, values, x=None):
     """The formula or curve of a quantity at its places or at others; @values {knob: text} of the point."""
     x = places(quantity) if x is None else x
     if quantity.curve is not None:
-        return np.interp(x, *quantity.curve, left=np.nan, right=np.nan)
+        places_of, values_of = quantity.curve
+        return np.interp(x, places_of, values_of, left=np.nan, right=np.nan)
     numbers = {name: float(values[name]) for name in quantity.formula.names - {"x"}}
     return np.broadcast_to(np.asarray(quantity.formula({**numbers, "x": x}), dtype=float), x.shape)
 

@@ -3,6 +3,7 @@
 
 import os
 from dataclasses import dataclass, field
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 
@@ -23,7 +24,7 @@ GOOD = 0.99  # R² of the logarithms from which an order is told
 @dataclass
 class Result:
     """A point with what its runs gave."""
-    point: object
+    point: Any  # a Point
     runs: list  # one Run or None for every task
     records: list
     differences: dict = field(default_factory=dict)  # {quantity: Difference}
@@ -86,7 +87,7 @@ class Order:
 @dataclass
 class Findings:
     """All that is to be told of a study."""
-    study: object
+    study: Any  # a Study
     results: list
     orders: list
 
@@ -112,7 +113,7 @@ def open_results(study, points, output):
     results = []
     for point in points:
         records = [read_record(folder_of(output, task)) for task in point.tasks]
-        runs = [None] * len(records)
+        runs: List[Optional[Run]] = [None] * len(records)
         for number, (task, record) in enumerate(zip(point.tasks, records)):
             folder = folder_of(output, task)
             if record["status"] == COMPLETED and os.path.isdir(folder) and Run(folder).finished:
@@ -172,7 +173,7 @@ def orders_of(study, results):
     knobs = [knob for knob in study.knobs if not knob.average]
     for quantity in study.quantities:
         for knob in knobs:
-            groups = {}
+            groups: Dict[Any, Any] = {}
             for one in results:
                 others = tuple((name, value) for name, value in one.point.values.items() if name != knob.name)
                 groups.setdefault(others, []).append(one)

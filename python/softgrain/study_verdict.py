@@ -9,6 +9,7 @@ different packings scatter several times as much, because what differs between t
 """
 
 from dataclasses import dataclass
+from typing import Any, List
 
 import numpy as np
 
@@ -24,10 +25,10 @@ ALONE = 0.5  # share of what is uncertain from which on a place makes it alone
 @dataclass
 class Verdict:
     """What a study says of a level of the error."""
-    result: object  # the cheapest point within it, None without one
+    result: Any  # the cheapest point within it, None without one
     sure: bool  # whether its error and those of cheaper points are on their sides of the level, with what is uncertain of each
     in_doubt: list  # the points whose errors may be on the other side
-    safe: object = None  # the cheapest point whose error is within the level with all that is uncertain of it
+    safe: Any = None  # the cheapest point whose error is within the level with all that is uncertain of it
     needed: float = 0.  # packings, or runs, of every point that would decide, about; inf: more than anybody makes, 0: none
 
 
@@ -161,7 +162,7 @@ def verdict(results, quantity, level, cost):
             chosen = one
             break
     needed = max((packings_needed(one, name, level) for one in doubtful), default=0.)
-    safe = [one for one in known if interval(one, name)[1] <= level]
+    safe: List[Any] = [one for one in known if interval(one, name)[1] <= level]
     return Verdict(chosen, not doubtful, doubtful, min(safe, key=lambda one: one.cost(cost), default=None), float(needed))
 
 

@@ -3,6 +3,7 @@
 
 import csv
 import os
+from typing import Any, List
 
 import numpy as np
 
@@ -189,7 +190,7 @@ def read_table(path):
     if not rows:
         raise InputError(f"{path} is empty")
     names = [name.strip() for name in rows[0]]
-    kinds = [str if name in WORDS else number for name in names]
+    kinds: List[Any] = [str if name in WORDS else number for name in names]
     values = []
     for line, row in enumerate(rows[1:], start=2):
         if len(row) != len(names):

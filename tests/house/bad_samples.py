@@ -77,6 +77,10 @@ SAMPLES = {
          ({"include/softgrain/base/a.h": "int a;\n/// The same in space.\nint b;\n"}, "begins with 'The same in'"),
          ({"bpm/include/softgrain/bpm/a.h": "int a; ///< Of a body\n"}, "begins with 'Of'"),
          ({"include/softgrain/base/a.h": "/**\n * @brief From here to there.\n */\nint a;\n"}, "begins with 'From'")]),
+    "python_types": (
+        {"python/pyproject.toml": "[tool.mypy]\nfiles = [\"*.py\"]\ncheck_untyped_defs = true\n", "python/a.py": "def f(x: int) -> int:\n    return x\n"},
+        [({"python/pyproject.toml": "[tool.mypy]\nfiles = [\"*.py\"]\ncheck_untyped_defs = true\n", "python/a.py": "def f():\n    return 1 + ''\n"},
+          "a.py:2: error")]),
     "tests": (
         {**LISTS, "tests/base/a.cc": "", "tests/base/a.output": "1\n", "tests/base/a.threads=1.output": "1\n"},
         [({**LISTS, "tests/base/a.cc": ""}, "no a.output beside it"),

@@ -10,12 +10,16 @@ function(softgrain_add_house_test name label)
   set_tests_properties(house/${name} PROPERTIES LABELS "${label};house" TIMEOUT 300)
 endfunction()
 
-foreach(check include_direction formatting file_heads leftovers documentation tests scripts)
+foreach(check include_direction formatting file_heads leftovers documentation plain_words tests scripts)
   softgrain_add_house_test(${check} quick
     ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/${check}.py)
   softgrain_add_house_test(${check}_refuses quick
     ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/bad_samples.py ${check})
 endforeach()
+
+softgrain_add_house_test(python_types nightly ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/contrib/checks/python_types.py)
+softgrain_add_house_test(python_types_refuses nightly
+  ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/bad_samples.py python_types)
 
 softgrain_add_house_test(quickstart quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/quickstart.py)
 softgrain_add_house_test(copied_folder quick ${SOFTGRAIN_PYTHON} ${PROJECT_SOURCE_DIR}/tests/house/copied_folder.py

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -44,13 +45,13 @@ class Run:
     output: Output
     model: str
     friction: float
-    strain: np.ndarray = None
-    packing: np.ndarray = None
-    stress: np.ndarray = None
+    strain: np.ndarray
+    packing: np.ndarray
+    stress: np.ndarray
     measures: dict = field(default_factory=dict)  # columns of measures.csv, and their axial_strain
     reference: float = 0.8
-    reference_stress: float = None
-    reference_strain: float = None
+    reference_stress: float | None = None
+    reference_strain: float | None = None
     constants: dict = field(default_factory=dict)
     quality: dict = field(default_factory=dict)  # R² of the fits that the constants are from
 
@@ -132,7 +133,7 @@ def gamma_near(run, packing):
 
 def constants_of(run):
     """Every name of CONSTANTS with its number, None where the run does not give it."""
-    result = dict.fromkeys(CONSTANTS)
+    result: dict[str, Any] = dict.fromkeys(CONSTANTS)
     result["initial_packing"] = float(np.mean(run.packing * np.exp(-run.strain)))
     result["reference_stress_Pa"] = run.reference_stress
     if curve := run.normalised(width=0.005):
@@ -166,7 +167,7 @@ def constants_of(run):
 
 def groups_of(runs):
     """Runs of one model and friction, in the order MPM before BPM, less friction first: [[Run]]."""
-    groups = {}
+    groups: dict[Any, list[Run]] = {}
     for run in runs:
         groups.setdefault((run.model != "mpm", run.model, run.friction), []).append(run)
     return [groups[key] for key in sorted(groups)]

@@ -30,7 +30,7 @@ def frames_near(run, times):
     at = np.interp(times, run.measures["time_s"], run.measures["packing_fraction"]) if run.measures else None
     if at is None:
         return []
-    chosen = []
+    chosen: list[tuple[int, float]] = []
     for state in STATES:
         index = int(np.argmin(np.abs(at - state)))
         if index not in [c[0] for c in chosen]:
@@ -38,8 +38,9 @@ def frames_near(run, times):
     return chosen
 
 
-def draw_grains(axes, outlines, points, walls, disks, zoom):
-    """Bodies as polygons; in a zoom also the primaries or material points they are made of."""
+def draw_grains(axes, frame, disks, zoom):
+    """Bodies of a frame as polygons; in a zoom also the primaries or material points they are made of."""
+    outlines, points, walls = frame
     paths = [outline_path(body) for body in outlines if body]
     colours = [FILLS[b % len(FILLS)] for b, body in enumerate(outlines) if body]
     axes.add_collection(PathCollection(paths, facecolors=colours, edgecolors=INK, linewidths=0.9 if zoom else 0.35))
@@ -84,9 +85,9 @@ def states(groups):
         for one in row:
             one.axis("off")
         for one, (frame, packing) in zip(row, frames):
-            draw_grains(one, *frame, run.model != "mpm", False)
+            draw_grains(one, frame, run.model != "mpm", False)
             one.set_title(f"{run.label}, Φ = {packing:.2f}", fontsize=10)
-        draw_grains(row[-1], *frames[-1][0], run.model != "mpm", True)
+        draw_grains(row[-1], frames[-1][0], run.model != "mpm", True)
         row[-1].set_title("the same, enlarged", fontsize=10)
     figure.suptitle("Fig. 4.1: states of compaction", fontsize=11)
     return figure

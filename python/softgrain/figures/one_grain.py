@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -63,19 +64,24 @@ class Run:
     """One run; loading and unloading are rows (strain, stress) of history.csv from first contact on."""
     directory: str
     model: str
-    force: float = None  # F0 [N/m]
-    diameters: tuple = None  # smallest and largest [m]
-    mean_diameter: float = None
-    loading: tuple = None
-    unloading: tuple = None  # strain from that of reversal down; None when the walls only close
-    smooth: tuple = None
-    smooth_unloading: tuple = None
-    constants: dict = None
+    force: float | None = None  # F0 [N/m]
+    diameters: tuple | None = None  # smallest and largest [m]
+    mean_diameter: float | None = None
+    loading: tuple = ()
+    unloading: tuple | None = None  # strain from that of reversal down; None when the walls only close
+    smooth: tuple = ()
+    smooth_unloading: tuple = ()
+    constants: dict = field(default_factory=dict)
     quality: dict = field(default_factory=dict)  # R² of the fits that the constants are from
 
     @property
     def key(self):
         return self.model, self.force, self.diameters
+
+    @property
+    def smallest(self):
+        """Diameter of the smallest primary, 0 where it is not known."""
+        return self.diameters[0] if self.diameters else 0.
 
     @property
     def characteristic_stress(self):
@@ -193,9 +199,10 @@ CONSTANTS = {  # text for the table
 
 def constants_of(run):
     """Every name of CONSTANTS with its number, None where the run does not give it."""
-    result = dict.fromkeys(CONSTANTS)
+    result: dict[str, Any] = dict.fromkeys(CONSTANTS)
     if run.model != "mpm":
-        result["plateau_Pa"] = mean_between(*run.loading, *PLATEAU)
+        loaded, carried = run.loading
+        result["plateau_Pa"] = mean_between(loaded, carried, *PLATEAU)
         result["characteristic_stress_Pa"] = run.characteristic_stress
         if result["plateau_Pa"] and run.characteristic_stress:
             result["plateau_over_characteristic"] = result["plateau_Pa"] / run.characteristic_stress
@@ -204,7 +211,7 @@ def constants_of(run):
         strain, stress = run.smooth_unloading
         result["reversal_strain"] = float(run.loading[0][-1])
         # The moving mean of loading at its end, of the last half of its width.
-        reversal = float(running_mean(*run.loading, LOADING_MEAN, run.loading[0][-1:])[0])
+        reversal = float(running_mean(run.loading[0], run.loading[1], LOADING_MEAN, run.loading[0][-1:])[0])
         result["reversal_stress_Pa"] = reversal
         begin, end = (first_below(strain, stress, part * reversal) for part in FALL)
         if begin is not None and end is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -147,7 +148,7 @@ def read_path(directory):
 
 def groups_of(paths):
     """Runs of one model, friction and number of grains, BPM first as in the thesis, pressures rising: [[Path]]."""
-    groups = {}
+    groups: dict[Any, list[Path]] = {}
     for path in paths:
         groups.setdefault((path.model == "mpm", path.friction, path.grains or 0), []).append(path)
     return [sorted(groups[key], key=lambda path: path.pressure) for key in sorted(groups)]
@@ -164,7 +165,7 @@ def line(x, y):
 
 def pressures_of(group):
     """Those that differ by more than 5 % [Pa]."""
-    found = []
+    found: list[float] = []
     for path in sorted(group, key=lambda path: path.pressure):
         if not found or path.pressure > 1.05 * found[-1]:
             found.append(path.pressure)
@@ -190,7 +191,7 @@ def void_line(group):
 
 def constants_of(group):
     """Every name of CONSTANTS with its number, None where the runs do not give it."""
-    result = dict.fromkeys(CONSTANTS)
+    result: dict[str, Any] = dict.fromkeys(CONSTANTS)
     for name, column, sign in (("packing", "packing_fraction", 1), ("void_ratio", "void_ratio", -1),
                                ("coordination", "coordination_of_bodies", 1)):
         if found := isotropic_line(group, column):
@@ -206,7 +207,7 @@ def states_at(path, strains):
         return []
     times = path.output.snapshots.times
     strain = np.interp(times, path.shear["time_s"], path.shear["shear_strain"], left=np.nan, right=np.nan)
-    chosen = []
+    chosen: list[tuple[int, float]] = []
     for wanted in strains:
         if np.isfinite(strain).any() and np.nanmin(np.abs(strain - wanted)) < 0.05:
             index = int(np.nanargmin(np.abs(strain - wanted)))

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy as np
 
 from ..drawing import INK
-from .one_grain import CONSTANTS, compare_slopes, read_run
+from .one_grain import CONSTANTS, Run, compare_slopes, read_run
 from .tool import (NotDrawn, axes_of, draw_all, finish, markdown, parser_of, warn_of_poor_fits,
                    write_constants)
 
@@ -81,12 +82,13 @@ def two_models(runs):
 
 
 def polydispersities(runs):
-    panels = {}
+    panels: dict[Any, list[Run]] = {}
     for run in loading_runs(runs):
         panels.setdefault(run.force, []).append(run)
-    panels = {force: sorted(found, key=lambda run: run.mean_diameter or run.diameters[0])
+    panels = {force: sorted(found, key=lambda run: run.mean_diameter or run.smallest)
               for force, found in sorted(panels.items(), key=lambda item: item[0] or 0)
-              if None not in [run.diameters for run in found] and len({run.diameters for run in found}) > 1}
+              if None not in [run.diameters for run in found]
+              and len({run.diameters for run in found}) > 1}
     if not panels:
         raise NotDrawn("it needs runs by BPM with different diameters and the same F0")
     if len(panels) > len(DASHES):

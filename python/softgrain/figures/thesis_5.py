@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.tri import Triangulation
@@ -54,7 +56,7 @@ def pressure_of(path):
 
 def styles(group):
     """Every run with its style: a colour for each pressure."""
-    seen = []
+    seen: list[float] = []
     for path in group:
         if not any(abs(path.pressure / other - 1) < 0.05 for other in seen):
             seen.append(path.pressure)
@@ -225,7 +227,7 @@ def rows_of_pictures(found, title, draw):
 
 def snapshots_of_shear(groups):
     def draw(axes, path, states, k):
-        draw_grains(axes, *read_frame(path.output.snapshots[states[k][0]]), path.model != "mpm", False)
+        draw_grains(axes, read_frame(path.output.snapshots[states[k][0]]), path.model != "mpm", False)
     return rows_of_pictures(pictured(groups), "Figs. 5.13-5.15: states of biaxial compression", draw)
 
 
@@ -267,9 +269,9 @@ def shear_bands(groups):
 
 
 FIGURES = {
-    **{number: lambda groups, number=number: against_pressure(groups, number) for number in ISOTROPIC},
+    **{number: partial(against_pressure, number=number) for number in ISOTROPIC},
     "5.5": coordination_and_voids, "5.7": stress_path,
-    **{number: lambda groups, number=number: against_strain(groups, number) for number in SHEAR},
+    **{number: partial(against_strain, number=number) for number in SHEAR},
     "5.12": void_ratios, "5.13": snapshots_of_shear, "5.22": prediction, "5.23": unloading, "bands": shear_bands,
 }
 
