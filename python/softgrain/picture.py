@@ -6,7 +6,6 @@ from typing import Any, Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PathCollection
 
 from . import drawing, primaries
 from .cell import SpreadState, cell_of
@@ -14,9 +13,11 @@ from .colouring import Scale, colour_map, find_field
 from .command import save_figure
 from .coordinate import coordinate_at
 from .errors import InputError
+from .picture_fill import fill
 from .units import scaled_unit
 
-WIDTH, PANEL_WIDTH, LEAST_DRAWN = 7., 4.2, 0.8  # of a picture, of one of several, of the scene in it, in inches
+# In inches: of a picture, of one of several, of the scene in it.
+WIDTH, PANEL_WIDTH, LEAST_DRAWN = 7., 4.2, 0.8
 LEGEND_WIDTH = 3.2  # inches that legend and scale bar need side by side
 
 
@@ -205,7 +206,7 @@ class Picture:
         if state.has("walls") and len(state.walls):
             drawing.draw_walls(axes, state.walls, self.thickness)
         drawing.draw_obstacles(axes, state.obstacle_lines)
-        self.fill(axes, state, rings, numbers, points_per_metre)
+        fill(self, axes, state, rings, numbers, points_per_metre)
         if self.scale:
             self.scale.draw_bar(figure, bar_axes)
         width = np.clip(9 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 0.6, 1.5)
@@ -262,47 +263,6 @@ class Picture:
             bar = max(min(sizes.scene, 4.5) * 0.86, 1.2)
             bar_axes = figure.add_axes(rectangle(left + sizes.drawn + 0.2, sizes.bottom + 0.5 * (sizes.scene - bar), 0.17, bar))
         return axes, bar_axes
-
-    def fill(self, axes, state, rings, numbers, points_per_metre):
-        """The insides of the bodies."""
-        if self.scale:
-            self.fill_by_scale(axes, state, rings)
-        elif numbers is not None:
-            style = self.options.style or ("disks" if self.primaries else "smooth")
-            if style == "disks" and state.has("points") or not rings:
-                primaries.draw_points_of_bodies(axes, state.points, numbers, self.colours, points_per_metre)
-            else:
-                primaries.draw_bodies(axes, rings, numbers, self.colours)
-        elif rings:
-            paths = [drawing.outline_path(body_rings) for body_rings in rings.values()]
-            axes.add_collection(PathCollection(paths, facecolors="#dfe6ee", linewidths=0, zorder=2))
-
-    def fill_by_scale(self, axes, state, rings):
-        scale, values = self.scale, self.scale.values(state)
-        if scale.field.part == "contact_pressures":
-            axes.add_collection(PathCollection([drawing.outline_path(rings[body]) for body in rings], facecolors="#dfe6ee", linewidths=0,
-                                               zorder=2))
-            drawing.draw_along_contacts(axes, state.contact_pressures, values, scale.norm, scale.map,
-                                        float(np.clip(16 * min(self.magnified, 4) / np.sqrt(max(1, len(rings))), 2.5, 6.)))
-            return
-        if scale.field.part == "bodies":
-            value_of = {int(body): value for body, value in zip(state.bodies["body"], values)}
-            coloured = [body for body in rings if body in value_of]
-            axes.add_collection(PathCollection(
-                [drawing.outline_path(rings[body]) for body in coloured], linewidths=0, zorder=2,
-                facecolors=scale.map(scale.norm(np.array([value_of[body] for body in coloured])))))
-            return
-        points = state.points
-        areas = points["area_m2"] if "area_m2" in points else np.ones(len(points))
-        continuum = "deformation_gradient" in points or "stress_zz_Pa" in points
-        style = self.options.style or ("smooth" if continuum and not self.primaries else "disks")
-        if style == "smooth" and rings:
-            shown = {body: r for body, r in rings.items() if self.in_view(r[0])}
-            drawing.draw_smooth(axes, shown, points["position_m"], points["body"], values, areas, scale.norm, scale.map)
-        else:
-            drawing.draw_disks(axes, points["position_m"], values, areas, scale.norm, scale.map)
-        axes.set_xlim(self.low[0], self.high[0])
-        axes.set_ylim(self.low[1], self.high[1])
 
     def in_view(self, ring):
         return (ring.max(axis=0) > self.low).all() and (ring.min(axis=0) < self.high).all()

@@ -105,7 +105,7 @@ private:
   /// What a checkpoint holds; @p of_all: of the points of all ranks, to be called by all, else of those here.
   void write_state(StateWriter &out, bool of_all) const;
   void save_points(StateWriter &out, bool of_all) const;
-  /// Reads it back, whichever of both it is.
+  /// Reads back what write_state() has written, of the points of all ranks or of those here.
   void read_state(StateReader &in, bool of_all);
   void load_points(const StateReader &in, bool of_all);
   /// Mean stress of every body times its volume, and the volume, each from the body's rank.
