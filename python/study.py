@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a scene with all values of some parameters and shows what accuracy costs: a table, a picture and a page."""
+"""
+Runs a scene with all values of some parameters and shows what accuracy costs: a table, a picture
+and a page.
+"""
 
 import argparse
 import os
@@ -22,27 +25,61 @@ INTERRUPTED, FAILED = 3, 1
 
 def parse_arguments():
     parser = Parser(
-        prog="study", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="The file names a scene, values of its parameters, and what is compared with what; doc/studies.md explains\n"
-               "it. Runs that are finished are used again, interrupted ones go on, failed ones are kept as failed.\n"
-               "Exit codes: 0 done, 1 a run failed, 2 bad input, 3 interrupted (the same command goes on).\n\n"
-               "examples:\n"
-               "  study.py study.prm                            output/studies/study/study.html\n"
-               "  study.py study.prm --list                     the points, and what has become of them\n"
-               "  study.py study.prm --jobs 4                   four runs at a time\n"
-               "  study.py study.prm --set \"Stop/End time=0.1\"  all runs shorter\n")
+        prog="study",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog=(
+            "The file names a scene, values of its parameters, and what is compared with what;"
+            " doc/studies.md explains\nit. Runs that are finished are used again, interrupted ones"
+            " go on, failed ones are kept as failed.\nExit codes: 0 done, 1 a run failed, 2 bad"
+            " input, 3 interrupted (the same command goes on).\n\nexamples:\n  study.py study.prm  "
+            "                          output/studies/study/study.html\n  study.py study.prm --list"
+            "                     the points, and what has become of them\n  study.py study.prm"
+            ' --jobs 4                   four runs at a time\n  study.py study.prm --set "Stop/End'
+            ' time=0.1"  all runs shorter\n'
+        ),
+    )
     parser.add_argument("file", metavar="FILE", help="study file: .prm")
-    parser.add_argument("--output", metavar="DIR", help="folder of the study (default: output/studies/NAME for NAME.prm)")
-    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", dest="changes",
-                        help="change a parameter in all runs; counts more than the file; may be repeated")
-    parser.add_argument("--jobs", type=int, default=1, metavar="N",
-                        help="runs at a time (default: %(default)s); seconds are those of an idle machine only with 1")
-    parser.add_argument("--threads", type=int, default=1, metavar="N",
-                        help="threads of a run, 0 for one per core (default: %(default)s)")
-    parser.add_argument("--retry", action="store_true", help="run again what failed or took too long")
+    parser.add_argument(
+        "--output",
+        metavar="DIR",
+        help="folder of the study (default: output/studies/NAME for NAME.prm)",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="PATH=VALUE",
+        dest="changes",
+        help="change a parameter in all runs; counts more than the file; may be repeated",
+    )
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=1,
+        metavar="N",
+        help=(
+            "runs at a time (default: %(default)s); seconds are those of an idle machine only"
+            " with 1"
+        ),
+    )
+    parser.add_argument(
+        "--threads",
+        type=int,
+        default=1,
+        metavar="N",
+        help="threads of a run, 0 for one per core (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--retry", action="store_true", help="run again what failed or took too long"
+    )
     parser.add_argument("--no-run", action="store_true", help="run nothing, tell what there is")
-    parser.add_argument("--no-pictures", action="store_true", help="a smaller page, without pictures of the states")
-    parser.add_argument("--list", action="store_true", help="print the points and their folders, do nothing")
+    parser.add_argument(
+        "--no-pictures", action="store_true", help="a smaller page, without pictures of the states"
+    )
+    parser.add_argument(
+        "--list", action="store_true", help="print the points and their folders, do nothing"
+    )
     arguments = parser.parse_args()
     if arguments.jobs < 1:
         raise InputError(f"--jobs {arguments.jobs}: it must be at least 1")
@@ -55,7 +92,7 @@ def parse_arguments():
 def assignment(text):
     name, equals, value = (part.strip() for part in text.partition("="))
     if not equals or not name:
-        raise InputError(f"--set {text}: it must be PATH=VALUE, as \"Mesh/Cell size=1e-4\"")
+        raise InputError(f'--set {text}: it must be PATH=VALUE, as "Mesh/Cell size=1e-4"')
     return name, value
 
 
@@ -71,8 +108,9 @@ def main():
         print_list(session)
         return 0
     with session.lock(), heeding_signals():
-        whole = arguments.no_run or session.run(arguments.jobs, arguments.threads, arguments.retry,
-                                                lambda line: print(line, flush=True))
+        whole = arguments.no_run or session.run(
+            arguments.jobs, arguments.threads, arguments.retry, lambda line: print(line, flush=True)
+        )
         findings = session.findings()
         print_findings(findings)
         picture, page = (os.path.join(session.output, name) for name in ("study.png", "study.html"))

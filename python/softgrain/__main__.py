@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `softgrain` of a wheel, or `python3 -m softgrain`: the program, and the tools by this Python."""
+"""
+The command `softgrain` of a wheel, or `python3 -m softgrain`: the program, and the tools by this
+Python.
+"""
 
 import os
 import sys

@@ -19,7 +19,11 @@ COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
 
 @dataclass
 class Field:
-    """A field by its name on the command line: 'points' or 'bodies', the full name of the column, the component."""
+    """
+    A field by its name on the command line: 'points' or 'bodies', the full name of the column, the
+    component.
+    """
+
     part: str
     name: str
     component: str = ""
@@ -36,27 +40,39 @@ class Field:
             return np.linalg.norm(values, axis=1)
         names = COMPONENTS[values.shape[1]]
         if self.component not in names:
-            raise InputError(f"'{self.component}' is no component of '{self.name}': it has {', '.join(names)}")
+            raise InputError(
+                f"'{self.component}' is no component of '{self.name}': it has {', '.join(names)}"
+            )
         return values[:, names.index(self.component)]
 
     @property
     def label(self):
         base = split_unit(self.name)[0]
-        return describe(self.name) if not self.component else f"{base.replace('_', ' ')}, {self.component}"
+        return (
+            describe(self.name)
+            if not self.component
+            else f"{base.replace('_', ' ')}, {self.component}"
+        )
 
 
 def columns_of(state, part):
-    return [n for n in getattr(state, part) if n not in ("body", "name", "position_m", "center_m")] \
-        if state.has(part) else []
+    return (
+        [n for n in getattr(state, part) if n not in ("body", "name", "position_m", "center_m")]
+        if state.has(part)
+        else []
+    )
 
 
 def find_field(state, text):
-    """The field of the points or, if they have none of this name, of the bodies; 'bodies/NAME' asks for the latter."""
+    """
+    The field of the points or, if they have none of this name, of the bodies; 'bodies/NAME' asks
+    for the latter.
+    """
     base, _, component = text.partition(":")
     base = ALIASES.get(base, base)
     parts = ["points", "bodies"]
     if base.startswith("bodies/"):
-        parts, base = ["bodies"], base[len("bodies/"):]
+        parts, base = ["bodies"], base[len("bodies/") :]
     if split_unit(base)[0] in ALONG_CONTACTS:
         if not state.has("contacts"):
             raise InputError(f"frame {state.number} has no contacts: '{base}' is drawn along them")
@@ -66,15 +82,26 @@ def find_field(state, text):
             return Field(part, full, component)
     reason = ""
     if not state.has("points"):
-        reason = f"frame {state.number} has no points to colour: run with points in its pictures, or use --field none; "
+        reason = (
+            f"frame {state.number} has no points to colour: run with points in its pictures, or use"
+            " --field none; "
+        )
     elif base.endswith("_strain"):
         reason = "strains need the deformation gradient, which material points have; "
     known = [name for part in parts for name in columns_of(state, part)]
     if near := near_names(base, [*known, *ALIASES, *ALONG_CONTACTS]):
-        raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; did you mean {near}?")
-    raise MissingName(f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; there are " +
-                     ", ".join(sorted(columns_of(state, "points"))) +
-                     "; of whole bodies: " + ", ".join(sorted(columns_of(state, "bodies"))) + "; along contacts: " + ", ".join(ALONG_CONTACTS))
+        raise MissingName(
+            f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; did you mean"
+            f" {near}?"
+        )
+    raise MissingName(
+        f"{reason}there is no field '{base}' in {state.source.path(parts[0])}; there are "
+        + ", ".join(sorted(columns_of(state, "points")))
+        + "; of whole bodies: "
+        + ", ".join(sorted(columns_of(state, "bodies")))
+        + "; along contacts: "
+        + ", ".join(ALONG_CONTACTS)
+    )
 
 
 def colour_map(name):
@@ -98,8 +125,12 @@ class Scale:
         self.whole = field.name == "coordination" and limits is None
         self.limits = tuple(limits) if limits else colour_range(values, signed)
         if not self.limits[1] > self.limits[0]:
-            raise InputError(f"--range {self.limits[0]:g} {self.limits[1]:g}: the second must be above the first")
-        self.divisor, self.unit = scaled_unit(split_unit(field.name)[1], max(abs(limit) for limit in self.limits))
+            raise InputError(
+                f"--range {self.limits[0]:g} {self.limits[1]:g}: the second must be above the first"
+            )
+        self.divisor, self.unit = scaled_unit(
+            split_unit(field.name)[1], max(abs(limit) for limit in self.limits)
+        )
         self.map = colour_map(colours or ("coolwarm" if signed else "viridis"))
         self.norm = Normalize(self.limits[0] / self.divisor, self.limits[1] / self.divisor)
         # An arrow where values of any state are beyond the ends.
@@ -122,6 +153,8 @@ class Scale:
             bar.ax.minorticks_off()
             bar.ax.tick_params(length=0)
         else:
-            bar = figure.colorbar(ScalarMappable(self.norm, self.map), cax=axes, extend=self.beyond, extendfrac=0.03)
+            bar = figure.colorbar(
+                ScalarMappable(self.norm, self.map), cax=axes, extend=self.beyond, extendfrac=0.03
+            )
         bar.set_label(with_unit(self.field.label, self.unit), labelpad=8)
         bar.outline.set_linewidth(0.8)

@@ -10,11 +10,16 @@ from .errors import InputError
 
 
 class Parser(argparse.ArgumentParser):
-    """Its errors are one line, as all others, without the list of options; numbers such as -1e6 are no options."""
+    """
+    Its errors are one line, as all others, without the list of options; numbers such as -1e6 are no
+    options.
+    """
 
     def __init__(self, *arguments, **options):
         super().__init__(*arguments, **options)
-        self._negative_number_matcher = re.compile(r"^-(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$", re.IGNORECASE)
+        self._negative_number_matcher = re.compile(
+            r"^-(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$", re.IGNORECASE
+        )
 
     def error(self, message):
         raise InputError(f"{message} (--help lists the options)")

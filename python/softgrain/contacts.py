@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contacts as the measures count them: rows of one pair of bodies, or of a body and a wall, as one."""
+"""
+Contacts as the measures count them: rows of one pair of bodies, or of a body and a wall, as one.
+"""
 
 import numpy as np
 
@@ -10,12 +12,13 @@ NONE = -1
 
 def pairs_of(contacts):
     """
-    One row per pair, seen from the body with the smaller number: force, place, normal, length and number of rows, as
-    doc/measures.md says. Contacts of a body with itself do not count.
+    One row per pair, seen from the body with the smaller number: force, place, normal, length and
+    number of rows, as doc/measures.md says. Contacts of a body with itself do not count.
 
-    >>> rows = Table({"body_a": np.array([1, 0]), "body_b": np.array([0, 1]), "wall": np.array([-1, -1]),
-    ...               "place_m": np.array([[0., 1.], [0., 3.]]), "normal": np.array([[1., 0.], [-1., 0.]]),
-    ...               "force_N_per_m": np.array([[2., 0.], [-2., 0.]]), "length_m": np.array([1., 1.])})
+    >>> rows = Table({"body_a": np.array([1, 0]), "body_b": np.array([0, 1]),
+    ...               "wall": np.array([-1, -1]), "place_m": np.array([[0., 1.], [0., 3.]]),
+    ...               "normal": np.array([[1., 0.], [-1., 0.]]), "length_m": np.array([1., 1.]),
+    ...               "force_N_per_m": np.array([[2., 0.], [-2., 0.]])})
     >>> pair = pairs_of(rows)
     >>> pair.body_a, pair.body_b, pair.normal_force_N_per_m, pair.place_m, pair.length_m
     (array([0]), array([1]), array([4.]), array([[0., 2.]]), array([2.]))
@@ -28,7 +31,7 @@ def pairs_of(contacts):
     length = contacts["length_m"][kept] if "length_m" in contacts else np.zeros(len(a))
     swap = (wall == NONE) & (b < a)
     a, b = np.where(swap, b, a), np.where(swap, a, b)
-    sign = np.where(swap, -1., 1.)[:, None]
+    sign = np.where(swap, -1.0, 1.0)[:, None]
     normal, force = sign * normal, sign * force
     keys, which = np.unique(np.stack([a, b, wall], axis=1), axis=0, return_inverse=True)
     which, n = which.ravel(), len(keys)
@@ -40,9 +43,9 @@ def pairs_of(contacts):
 
     count, forces, lengths = total(np.ones(len(a))), total(force), total(length)
     normals = mean_normals(total(length[:, None] * normal), total(normal), forces)
-    pressed = np.maximum(0., (force * normal).sum(axis=1))
+    pressed = np.maximum(0.0, (force * normal).sum(axis=1))
     weight = total(pressed)
-    by_force = total(pressed[:, None] * place) / np.where(weight > 0, weight, 1.)[:, None]
+    by_force = total(pressed[:, None] * place) / np.where(weight > 0, weight, 1.0)[:, None]
     places = np.where((weight > 0)[:, None], by_force, total(place) / count[:, None])
     # Rows may overlap: lengths then add up to more than there is room for.
     turned = normals[which][:, ::-1] * [1, -1]
@@ -51,17 +54,32 @@ def pairs_of(contacts):
     np.minimum.at(low, which, along)
     np.maximum.at(high, which, along)
     room = high - low + lengths / count
-    return Table({"body_a": keys[:, 0], "body_b": keys[:, 1], "wall": keys[:, 2], "place_m": places, "normal": normals,
-                  "force_N_per_m": forces, "normal_force_N_per_m": (forces * normals).sum(axis=1),
-                  "length_m": np.where(lengths > 0, np.minimum(lengths, room), room), "rows": count.astype(int)}, "pairs")
+    return Table(
+        {
+            "body_a": keys[:, 0],
+            "body_b": keys[:, 1],
+            "wall": keys[:, 2],
+            "place_m": places,
+            "normal": normals,
+            "force_N_per_m": forces,
+            "normal_force_N_per_m": (forces * normals).sum(axis=1),
+            "length_m": np.where(lengths > 0, np.minimum(lengths, room), room),
+            "rows": count.astype(int),
+        },
+        "pairs",
+    )
 
 
 def mean_normals(by_length, plain, force):
-    """Weighted by length; where normals cancel, the force is the best guess of where the partner is."""
+    """
+    Weighted by length; where normals cancel, the force is the best guess of where the partner is.
+    """
     norms = [np.hypot(*vectors.T) for vectors in (by_length, plain, force)]
-    chosen = np.where((norms[0] > 0)[:, None], by_length, np.where((norms[1] > 1e-9)[:, None], plain, force))
+    chosen = np.where(
+        (norms[0] > 0)[:, None], by_length, np.where((norms[1] > 1e-9)[:, None], plain, force)
+    )
     size = np.hypot(*chosen.T)
-    return chosen / np.where(size > 0, size, 1.)[:, None]
+    return chosen / np.where(size > 0, size, 1.0)[:, None]
 
 
 def coordination_of(bodies, pairs):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What says best how far a scene has come: packing fraction or strain, where it has one of them, beside the time."""
+"""
+What says best how far a scene has come: packing fraction or strain, where it has one of them,
+beside the time.
+"""
 
 from typing import Optional
 
@@ -8,15 +11,24 @@ import numpy as np
 from .curves import moves
 from .errors import InputError
 
-SIGNS = {"packing_fraction": r"$\Phi$", "axial_strain": r"$\varepsilon$", "shear_strain": r"$\varepsilon_\mathrm{q}$"}
-STOPS = {"Packing fraction": "packing_fraction", "Shear strain": "shear_strain", "Axial strain": "axial_strain"}
+SIGNS = {
+    "packing_fraction": r"$\Phi$",
+    "axial_strain": r"$\varepsilon$",
+    "shear_strain": r"$\varepsilon_\mathrm{q}$",
+}
+STOPS = {
+    "Packing fraction": "packing_fraction",
+    "Shear strain": "shear_strain",
+    "Axial strain": "axial_strain",
+}
 MANY = 10  # bodies from which a full box is known by its packing fraction
 
 
 def coordinate_of(run) -> Optional[str]:
     """
-    The column that a scene itself goes by, None where there is only the time: what ends it, or its last stage; else, of many bodies
-    in a box that gets fuller the packing fraction, and the strain where it changes.
+    The column that a scene itself goes by, None where there is only the time: what ends it, or its
+    last stage; else, of many bodies in a box that gets fuller the packing fraction, and the strain
+    where it changes.
 
     >>> coordinate_of(example)
     'axial_strain'

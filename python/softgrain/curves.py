@@ -12,16 +12,31 @@ from .drawing import STYLE
 from .errors import InputError
 from .units import describe, scaled_unit, split_unit, with_unit
 
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#5a5a5a"]  # told apart by everyone
+COLOURS = [
+    "#0072B2",
+    "#D55E00",
+    "#009E73",
+    "#CC79A7",
+    "#E69F00",
+    "#56B4E9",
+    "#5a5a5a",
+]  # told apart by everyone
 DASHES = ["-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5))]
 DIAMETRAL = "mean_stress_F_over_L_Pa"
 
 
 class Curves:
-    """The columns of a run by name, those of measures.csv too, and the stress F/L of a grain between two walls."""
+    """
+    The columns of a run by name, those of measures.csv too, and the stress F/L of a grain between
+    two walls.
+    """
 
     def __init__(self, run, label=None):
-        self.run, self.label, self.own = run, label or os.path.basename(os.path.normpath(run.directory)), {}
+        self.run, self.label, self.own = (
+            run,
+            label or os.path.basename(os.path.normpath(run.directory)),
+            {},
+        )
 
     def find(self, name):
         """(column, the table that it belongs to)."""
@@ -47,8 +62,8 @@ class Curves:
 
     def pair(self, x, y):
         """
-        x and y row by row; when one is of measures.csv and the other of history.csv, that of history.csv is read at the
-        times of the measures.
+        x and y row by row; when one is of measures.csv and the other of history.csv, that of
+        history.csv is read at the times of the measures.
         """
         (y_values, table), (x_values, other) = self.find(y), self.find(x)
         if x in table:
@@ -85,24 +100,39 @@ def moves(values):
 
 def default_x(curves):
     """The strain when it changes in all runs, else the time."""
-    tables = [one.run.history_table for one in curves if os.path.exists(one.run.path("history.csv"))]
+    tables = [
+        one.run.history_table for one in curves if os.path.exists(one.run.path("history.csv"))
+    ]
     if len(tables) == len(curves) and all(moves(table.get("axial_strain")) for table in tables):
         return "axial_strain"
     return "time_s"
 
 
 def usual_columns(curves):
-    """What is drawn when nothing is asked for, of what every run has: the force on the bottom wall, on any wall, or energies."""
-    tables = [one.run.history_table if os.path.exists(one.run.path("history.csv")) else one.run.measures_table
-              for one in curves]
+    """
+    What is drawn when nothing is asked for, of what every run has: the force on the bottom wall, on
+    any wall, or energies.
+    """
+    tables = [
+        (
+            one.run.history_table
+            if os.path.exists(one.run.path("history.csv"))
+            else one.run.measures_table
+        )
+        for one in curves
+    ]
     common = [name for name in tables[0] if all(name in table for table in tables)]
     if "bottom_force_N_per_m" in common:
         return ["bottom_force_N_per_m"]
     columns = [name for name in common if re.search(r"(?<!normal)_force_N(_per_m)?$", name)]
-    columns = columns or [name for name in common if name.endswith(("_energy_J_per_m", "_energy_J"))]
+    columns = columns or [
+        name for name in common if name.endswith(("_energy_J_per_m", "_energy_J"))
+    ]
     if not columns:
-        raise InputError("the runs have neither a wall's force nor an energy in common: choose with --y among " +
-                         (", ".join(common) or "their columns, of which they share none"))
+        raise InputError(
+            "the runs have neither a wall's force nor an energy in common: choose with --y among "
+            + (", ".join(common) or "their columns, of which they share none")
+        )
     return columns
 
 
@@ -139,9 +169,18 @@ def style_of_axes(axes):
 
 
 def draw_panel(axes, curves, x, columns, **style):
-    """The columns of one unit of all runs; returns (scale of x, scale of y, text of the x axis, whether y is below 0)."""
-    pairs = {(number, column): one.pair(x, column) for number, one in enumerate(curves) for column in columns}
-    scale, unit = scaled_unit(split_unit(columns[0])[1], largest_of(pair[1] for pair in pairs.values()))
+    """
+    The columns of one unit of all runs; returns (scale of x, scale of y, text of the x axis,
+    whether y is below 0).
+    """
+    pairs = {
+        (number, column): one.pair(x, column)
+        for number, one in enumerate(curves)
+        for column in columns
+    }
+    scale, unit = scaled_unit(
+        split_unit(columns[0])[1], largest_of(pair[1] for pair in pairs.values())
+    )
     x_scale, x_unit = scaled_unit(split_unit(x)[1], largest_of(pair[0] for pair in pairs.values()))
     for (number, column), (x_values, y_values, sparse) in pairs.items():
         position = columns.index(column)
@@ -151,10 +190,25 @@ def draw_panel(axes, curves, x, columns, **style):
                 label = curves[0].label
         else:
             colour, dashes = COLOURS[number % len(COLOURS)], DASHES[position % len(DASHES)]
-            label = curves[number].label if len(columns) == 1 else f"{curves[number].label}: {label_of(column)}"
+            label = (
+                curves[number].label
+                if len(columns) == 1
+                else f"{curves[number].label}: {label_of(column)}"
+            )
         points = {"marker": "o", "markersize": 3.2} if sparse and len(y_values) <= 200 else {}
-        axes.plot(x_values / x_scale, y_values / scale, **{"color": colour, "linestyle": dashes, "linewidth": 1.8,
-                                                           "label": label, "zorder": 3, **points, **style})
+        axes.plot(
+            x_values / x_scale,
+            y_values / scale,
+            **{
+                "color": colour,
+                "linestyle": dashes,
+                "linewidth": 1.8,
+                "label": label,
+                "zorder": 3,
+                **points,
+                **style,
+            },
+        )
     axes.set_ylabel(with_unit(text_of_axis(columns), unit).strip())
     style_of_axes(axes)
     lowest = min(np.nanmin(pair[1], initial=0) for pair in pairs.values())

@@ -22,12 +22,14 @@ class RunFailed(Exception):
 
 def near_names(name, known):
     """
-    Names that look like one that does not exist, as 'a or b'; '' without any. The unit at the end of a name may be left out.
+    Names that look like one that does not exist, as 'a or b'; '' without any. The unit at the end
+    of a name may be left out.
 
     >>> near_names("pressur", ["pressure_Pa", "von_mises_Pa"])
     'pressure_Pa'
     """
     from .units import split_unit
+
     short = {split_unit(one)[0]: one for one in known}
     found = difflib.get_close_matches(name, [*short, *known], 3, 0.75)
     return " or ".join(dict.fromkeys(short.get(one, one) for one in found))
@@ -40,4 +42,7 @@ def need(package, error):
 
 def need_pip(package, error):
     """The error for a missing Python package that Debian 12 does not have."""
-    return InputError(f"the Python package {package} is needed: pip install {package} in a virtual environment ({error})")
+    return InputError(
+        f"the Python package {package} is needed: pip install {package} in a virtual environment"
+        f" ({error})"
+    )

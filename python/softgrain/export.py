@@ -16,11 +16,17 @@ def require_xarray():
 
 
 def variables(table, rows, prefix=""):
-    """{name: (dimensions, values, attributes)} of a table; vectors and tensors get a dimension of components."""
+    """
+    {name: (dimensions, values, attributes)} of a table; vectors and tensors get a dimension of
+    components.
+    """
     result = {}
     for name, values in table.items():
         unit = table.unit(name)
-        dimensions = [rows] + [{2: "axis", 3: "tensor", 4: "tensor4"}.get(size, f"n{size}") for size in values.shape[1:]]
+        dimensions = [rows] + [
+            {2: "axis", 3: "tensor", 4: "tensor4"}.get(size, f"n{size}")
+            for size in values.shape[1:]
+        ]
         if values.ndim > 2:
             dimensions[1:] = [f"{rows}_{name}_{i}" for i in range(1, values.ndim)]
         result[prefix + name] = (dimensions, values, {"units": unit} if unit else {})
@@ -28,7 +34,11 @@ def variables(table, rows, prefix=""):
 
 
 def coordinates():
-    return {"axis": list(COMPONENTS[2]), "tensor": list(COMPONENTS[3]), "tensor4": list(COMPONENTS[4])}
+    return {
+        "axis": list(COMPONENTS[2]),
+        "tensor": list(COMPONENTS[3]),
+        "tensor4": list(COMPONENTS[4]),
+    }
 
 
 def dataset(data, attributes):
@@ -39,10 +49,17 @@ def dataset(data, attributes):
 
 
 def state_to_xarray(state):
-    """Bodies, points, contacts and walls of one state; names of columns have the part before them."""
+    """
+    Bodies, points, contacts and walls of one state; names of columns have the part before them.
+    """
     require_xarray()
     data = {}
-    for part, rows in (("bodies", "body"), ("points", "point"), ("contacts", "contact"), ("walls", "wall")):
+    for part, rows in (
+        ("bodies", "body"),
+        ("points", "point"),
+        ("contacts", "contact"),
+        ("walls", "wall"),
+    ):
         if state.has(part):
             data.update(variables(getattr(state, part), rows, f"{rows}_"))
     return dataset(data, {"time_s": state.time, "directory": state.run.directory})
@@ -53,7 +70,9 @@ def run_to_xarray(run):
     require_xarray()
     states, data = list(run), {}
     for part, rows in (("bodies", "body"), ("walls", "wall")):
-        found = [variables(getattr(state, part), rows, f"{rows}_") for state in states if state.has(part)]
+        found = [
+            variables(getattr(state, part), rows, f"{rows}_") for state in states if state.has(part)
+        ]
         if not found or len(found) != len(states):
             continue
         for name, (dimensions, values, attributes) in found[0].items():
@@ -61,4 +80,4 @@ def run_to_xarray(run):
             if len(series) == len(states) and all(one.shape == values.shape for one in series):
                 data[name] = (["time", *dimensions], np.stack(series), attributes)
     result = dataset(data, {"directory": run.directory})
-    return result.assign_coords(time=("time", run.times[:len(states)], {"units": "s"}))
+    return result.assign_coords(time=("time", run.times[: len(states)], {"units": "s"}))

@@ -15,6 +15,7 @@ from .tables import Table
 @dataclass
 class Grid:
     """One VTU file: points, cells as lists of point numbers, data by name."""
+
     points: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
     cells: list = field(default_factory=list)
     point_data: dict = field(default_factory=dict)
@@ -24,6 +25,7 @@ class Grid:
 @dataclass
 class FrameFiles:
     """An entry of fields.pvd."""
+
     number: int
     time: float
     files: dict
@@ -35,8 +37,11 @@ def read_series(directory):
         raise InputError(f"there is no folder {directory}")
     path = os.path.join(directory, "fields.pvd")
     if not os.path.exists(path):
-        raise InputError(f"{directory} has no fields.pvd: the run has not written pictures; run it again with "
-                         "--set 'Output/Fields every=TIME' (or 'Number of field outputs=10' where 'Stop/End time' is set)")
+        raise InputError(
+            f"{directory} has no fields.pvd: the run has not written pictures; run it again with"
+            " --set 'Output/Fields every=TIME' (or 'Number of field outputs=10' where 'Stop/End"
+            " time' is set)"
+        )
     try:
         frames: List[Any] = []
         for item in ElementTree.parse(path).iter("DataSet"):
@@ -75,14 +80,23 @@ def read_grid(path):
         offsets = vtk_to_numpy(data.GetCells().GetOffsetsArray())
         connectivity = vtk_to_numpy(data.GetCells().GetConnectivityArray())
         grid.cells = np.split(connectivity, offsets[1:-1])
-    for source, target in ((data.GetPointData(), grid.point_data), (data.GetCellData(), grid.cell_data)):
+    for source, target in (
+        (data.GetPointData(), grid.point_data),
+        (data.GetCellData(), grid.cell_data),
+    ):
         for i in range(source.GetNumberOfArrays()):
             target[source.GetArrayName(i)] = vtk_to_numpy(source.GetArray(i)).astype(float)
     return grid
 
 
 INDICES = ("body", "body_a", "body_b", "wall", "obstacle", "ring")
-PLANE = ("velocity_m_per_s", "center_m", "pivot_m", "normal", "force_N_per_m")  # three components in the file, two that count
+PLANE = (
+    "velocity_m_per_s",
+    "center_m",
+    "pivot_m",
+    "normal",
+    "force_N_per_m",
+)  # three components in the file, two that count
 
 
 def in_plane(name, values):
@@ -93,14 +107,17 @@ def in_plane(name, values):
 
 def with_stress(data, prefix=""):
     """
-    A stress as rows xx, yy, xy. VTU files have it as a tensor of nine components; those of softgrain 0.1 had an array for
-    each component.
+    A stress as rows xx, yy, xy. VTU files have it as a tensor of nine components; those of
+    softgrain 0.1 had an array for each component.
 
     >>> new = {"stress_Pa": np.array([[1., 3., 0., 3., 2., 0., 0., 0., 4.]])}
-    >>> old = {f"stress_{c}_Pa": np.array([x]) for c, x in (("xx", 1.), ("yy", 2.), ("xy", 3.), ("zz", 4.))}
+    >>> old = {f"stress_{c}_Pa": np.array([x])
+    ...        for c, x in (("xx", 1.), ("yy", 2.), ("xy", 3.), ("zz", 4.))}
     >>> with_stress(new)
     {'stress_Pa': array([[1., 2., 3.]]), 'out_of_plane_stress_Pa': array([4.])}
-    >>> sorted(with_stress(old)) == sorted(new) and bool((old["stress_Pa"] == new["stress_Pa"]).all())
+    >>> sorted(with_stress(old)) == sorted(new)
+    True
+    >>> bool((old["stress_Pa"] == new["stress_Pa"]).all())
     True
     """
     name = f"{prefix}stress_Pa"
@@ -118,7 +135,9 @@ def with_stress(data, prefix=""):
 
 
 def points_of(grid):
-    return with_stress({"position_m": grid.points, **{n: in_plane(n, v) for n, v in grid.point_data.items()}})
+    return with_stress(
+        {"position_m": grid.points, **{n: in_plane(n, v) for n, v in grid.point_data.items()}}
+    )
 
 
 def contacts_of(grid):
@@ -127,7 +146,8 @@ def contacts_of(grid):
 
 def walls_of(grid, names):
     """
-    Walls. Their velocity is that along the normal; VTU files have it as a vector, those of softgrain 0.1 as a number.
+    Walls. Their velocity is that along the normal; VTU files have it as a vector, those of
+    softgrain 0.1 as a number.
 
     >>> down = {"normal": np.array([[0., -1., 0.]]), "velocity_m_per_s": np.array([[0., -2., 0.]])}
     >>> walls_of(Grid(cell_data=down), [])["velocity_m_per_s"]
@@ -136,7 +156,9 @@ def walls_of(grid, names):
     data = {n: in_plane(n, v) for n, v in grid.cell_data.items()}
     if data.get("velocity_m_per_s", np.zeros(0)).ndim == 2:
         data["velocity_m_per_s"] = np.einsum("ij,ij->i", data["velocity_m_per_s"], data["normal"])
-    data["ends_m"] = np.array([grid.points[cell] for cell in grid.cells], dtype=float).reshape(-1, 2, 2)
+    data["ends_m"] = np.array([grid.points[cell] for cell in grid.cells], dtype=float).reshape(
+        -1, 2, 2
+    )
     index = data.get("wall", np.arange(len(grid.cells)))
     if names and len(index) and index.max() < len(names):
         data = {"name": np.array(names)[index], **data}
@@ -163,7 +185,11 @@ def bodies_of(grid):
     """One row per body, from the data of its first outline."""
     body = grid.cell_data.get("body", np.zeros(0)).astype(int)
     first = np.unique(body, return_index=True)[1]
-    data = {n: in_plane(n, v)[first] for n, v in grid.cell_data.items() if n not in ("ring", "mean_pressure_Pa")}
+    data = {
+        n: in_plane(n, v)[first]
+        for n, v in grid.cell_data.items()
+        if n not in ("ring", "mean_pressure_Pa")
+    }
     return with_stress(data, "mean_")
 
 
@@ -171,13 +197,20 @@ class FieldSource:
     """One frame of fields.pvd as a source of a state."""
 
     def __init__(self, frame, wall_names=(), obstacle_names=()):
-        self.frame, self.wall_names, self.obstacle_names, self.grids = frame, wall_names, obstacle_names, {}
+        self.frame, self.wall_names, self.obstacle_names, self.grids = (
+            frame,
+            wall_names,
+            obstacle_names,
+            {},
+        )
 
     def has(self, part):
         return {"bodies": "outlines"}.get(part, part) in self.frame.files
 
     def path(self, part):
-        return self.frame.files.get({"bodies": "outlines"}.get(part, part), f"frame {self.frame.number}")
+        return self.frame.files.get(
+            {"bodies": "outlines"}.get(part, part), f"frame {self.frame.number}"
+        )
 
     def grid(self, name):
         if name not in self.grids:
@@ -188,9 +221,13 @@ class FieldSource:
         self.grids.clear()
 
     def table(self, part):
-        make = {"points": points_of, "contacts": contacts_of, "bodies": bodies_of,
-                "walls": lambda grid: walls_of(grid, self.wall_names),
-                "obstacles": lambda grid: obstacles_of(grid, self.obstacle_names)}[part]
+        make = {
+            "points": points_of,
+            "contacts": contacts_of,
+            "bodies": bodies_of,
+            "walls": lambda grid: walls_of(grid, self.wall_names),
+            "obstacles": lambda grid: obstacles_of(grid, self.obstacle_names),
+        }[part]
         return Table(make(self.grid({"bodies": "outlines"}.get(part, part))), part, self.path(part))
 
     def lines(self):

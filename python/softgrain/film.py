@@ -19,12 +19,16 @@ def require_maker(path):
     if shutil.which("ffmpeg"):
         return "ffmpeg"
     if ending == ".mp4":
-        raise InputError("mp4 needs ffmpeg, which is not there: apt install ffmpeg, or use --film with a name that ends "
-                         "in .gif, or --frame all for pictures")
+        raise InputError(
+            "mp4 needs ffmpeg, which is not there: apt install ffmpeg, or use --film with a name"
+            " that ends in .gif, or --frame all for pictures"
+        )
     try:
         import PIL  # noqa: F401
     except ImportError as error:
-        raise InputError("gif needs ffmpeg or Pillow: apt install ffmpeg or apt install python3-pil") from error
+        raise InputError(
+            "gif needs ffmpeg or Pillow: apt install ffmpeg or apt install python3-pil"
+        ) from error
     return "pillow"
 
 
@@ -37,8 +41,8 @@ def best_ending():
 
 def make(path, frames_per_second, draw, n_frames):
     """
-    Makes a film of @n_frames pictures that draw(number, path) writes as png files of one size; the file is written whole
-    or not at all.
+    Makes a film of @n_frames pictures that draw(number, path) writes as png files of one size; the
+    file is written whole or not at all.
     """
     maker = require_maker(path)
     folder, name = os.path.split(path)
@@ -59,13 +63,34 @@ def make(path, frames_per_second, draw, n_frames):
 
 def by_ffmpeg(files, path, frames_per_second):
     """libx264 wants an even number of pixels; gif gets a palette of its own."""
-    command = ["ffmpeg", "-y", "-loglevel", "error", "-framerate", f"{frames_per_second:g}", "-i",
-               os.path.join(os.path.dirname(files[0]), "%06d.png")]
+    command = [
+        "ffmpeg",
+        "-y",
+        "-loglevel",
+        "error",
+        "-framerate",
+        f"{frames_per_second:g}",
+        "-i",
+        os.path.join(os.path.dirname(files[0]), "%06d.png"),
+    ]
     if path.lower().endswith(".gif"):
-        command += ["-filter_complex", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"]
+        command += [
+            "-filter_complex",
+            "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
+        ]
     else:
-        command += ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-crf", "18", "-pix_fmt",
-                    "yuv420p", "-movflags", "+faststart"]
+        command += [
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white",
+            "-c:v",
+            "libx264",
+            "-crf",
+            "18",
+            "-pix_fmt",
+            "yuv420p",
+            "-movflags",
+            "+faststart",
+        ]
     done = subprocess.run([*command, path], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or [f"it ended with status {done.returncode}"]
@@ -75,8 +100,16 @@ def by_ffmpeg(files, path, frames_per_second):
 def by_pillow(files, path, frames_per_second):
     """All frames by the colours of one palette, so that they do not flicker."""
     from PIL import Image
+
     images = [Image.open(file).convert("RGB") for file in files]
     palette = images[-1].quantize(255)
     frames = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-    frames[0].save(path, format="GIF", save_all=True, append_images=frames[1:], loop=0,
-                   duration=max(20, round(1000 / frames_per_second)), optimize=False)
+    frames[0].save(
+        path,
+        format="GIF",
+        save_all=True,
+        append_images=frames[1:],
+        loop=0,
+        duration=max(20, round(1000 / frames_per_second)),
+        optimize=False,
+    )

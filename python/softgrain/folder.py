@@ -26,7 +26,8 @@ def stamp(path):
 
 class Run:
     """
-    The output folder of a run. What is asked for is read anew when the files have changed, so that a run may be watched.
+    The output folder of a run. What is asked for is read anew when the files have changed, so that
+    a run may be watched.
 
     >>> example.parameters["Materials/gel/Law"]
     'neo_hookean'
@@ -37,8 +38,8 @@ class Run:
     >>> float(max(example.history["top_force_N_per_m"])) > 0
     True
 
-    States come from snapshots.h5, in full precision, or without it from fields.pvd; `fields` and `snapshots` are the
-    run with the states of either.
+    States come from snapshots.h5, in full precision, or without it from fields.pvd; `fields` and
+    `snapshots` are the run with the states of either.
     """
 
     def __init__(self, directory, source=None):
@@ -53,7 +54,10 @@ class Run:
         self.changes: Any = None  # of a run of a sweep
 
     def __repr__(self):
-        return f"<run {self.directory}: {len(self)} states in {self.source or 'no file'}, {self.status or 'no summary'}>"
+        return (
+            f"<run {self.directory}: {len(self)} states in {self.source or 'no file'},"
+            f" {self.status or 'no summary'}>"
+        )
 
     def path(self, name):
         return os.path.join(self.directory, name)
@@ -80,13 +84,17 @@ class Run:
     def measures_table(self):
         """measures.csv as columns of numpy arrays."""
         if not os.path.exists(self.path("measures.csv")):
-            raise InputError(f"{self.directory} has no measures.csv: set Output/Measures, or run 'softgrain measure "
-                             f"{self.directory}' when there are snapshots")
+            raise InputError(
+                f"{self.directory} has no measures.csv: set Output/Measures, or run 'softgrain"
+                f" measure {self.directory}' when there are snapshots"
+            )
         return self.table("measures.csv")
 
     @property
     def history(self):
-        """history.csv: a pandas.DataFrame when pandas is installed, else a table of numpy columns."""
+        """
+        history.csv: a pandas.DataFrame when pandas is installed, else a table of numpy columns.
+        """
         return as_frame(self.history_table)
 
     @property
@@ -96,7 +104,8 @@ class Run:
 
     def column(self, name):
         """
-        (column, table it is from) by its name in history.csv or measures.csv; the unit may be left out.
+        (column, table it is from) by its name in history.csv or measures.csv; the unit may be left
+        out.
 
         A column that measures.csv does not have but history.csv has belongs to history.csv.
         """
@@ -107,12 +116,17 @@ class Run:
                 return table[full], table
         known = [one for table in tables for one in table]
         near = near_names(name, known)
-        text = f"there is no column '{name}' in {self.path('history.csv')}" + (" and measures.csv" if len(tables) > 1 else "")
+        text = f"there is no column '{name}' in {self.path('history.csv')}" + (
+            " and measures.csv" if len(tables) > 1 else ""
+        )
         if near:
             text += f"; did you mean {near}?"
         elif tables:
-            text += f"; there are {', '.join(tables[0])}" + ("; 'softgrain plot DIR --list' names those of measures.csv, too"
-                                                            if len(tables) > 1 else "")
+            text += f"; there are {', '.join(tables[0])}" + (
+                "; 'softgrain plot DIR --list' names those of measures.csv, too"
+                if len(tables) > 1
+                else ""
+            )
         raise MissingName(text)
 
     @property
@@ -137,8 +151,8 @@ class Run:
     @property
     def status(self):
         """
-        'running', 'completed', 'interrupted' or 'failed', as summary.json says; None without it. A run that was killed
-        had no time to say so: it is still 'running'.
+        'running', 'completed', 'interrupted' or 'failed', as summary.json says; None without it. A
+        run that was killed had no time to say so: it is still 'running'.
         """
         return (self.summary or {}).get("status")
 
@@ -175,9 +189,19 @@ class Run:
 
     def for_pictures(self):
         """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
-        if os.path.exists(self.path("parameters.prm")) and str(self.parameters.get("Dimension", "2")) == "3":
-            raise InputError(f"{self.directory} has a scene in space ('Dimension' = '3'), which is not drawn: open its fields.pvd in ParaView")
-        if self.source == "snapshots" and os.path.exists(self.path("fields.pvd")) and len(self.fields):
+        if (
+            os.path.exists(self.path("parameters.prm"))
+            and str(self.parameters.get("Dimension", "2")) == "3"
+        ):
+            raise InputError(
+                f"{self.directory} has a scene in space ('Dimension' = '3'), which is not drawn:"
+                " open its fields.pvd in ParaView"
+            )
+        if (
+            self.source == "snapshots"
+            and os.path.exists(self.path("fields.pvd"))
+            and len(self.fields)
+        ):
             return self.fields
         if self.source is None:
             self.fields.frames()  # says what is missing
@@ -205,15 +229,29 @@ class Run:
             return [self[i] for i in range(*number.indices(len(self)))]
         n = len(self)
         if n == 0:
-            missing = {"snapshots": "no snapshots", "fields": "no frames in fields.pvd", None: "no states"}[self.source]
-            raise InputError(f"{self.directory} has {missing} yet: see Output/Snapshots every and Output/Fields every")
+            missing = {
+                "snapshots": "no snapshots",
+                "fields": "no frames in fields.pvd",
+                None: "no states",
+            }[self.source]
+            raise InputError(
+                f"{self.directory} has {missing} yet: see Output/Snapshots every and Output/Fields"
+                " every"
+            )
         if not -n <= number < n:
             raise IndexError(f"{self.directory} has the states 0 to {n - 1}, not {number}")
         number = int(number) % n
         if self.source == "snapshots":
-            return State(self, SnapshotSource(self.directory, number), number, float(self.times[number]))
+            return State(
+                self, SnapshotSource(self.directory, number), number, float(self.times[number])
+            )
         frame = self.frames()[number]
-        return State(self, FieldSource(frame, self.parameters.names("Walls"), self.parameters.names("Obstacles")), number, frame.time)
+        return State(
+            self,
+            FieldSource(frame, self.parameters.names("Walls"), self.parameters.names("Obstacles")),
+            number,
+            frame.time,
+        )
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
@@ -225,7 +263,10 @@ class Run:
     # --- what several commands need ---
 
     def value_at(self, column, time):
-        """A column of history.csv or measures.csv at a time, by a straight line between rows; None when it does not say."""
+        """
+        A column of history.csv or measures.csv at a time, by a straight line between rows; None
+        when it does not say.
+        """
         try:
             values, table = self.column(column)
             times = table["time_s"]
@@ -241,55 +282,76 @@ class Run:
     @property
     def coordinate(self):
         """
-        The column that the scene itself goes by: 'packing_fraction', 'axial_strain' or 'shear_strain', by what ends it, or what
-        changes; None where there is only the time.
+        The column that the scene itself goes by: 'packing_fraction', 'axial_strain' or
+        'shear_strain', by what ends it, or what changes; None where there is only the time.
         """
         from .coordinate import coordinate_of
+
         return coordinate_of(self)
 
     def widths(self, times):
         """
-        How far the bodies reach from left to right at @times [m]: from a column width_m of history.csv, or from the
-        outlines of the states.
+        How far the bodies reach from left to right at @times [m]: from a column width_m of
+        history.csv, or from the outlines of the states.
         """
         if os.path.exists(self.path("history.csv")) and "width_m" in self.history_table:
             return np.interp(times, self.history_table["time_s"], self.history_table["width_m"])
         for states in (self.snapshots, self.fields):
-            if not os.path.exists(self.path({"snapshots": "snapshots.h5", "fields": "fields.pvd"}[states.source])):
+            if not os.path.exists(
+                self.path({"snapshots": "snapshots.h5", "fields": "fields.pvd"}[states.source])
+            ):
                 continue
-            found = [(state.time, np.ptp(points[:, 0])) for state in states
-                     if state.has("outlines") and len(points := state.source.vertices())]
+            found = [
+                (state.time, np.ptp(points[:, 0]))
+                for state in states
+                if state.has("outlines") and len(points := state.source.vertices())
+            ]
             if found:
                 return np.interp(times, *zip(*found))
-        raise InputError(f"{self.directory} does not say how wide the grain is: neither a column width_m in history.csv "
-                         "nor outlines in snapshots.h5 or fields.pvd")
+        raise InputError(
+            f"{self.directory} does not say how wide the grain is: neither a column width_m in"
+            " history.csv nor outlines in snapshots.h5 or fields.pvd"
+        )
 
     def loads_on(self, body):
-        """What a body, by its number or name, feels from each partner in all states, as a table: time_s, partner_name, force, torque."""
+        """
+        What a body, by its number or name, feels from each partner in all states, as a table:
+        time_s, partner_name, force, torque.
+        """
         from .loads import loads_on
+
         return loads_on(self, body)
 
     def plot(self, *columns, x=None, axes=None, **style):
         """
-        Columns of history.csv or measures.csv as curves; returns matplotlib's axes. Without a name: those that
-        `softgrain plot` would take.
+        Columns of history.csv or measures.csv as curves; returns matplotlib's axes. Without a name:
+        those that `softgrain plot` would take.
         """
         from .curves import plot_columns
+
         return plot_columns(self, columns, x, axes, style)
 
     def to_xarray(self):
-        """Bodies and walls of all states as an xarray.Dataset with the dimensions time, body and wall."""
+        """
+        Bodies and walls of all states as an xarray.Dataset with the dimensions time, body and wall.
+        """
         from .export import run_to_xarray
+
         return run_to_xarray(self)
 
     def to_pvd(self, path, part="outlines"):
-        """A part of all states, see State.to_vtp, as a series that ParaView plays: `run.to_pvd("pressures.pvd", "outlines")`."""
+        """
+        A part of all states, see State.to_vtp, as a series that ParaView plays:
+        `run.to_pvd("pressures.pvd", "outlines")`.
+        """
         from .vtk import write_pvd
+
         return write_pvd(self, part, path)
 
     def to_lammps_dump(self, path):
         """A LAMMPS dump of the primaries of all states, which OVITO opens as a film."""
         from .lammps import write_dump
+
         return write_dump(list(self), path)
 
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formulas of study files: numbers, names and known functions only, so that a file can do nothing but compute."""
+"""
+Formulas of study files: numbers, names and known functions only, so that a file can do nothing but
+compute.
+"""
 
 import ast
 from typing import Any, Callable, Dict
@@ -10,22 +13,51 @@ from .errors import InputError
 from .theory import hertz, johnson
 
 FUNCTIONS: Dict[str, Callable[..., Any]] = {
-    "sqrt": np.sqrt, "exp": np.exp, "ln": np.log, "log": np.log, "log2": np.log2, "log10": np.log10, "abs": np.abs,
-    "sign": np.sign, "rint": np.rint, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
-    "atan": np.arctan, "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "ceil": np.ceil,
-    "floor": np.floor, "hertz": hertz, "johnson": johnson,
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "ln": np.log,
+    "log": np.log,
+    "log2": np.log2,
+    "log10": np.log10,
+    "abs": np.abs,
+    "sign": np.sign,
+    "rint": np.rint,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "atan2": np.arctan2,
+    "sinh": np.sinh,
+    "cosh": np.cosh,
+    "tanh": np.tanh,
+    "ceil": np.ceil,
+    "floor": np.floor,
+    "hertz": hertz,
+    "johnson": johnson,
     "min": lambda *values: np.minimum.reduce(np.broadcast_arrays(*values)),
     "max": lambda *values: np.maximum.reduce(np.broadcast_arrays(*values)),
 }
 CONSTANTS = {"pi": np.pi, "_e": np.e}
-OPERATORS: Dict[type, Callable[..., Any]] = {ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
-             ast.Lt: np.less, ast.LtE: np.less_equal, ast.Gt: np.greater, ast.GtE: np.greater_equal}
+OPERATORS: Dict[type, Callable[..., Any]] = {
+    ast.Add: np.add,
+    ast.Sub: np.subtract,
+    ast.Mult: np.multiply,
+    ast.Div: np.divide,
+    ast.Pow: np.power,
+    ast.Lt: np.less,
+    ast.LtE: np.less_equal,
+    ast.Gt: np.greater,
+    ast.GtE: np.greater_equal,
+}
 SIGNS: Dict[type, Callable[..., Any]] = {ast.USub: np.negative, ast.UAdd: np.positive}
 
 
 class Formula:
     """
-    A formula of names, to be worked out for numbers or arrays; `^` is a power, as in parameter files.
+    A formula of names, to be worked out for numbers or arrays; `^` is a power, as in parameter
+    files.
 
     >>> f = Formula("0.5 * (top + bottom)^2")
     >>> sorted(f.names), float(f({"top": 1., "bottom": 3.}))
@@ -48,7 +80,11 @@ class Formula:
 
     def check(self, node):
         """Refuses what is neither number, name, operator nor known function; collects the names."""
-        if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
+        if (
+            isinstance(node, ast.Constant)
+            and isinstance(node.value, (int, float))
+            and not isinstance(node.value, bool)
+        ):
             return
         if isinstance(node, ast.Name):
             if node.id not in CONSTANTS:
@@ -58,12 +94,17 @@ class Formula:
         elif isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             self.check(node.left)
             self.check(node.right)
-        elif isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPERATORS:
+        elif (
+            isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPERATORS
+        ):
             self.check(node.left)
             self.check(node.comparators[0])
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
             if node.func.id not in FUNCTIONS:
-                raise InputError(f"'{self.text}' calls {node.func.id}(); there are {', '.join(sorted(FUNCTIONS))}")
+                raise InputError(
+                    f"'{self.text}' calls {node.func.id}(); there are"
+                    f" {', '.join(sorted(FUNCTIONS))}"
+                )
             for argument in node.args:
                 self.check(argument)
         else:
@@ -87,7 +128,12 @@ class Formula:
         if isinstance(node, ast.Call):
             name: Any = node.func
             return FUNCTIONS[name.id](*(self.work_out(one, values) for one in node.args))
-        left, operator, right = (node.left, node.op, node.right) if isinstance(node, ast.BinOp) else \
-            (node.left, node.ops[0], node.comparators[0])
-        result = OPERATORS[type(operator)](self.work_out(left, values), self.work_out(right, values))
+        left, operator, right = (
+            (node.left, node.op, node.right)
+            if isinstance(node, ast.BinOp)
+            else (node.left, node.ops[0], node.comparators[0])
+        )
+        result = OPERATORS[type(operator)](
+            self.work_out(left, values), self.work_out(right, values)
+        )
         return result if isinstance(node, ast.BinOp) else np.asarray(result, dtype=float)

@@ -15,12 +15,15 @@ def von_mises(stress, out_of_plane=None):
     array([3.   , 1.732])
     """
     x, y, xy = stress.T
-    z = 0. if out_of_plane is None else out_of_plane
-    return np.sqrt(0.5 * ((x - y)**2 + (y - z)**2 + (z - x)**2) + 3 * xy**2)
+    z = 0.0 if out_of_plane is None else out_of_plane
+    return np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3 * xy**2)
 
 
 def pressure(stress, out_of_plane=None):
-    """Mean of the normal stresses, compression positive; without a stress out of the plane that of the plane."""
+    """
+    Mean of the normal stresses, compression positive; without a stress out of the plane that of the
+    plane.
+    """
     total = stress[:, 0] + stress[:, 1]
     return -total / 2 if out_of_plane is None else -(total + out_of_plane) / 3
 
@@ -33,11 +36,16 @@ def add_stresses(table):
     """Columns that a stress gives, where the file does not have them."""
     if "stress_Pa" not in table:
         return
-    beyond = (lambda: table["out_of_plane_stress_Pa"]) if "out_of_plane_stress_Pa" in table else lambda: None
+    beyond = (
+        (lambda: table["out_of_plane_stress_Pa"])
+        if "out_of_plane_stress_Pa" in table
+        else lambda: None
+    )
 
     columns: Dict[str, Callable[[], Any]] = {
         "von_mises_Pa": lambda: von_mises(table["stress_Pa"], beyond()),
-        "pressure_Pa": lambda: pressure(table["stress_Pa"], beyond())}
+        "pressure_Pa": lambda: pressure(table["stress_Pa"], beyond()),
+    }
     for i, name in enumerate(("xx", "yy", "xy")):
         columns[f"stress_{name}_Pa"] = partial(component_of, table, i)
     if beyond() is not None:
@@ -78,17 +86,19 @@ def add_strains(table):
     def principal():
         return logarithmic_strains(table["deformation_gradient"])
 
-    for name, make in {"equivalent_strain": lambda: equivalent_strain(principal()),
-                       "shear_strain": lambda: 0.5 * (principal()[:, 0] - principal()[:, 1]),
-                       "volume_strain": lambda: principal().sum(axis=1)}.items():
+    for name, make in {
+        "equivalent_strain": lambda: equivalent_strain(principal()),
+        "shear_strain": lambda: 0.5 * (principal()[:, 0] - principal()[:, 1]),
+        "volume_strain": lambda: principal().sum(axis=1),
+    }.items():
         if name not in table:
             table[name] = make
 
 
 def wall_ends(walls, vertices):
     """
-    The part of every wall that a picture shows: up to the walls it meets, or a little beyond the bodies. As
-    wall_segment() of the program, which draws the walls of fields.pvd.
+    The part of every wall that a picture shows: up to the walls it meets, or a little beyond the
+    bodies. As wall_segment() of the program, which draws the walls of fields.pvd.
     """
     points, normals = walls["point_m"], walls["normal"]
     result = np.zeros((len(points), 2, 2))

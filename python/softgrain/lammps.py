@@ -13,8 +13,9 @@ COLUMNS = ("id", "mol", "type", "x", "y", "z", "radius", "vx", "vy", "vz")
 
 def write_dump(states, path):
     """
-    Writes the points of states as a text dump in SI units: number, body (mol), radius, place and velocity; for material
-    points the radius is that of a disk of the same area. The file is written whole or not at all.
+    Writes the points of states as a text dump in SI units: number, body (mol), radius, place and
+    velocity; for material points the radius is that of a disk of the same area. The file is written
+    whole or not at all.
     """
     temporary = os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
     with open(temporary, "w", encoding="ascii") as file:
@@ -34,19 +35,32 @@ def write_frame(file, state):
     velocity = points["velocity_m_per_s"] if "velocity_m_per_s" in points else np.zeros((n, 2))
     edge = radius.max()
     low, high = place.min(axis=0) - edge, place.max(axis=0) + edge
-    file.write(f"ITEM: TIME\n{state.time!r}\nITEM: TIMESTEP\n{state.number}\n"
-               f"ITEM: NUMBER OF ATOMS\n{n}\nITEM: BOX BOUNDS ff ff pp\n")
+    file.write(
+        f"ITEM: TIME\n{state.time!r}\nITEM: TIMESTEP\n{state.number}\n"
+        f"ITEM: NUMBER OF ATOMS\n{n}\nITEM: BOX BOUNDS ff ff pp\n"
+    )
     for bounds in (*zip(low, high), (-edge, edge)):
         file.write(f"{bounds[0]:.9g} {bounds[1]:.9g}\n")
     file.write(f"ITEM: ATOMS {' '.join(COLUMNS)} \n")
-    rows = np.column_stack([np.arange(1, n + 1), points["body"] + 1, np.ones(n), place, np.zeros(n), radius, velocity,
-                            np.zeros(n)])
+    rows = np.column_stack(
+        [
+            np.arange(1, n + 1),
+            points["body"] + 1,
+            np.ones(n),
+            place,
+            np.zeros(n),
+            radius,
+            velocity,
+            np.zeros(n),
+        ]
+    )
     np.savetxt(file, rows, fmt=["%d"] * 3 + ["%.9g"] * (len(COLUMNS) - 3))
 
 
 def read_dump(path):
     """
-    Frames of a text dump: [{"step": number, "time": or None, "units": or None, "bounds": rows low, high, column: array}].
+    Frames of a text dump: [{"step": number, "time": or None, "units": or None, "bounds": rows low,
+    high, column: array}].
 
     For tests, and to take up dumps of other programs.
     """
@@ -65,10 +79,14 @@ def read_dump(path):
         elif line == "ITEM: NUMBER OF ATOMS":
             number = int(next(lines))
         elif line.startswith("ITEM: BOX BOUNDS"):
-            frames[-1]["bounds"] = np.array([next(lines).split()[:2] for _ in range(3)], dtype=float)
+            frames[-1]["bounds"] = np.array(
+                [next(lines).split()[:2] for _ in range(3)], dtype=float
+            )
         elif line.startswith("ITEM: ATOMS"):
             names = line.split()[2:]
-            rows = np.array([next(lines).split() for _ in range(number)], dtype=float).reshape(number, len(names))
+            rows = np.array([next(lines).split() for _ in range(number)], dtype=float).reshape(
+                number, len(names)
+            )
             frames[-1].update({name: rows[:, i] for i, name in enumerate(names)})
         else:
             raise InputError(f"{path} is no LAMMPS dump that can be read here: '{line[:60]}'")

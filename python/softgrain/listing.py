@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parameters that the program knows, as it lists them itself: names, defaults, what is allowed, what they mean."""
+"""
+The parameters that the program knows, as it lists them itself: names, defaults, what is allowed,
+what they mean.
+"""
 
 import functools
 import json
@@ -17,6 +20,7 @@ NAMES = "Names"  # the parameter of a section whose subsections have names of on
 @dataclass(frozen=True)
 class Entry:
     """A parameter."""
+
     name: str
     default: str
     allowed: str
@@ -25,7 +29,11 @@ class Entry:
 
 @dataclass
 class Listed:
-    """A section: its parameters and subsections by their names in files, and what a subsection of any name has."""
+    """
+    A section: its parameters and subsections by their names in files, and what a subsection of any
+    name has.
+    """
+
     entries: Dict[str, Entry] = field(default_factory=dict)
     sections: Dict[str, "Listed"] = field(default_factory=dict)
     named: Optional["Listed"] = None
@@ -62,7 +70,9 @@ def read_section(data: dict, names=frozenset()) -> Listed:
 
 @functools.lru_cache(maxsize=None)
 def _listed(program: str, model: str, _) -> Listed:
-    return read_section(json.loads(call([program, "parameters", "--model", model, "--format", "json"])))
+    return read_section(
+        json.loads(call([program, "parameters", "--model", model, "--format", "json"]))
+    )
 
 
 def listing(model: str = "mpm", program: Optional[str] = None) -> Listed:

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-What made a run: all that its scene says with includes and changes, the contents of the files that it names, and the program.
+What made a run: all that its scene says with includes and changes, the contents of the files that
+it names, and the program.
 
-A run that is there already is used again only when all of that is the same. made_by.json in its folder keeps it.
+A run that is there already is used again only when all of that is the same. made_by.json in its
+folder keeps it.
 """
 
 import glob
@@ -16,9 +18,19 @@ from .errors import InputError
 from .prm_file import read_prm
 
 NAME = "made_by.json"
-PATHS = ("Additional shared libraries", "Output directory", "Packing/File", "Packing/Class table", "Packing/Save to", "Primaries/Library",
-         "Contact/Keep failed problems in")  # in a file they count from its folder
-NOT_READ = ("Save to", "Library")  # last names of parameters whose file is written, or keeps what can be made anew
+PATHS = (
+    "Additional shared libraries",
+    "Output directory",
+    "Packing/File",
+    "Packing/Class table",
+    "Packing/Save to",
+    "Primaries/Library",
+    "Contact/Keep failed problems in",
+)  # in a file they count from its folder
+NOT_READ = (
+    "Save to",
+    "Library",
+)  # last names of parameters whose file is written, or keeps what can be made anew
 NO_RESULT = ("Output directory", "Threads")  # where and how, but not what is computed
 UNREAD = "its text"  # the only entry of a file that cannot be read
 TOLD = 3  # differences in a message
@@ -27,6 +39,7 @@ TOLD = 3  # differences in a message
 @dataclass(frozen=True)
 class Origin:
     """What made a run."""
+
     parameters: dict  # {"Section/Name": text}, of the scene and what was changed in it
     files: dict  # {path as the scene has it: digest of what is in it}
     program: str
@@ -38,11 +51,21 @@ class Origin:
         return hashlib.sha256(text.encode()).hexdigest()
 
     def differences(self, asked):
-        """What is different in this origin from the one that is asked for, as words; nothing when both are the same."""
-        found = [f"{name} = {self.parameters.get(name, 'its default')} (asked for: {asked.parameters.get(name, 'its default')})"
-                 for name in {**asked.parameters, **self.parameters} if self.parameters.get(name) != asked.parameters.get(name)]
-        found += [f"another content of {path}" for path in {**asked.files, **self.files}
-                  if path in asked.files and path in self.files and self.files[path] != asked.files[path]]
+        """
+        What is different in this origin from the one that is asked for, as words; nothing when both
+        are the same.
+        """
+        found = [
+            f"{name} = {self.parameters.get(name, 'its default')} (asked for:"
+            f" {asked.parameters.get(name, 'its default')})"
+            for name in {**asked.parameters, **self.parameters}
+            if self.parameters.get(name) != asked.parameters.get(name)
+        ]
+        found += [
+            f"another content of {path}"
+            for path in {**asked.files, **self.files}
+            if path in asked.files and path in self.files and self.files[path] != asked.files[path]
+        ]
         if self.program != asked.program:
             found.append("another program")
         return found
@@ -65,22 +88,31 @@ def moved(text, folder):
     ('../scenes/grains.csv, /data/b.csv', 'libgel.so')
     """
     paths = [one.strip() for one in text.split(",") if one.strip()]
-    return ", ".join(os.path.normpath(os.path.join(folder, one)) if "/" in one or ".so" not in one or
-                     os.path.isfile(os.path.join(folder, one)) else one for one in paths)
+    return ", ".join(
+        (
+            os.path.normpath(os.path.join(folder, one))
+            if "/" in one or ".so" not in one or os.path.isfile(os.path.join(folder, one))
+            else one
+        )
+        for one in paths
+    )
 
 
 def entries_of(scene):
     """
-    {"Section/Name": (text, folder of the file that says it)} of a parameter file with its includes, .prm or .json. Of one that
-    cannot be read there is only what stands in it: the program says what is wrong.
+    {"Section/Name": (text, folder of the file that says it)} of a parameter file with its includes,
+    .prm or .json. Of one that cannot be read there is only what stands in it: the program says what
+    is wrong.
     """
     folder = os.path.dirname(scene)
     try:
         if scene.endswith(".json"):
             with open(scene, encoding="utf-8") as file:
                 return {name: (text, folder) for name, text in flattened(json.load(file))}
-        return {"/".join(key): (item.text, os.path.dirname(item.where.rpartition(":")[0]))
-                for key, item in read_prm(scene).items()}
+        return {
+            "/".join(key): (item.text, os.path.dirname(item.where.rpartition(":")[0]))
+            for key, item in read_prm(scene).items()
+        }
     except (InputError, ValueError, AttributeError):
         return {UNREAD: (digest_of(scene), folder)}
 
@@ -105,15 +137,21 @@ def files_named(text, folders):
     ['grains.csv']
     """
     names = [one.strip() for one in re.split("[,;]", text)]
-    places = [os.path.join(folder, name) for name in names if name for folder in dict.fromkeys(folders)]
+    places = [
+        os.path.join(folder, name) for name in names if name for folder in dict.fromkeys(folders)
+    ]
     return [place for place in places if os.path.isfile(place)]
 
 
 def program_digest(program):
     """The digest of a program and of its library."""
     place = os.path.dirname(os.path.dirname(os.path.realpath(program)))
-    libraries = {os.path.realpath(path) for pattern in ("lib*/libsoftgrain*", "lib*/*/libsoftgrain*")
-                 for path in glob.glob(os.path.join(glob.escape(place), pattern)) if os.path.isfile(path)}
+    libraries = {
+        os.path.realpath(path)
+        for pattern in ("lib*/libsoftgrain*", "lib*/*/libsoftgrain*")
+        for path in glob.glob(os.path.join(glob.escape(place), pattern))
+        if os.path.isfile(path)
+    }
     return " ".join(map(digest_of, [program, *sorted(libraries)]))
 
 
@@ -121,7 +159,11 @@ class Origins:
     """The origins of runs of a scene by a program; what both are is read once."""
 
     def __init__(self, scene, program):
-        self.entries, self.program, self.digests = entries_of(os.fspath(scene)), program_digest(program), {}
+        self.entries, self.program, self.digests = (
+            entries_of(os.fspath(scene)),
+            program_digest(program),
+            {},
+        )
 
     def digest(self, path):
         if path not in self.digests:
@@ -132,8 +174,12 @@ class Origins:
         """The Origin with @changes {"Section/Name": text}."""
         entries = {**self.entries, **{name: (text, "") for name, text in changes.items()}}
         entries = {name: found for name, found in entries.items() if name not in NO_RESULT}
-        files = {path: self.digest(path) for name, (text, folder) in entries.items()
-                 if name.rpartition("/")[2] not in NOT_READ for path in files_named(text, (folder,))}
+        files = {
+            path: self.digest(path)
+            for name, (text, folder) in entries.items()
+            if name.rpartition("/")[2] not in NOT_READ
+            for path in files_named(text, (folder,))
+        }
         return Origin({name: text for name, (text, _) in entries.items()}, files, self.program)
 
 
@@ -149,7 +195,9 @@ def write_origin(folder, origin):
 
 
 def read_origin(folder):
-    """(what made the run in a folder, digest of its parameters.prm then); None when it does not say."""
+    """
+    (what made the run in a folder, digest of its parameters.prm then); None when it does not say.
+    """
     path = os.path.join(folder, NAME)
     try:
         with open(path, encoding="utf-8") as file:
@@ -163,7 +211,8 @@ def read_origin(folder):
 
 def why_not(folder, origin):
     """
-    Why the run in a folder is none of this origin, as words; '' when it is. None when nobody knows what made it.
+    Why the run in a folder is none of this origin, as words; '' when it is. None when nobody knows
+    what made it.
     """
     found = read_origin(folder)
     if found is None:
@@ -173,4 +222,6 @@ def why_not(folder, origin):
     if not os.path.isfile(path) or digest_of(path) != written:
         return "other parameters, put there since"
     found = there.differences(origin)
-    return "; ".join(found[:TOLD]) + (f" and {len(found) - TOLD} more differences" if len(found) > TOLD else "")
+    return "; ".join(found[:TOLD]) + (
+        f" and {len(found) - TOLD} more differences" if len(found) > TOLD else ""
+    )

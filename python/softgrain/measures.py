@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Measures of a state in numpy, with the names and values of measures.csv (doc/measures.md): to try another state, another
-choice of contacts, or a measure of one's own.
+Measures of a state in numpy, with the names and values of measures.csv (doc/measures.md): to try
+another state, another choice of contacts, or a measure of one's own.
 """
 
 from typing import List
@@ -21,7 +21,9 @@ def packing(state):
 
 
 def coordination(state):
-    """Contacts per body: with walls, of bodies alone, without rattlers; and the share of rattlers."""
+    """
+    Contacts per body: with walls, of bodies alone, without rattlers; and the share of rattlers.
+    """
     pairs, bodies = state.pairs, state.bodies["body"]
     n, with_wall = len(bodies), pairs["body_b"] == NONE
     degree = state.bodies["coordination"].copy()
@@ -39,10 +41,12 @@ def coordination(state):
                     rattles[other] = True
                     open_.append(other)
     kept = degree[~rattles]
-    return {"coordination": float(state.bodies["coordination"].mean()),
-            "coordination_of_bodies": 2 * float((~with_wall).sum()) / n,
-            "coordination_without_rattlers": float(kept.mean()) if len(kept) else 0.,
-            "rattler_fraction": float(rattles.mean())}
+    return {
+        "coordination": float(state.bodies["coordination"].mean()),
+        "coordination_of_bodies": 2 * float((~with_wall).sum()) / n,
+        "coordination_without_rattlers": float(kept.mean()) if len(kept) else 0.0,
+        "rattler_fraction": float(rattles.mean()),
+    }
 
 
 def difference(tensor):
@@ -60,9 +64,13 @@ def fabric(state):
     dyads = normal[:, :, None] * normal[:, None, :]
     tensor = dyads.mean(axis=0)
     contact = 2 * difference(tensor)
-    result = {"fabric_xx": tensor[0, 0], "fabric_yy": tensor[1, 1], "fabric_xy": tensor[0, 1],
-              "contact_anisotropy": contact,
-              "contact_direction_rad": 0.5 * np.arctan2(2 * tensor[0, 1], tensor[0, 0] - tensor[1, 1])}
+    result = {
+        "fabric_xx": tensor[0, 0],
+        "fabric_yy": tensor[1, 1],
+        "fabric_xy": tensor[0, 1],
+        "contact_anisotropy": contact,
+        "contact_direction_rad": 0.5 * np.arctan2(2 * tensor[0, 1], tensor[0, 0] - tensor[1, 1]),
+    }
     if force.sum() > 0:
         weighted = (force[:, None, None] * dyads).sum(axis=0) / force.sum()
         result["normal_force_anisotropy"] = 2 * difference(weighted) - contact
@@ -71,7 +79,10 @@ def fabric(state):
 
 
 def stress(state):
-    """Stress of the box from the internal moments of its bodies, tension positive; p, q and the pressure on the walls."""
+    """
+    Stress of the box from the internal moments of its bodies, tension positive; p, q and the
+    pressure on the walls.
+    """
     box = state.box()
     if box is None:
         return {}
@@ -84,13 +95,20 @@ def stress(state):
     moment -= np.einsum("ki,kj->ij", force[pair], place[pair] - center[b[pair]])
     tensor = 0.5 * (moment + moment.T) / (box[0] * box[1])
     p, q = -0.5 * np.trace(tensor), 0.5 * difference(tensor)
-    result = {"stress_xx_Pa": tensor[0, 0], "stress_yy_Pa": tensor[1, 1], "stress_xy_Pa": tensor[0, 1],
-              "mean_pressure_Pa": p, "deviator_Pa": q}
+    result = {
+        "stress_xx_Pa": tensor[0, 0],
+        "stress_yy_Pa": tensor[1, 1],
+        "stress_xy_Pa": tensor[0, 1],
+        "mean_pressure_Pa": p,
+        "deviator_Pa": q,
+    }
     if p > 0:
         result["stress_ratio"] = q / p
     for name, normal_force in zip(state.walls["name"], state.walls["normal_force_N_per_m"]):
         if name in ("bottom", "top", "left", "right"):
-            result[f"{name}_pressure_Pa"] = normal_force / box[0 if name in ("bottom", "top") else 1]
+            result[f"{name}_pressure_Pa"] = (
+                normal_force / box[0 if name in ("bottom", "top") else 1]
+            )
     return {name: float(value) for name, value in result.items()}
 
 
@@ -99,7 +117,10 @@ def forces(state):
     normal = state.pairs["normal_force_N_per_m"][state.pairs["body_b"] != NONE]
     if not len(normal):
         return {}
-    return {"mean_normal_force_N_per_m": float(normal.mean()), "largest_normal_force_N_per_m": float(normal.max())}
+    return {
+        "mean_normal_force_N_per_m": float(normal.mean()),
+        "largest_normal_force_N_per_m": float(normal.max()),
+    }
 
 
 def of(state):

@@ -8,8 +8,8 @@ from .errors import InputError
 
 class Outlines:
     """
-    The outlines of the bodies: ``outlines[b]`` is a list of closed lines, arrays of x, y [m]; the first is the outer
-    one, others are holes.
+    The outlines of the bodies: ``outlines[b]`` is a list of closed lines, arrays of x, y [m]; the
+    first is the outer one, others are holes.
     """
 
     def __init__(self, rings):
@@ -17,7 +17,9 @@ class Outlines:
 
     def __getitem__(self, body):
         if body not in self.rings:
-            raise InputError(f"there is no outline of a body {body}; there are {len(self.rings)} bodies")
+            raise InputError(
+                f"there is no outline of a body {body}; there are {len(self.rings)} bodies"
+            )
         return self.rings[body]
 
     def __iter__(self):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Pages in one file: text, tables, pictures, films and charts to zoom into, for any browser and without a network.
+Pages in one file: text, tables, pictures, films and charts to zoom into, for any browser and
+without a network.
 
 What is shown is no matter of this module: softgrain.report fills a page from runs.
 """
@@ -19,27 +20,31 @@ from .errors import InputError
 HERE = pathlib.Path(__file__).resolve().parent
 LIBRARY = "plotly-basic.min.js"
 # Nothing but the page itself may be loaded, whatever it holds.
-POLICY = ("default-src 'none'; img-src data: blob:; media-src data: blob:; style-src 'unsafe-inline'; "
-          "script-src 'unsafe-inline'")
+POLICY = (
+    "default-src 'none'; img-src data: blob:; media-src data: blob:; style-src 'unsafe-inline'; "
+    "script-src 'unsafe-inline'"
+)
 
 
 def library():
     """
-    The text of the chart library: in the sources contrib/third-party, installed PREFIX/share/softgrain/third-party, of a wheel the same
-    in the package.
+    The text of the chart library: in the sources contrib/third-party, installed
+    PREFIX/share/softgrain/third-party, of a wheel the same in the package.
     """
     for folder in (HERE / "program", *HERE.parents):
         for place in ("contrib/third-party", "share/softgrain/third-party"):
             path = folder / place / LIBRARY
             if path.is_file():
                 return path.read_text(encoding="utf-8")
-    raise InputError(f"{LIBRARY} is missing: it is installed with the program, in share/softgrain/third-party")
+    raise InputError(
+        f"{LIBRARY} is missing: it is installed with the program, in share/softgrain/third-party"
+    )
 
 
 class Markup(str):
     """
-    Text that is HTML already. Whatever becomes part of a page and is not of this kind is escaped, so that nothing that a run
-    or a study says can become an element.
+    Text that is HTML already. Whatever becomes part of a page and is not of this kind is escaped,
+    so that nothing that a run or a study says can become an element.
     """
 
 
@@ -60,7 +65,10 @@ def tag(name, *content, **attributes):
     >>> tag("b", "a < b", tag("i", "c"), class_='"')
     '<b class="&quot;">a &lt; b<i>c</i></b>'
     """
-    words = "".join(f' {key.rstrip("_").replace("_", "-")}="{escape(value)}"' for key, value in attributes.items())
+    words = "".join(
+        f' {key.rstrip("_").replace("_", "-")}="{escape(value)}"'
+        for key, value in attributes.items()
+    )
     return Markup(f"<{name}{words}>{''.join(map(escape, content))}</{name}>")
 
 
@@ -109,7 +117,10 @@ def plain(value):
 
 
 def json_within_page(data):
-    """JSON without a sign that means something to HTML: no browser sees an end of the script, or a comment, in it."""
+    """
+    JSON without a sign that means something to HTML: no browser sees an end of the script, or a
+    comment, in it.
+    """
     text = json.dumps(plain(data), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     for sign in "<>&\u2028\u2029":
         text = text.replace(sign, f"\\u{ord(sign):04x}")
@@ -133,33 +144,59 @@ class Section:
     def warnings(self, lines):
         """Lines (colour, name, text) that nobody is to overlook."""
         if lines:
-            self.add(tag("ul", *(tag("li", chip(colour, name), " ", text) for colour, name, text in lines), class_="warnings"))
+            self.add(
+                tag(
+                    "ul",
+                    *(tag("li", chip(colour, name), " ", text) for colour, name, text in lines),
+                    class_="warnings",
+                )
+            )
 
     def table(self, head, rows, classes="", search=False):
         """
-        @head: names of the columns, or elements; @rows: (name, cells, classes), or (name,) for a line between groups. With @search a
-        field above it shows the rows that have what is typed.
+        @head: names of the columns, or elements; @rows: (name, cells, classes), or (name,) for a
+        line between groups. With @search a field above it shows the rows that have what is typed.
         """
         lines = []
         for row in rows:
             if len(row) == 1:
                 lines.append(tag("tr", tag("th", row[0], colspan=len(head)), class_="group"))
             else:
-                lines.append(tag("tr", tag("th", row[0]), *(tag("td", cell) for cell in row[1]), class_=row[2]))
-        tools = Markup('<input type="search" placeholder="find" aria-label="find in this table">' if search else "")
+                lines.append(
+                    tag(
+                        "tr",
+                        tag("th", row[0]),
+                        *(tag("td", cell) for cell in row[1]),
+                        class_=row[2],
+                    )
+                )
+        tools = Markup(
+            '<input type="search" placeholder="find" aria-label="find in this table">'
+            if search
+            else ""
+        )
         top = tag("thead", tag("tr", *(tag("th", cell) for cell in head)))
-        self.add(tag("div", tools, tag("div", tag("table", top, tag("tbody", *lines)), class_="scroll"), class_=f"table {classes}"))
+        self.add(
+            tag(
+                "div",
+                tools,
+                tag("div", tag("table", top, tag("tbody", *lines)), class_="scroll"),
+                class_=f"table {classes}",
+            )
+        )
 
     def figures(self, items):
         """Pictures and films side by side: (address, caption), the address from data_address()."""
-        self.add(tag("div", *(figure(address, caption) for address, caption in items), class_="figures"))
+        self.add(
+            tag("div", *(figure(address, caption) for address, caption in items), class_="figures")
+        )
 
     def curves(self, heading, series, x, y, **options):
         """
-        Columns of the page's tables as curves. @series: {name, tables, colour, dash, y} with tables in the order in which
-        the columns are looked for, and y left out where the reader chooses it. @x and @y: lists of columns; of several the
-        reader chooses. Options: logx, logy, wide, height, markers, follow (the choice of x for all
-        curves counts here, too).
+        Columns of the page's tables as curves. @series: {name, tables, colour, dash, y} with tables
+        in the order in which the columns are looked for, and y left out where the reader chooses
+        it. @x and @y: lists of columns; of several the reader chooses. Options: logx, logy, wide,
+        height, markers, follow (the choice of x for all curves counts here, too).
         """
         self.chart({"heading": heading, "series": series, "x": x, "y": y, **options})
 
@@ -171,9 +208,15 @@ class Section:
         number = len(self.page.charts)
         self.page.charts.append(chart)
         height = {"style": f"height:{chart['height']:g}px"} if "height" in chart else {}
-        self.add(tag("figure", tag("h3", chart["heading"]), tag("div", class_="tools", id=f"tools-{number}"),
-                     tag("div", class_="plot", id=f"chart-{number}", **height),
-                     class_="chart wide" if chart.get("wide") else "chart"))
+        self.add(
+            tag(
+                "figure",
+                tag("h3", chart["heading"]),
+                tag("div", class_="tools", id=f"tools-{number}"),
+                tag("div", class_="plot", id=f"chart-{number}", **height),
+                class_="chart wide" if chart.get("wide") else "chart",
+            )
+        )
 
     def html(self):
         # Charts that follow each other share a grid.
@@ -184,7 +227,12 @@ class Section:
                 code.append('<div class="charts">' if chart else "</div>")
                 inside = chart
             code.append(part)
-        return tag("section", tag("h2", self.heading), Markup("".join(code) + ("</div>" if inside else "")), id=self.name)
+        return tag(
+            "section",
+            tag("h2", self.heading),
+            Markup("".join(code) + ("</div>" if inside else "")),
+            id=self.name,
+        )
 
 
 def chip(colour, name):
@@ -193,8 +241,12 @@ def chip(colour, name):
 
 
 def figure(address, caption):
-    shown = f'<video controls loop muted playsinline preload="metadata" src="{escape(address)}"></video>' \
-        if address.startswith("data:video/") else f'<img src="{escape(address)}" alt="{escape(caption)}">'
+    shown = (
+        '<video controls loop muted playsinline preload="metadata"'
+        f' src="{escape(address)}"></video>'
+        if address.startswith("data:video/")
+        else f'<img src="{escape(address)}" alt="{escape(caption)}">'
+    )
     return tag("figure", Markup(shown), tag("figcaption", caption))
 
 
@@ -204,7 +256,8 @@ class Page:
 
     >>> page = Page("A page")
     >>> page.tables["run"] = {"time_s": [0., 1.], "force_N_per_m": [0., 2.]}
-    >>> page.section("Curves").curves("Force", [{"name": "run", "tables": ["run"]}], ["time_s"], ["force_N_per_m"])
+    >>> runs = [{"name": "run", "tables": ["run"]}]
+    >>> page.section("Curves").curves("Force", runs, ["time_s"], ["force_N_per_m"])
     >>> read_data(page.html())["tables"]["run"]["force_N_per_m"]
     [0.0, 2.0]
     """
@@ -222,16 +275,22 @@ class Page:
         """The whole page."""
         data = {"tables": self.tables, "columns": self.columns, "charts": self.charts}
         links = joined(tag("a", one.heading, href="#" + one.name) for one in self.sections)
-        style, program = ((HERE / f"page.{ending}").read_text(encoding="utf-8") for ending in ("css", "js"))
-        return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-                f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
-                f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{escape(self.title)}</title>'
-                f"<style>\n{style}</style></head>\n<body><header><h1>{escape(self.title)}</h1>"
-                f'{tag("div", self.lead, class_="lead")}</header><nav>{links}</nav><main><div id="problem" hidden></div>\n' +
-                "\n".join(one.html() for one in self.sections) +
-                f"\n</main><footer>{escape(self.foot)}</footer>\n"
-                f'<script type="application/json" id="data">{json_within_page(data)}</script>\n'
-                f"<script>{library()}</script>\n<script>\n{program}</script></body></html>\n")
+        style, program = (
+            (HERE / f"page.{ending}").read_text(encoding="utf-8") for ending in ("css", "js")
+        )
+        return (
+            '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+            f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">'
+            f"<title>{escape(self.title)}</title><style>\n{style}</style></head>\n"
+            f"<body><header><h1>{escape(self.title)}</h1>"
+            f'{tag("div", self.lead, class_="lead")}</header><nav>{links}</nav><main>'
+            '<div id="problem" hidden></div>\n'
+            + "\n".join(one.html() for one in self.sections)
+            + f"\n</main><footer>{escape(self.foot)}</footer>\n"
+            f'<script type="application/json" id="data">{json_within_page(data)}</script>\n'
+            f"<script>{library()}</script>\n<script>\n{program}</script></body></html>\n"
+        )
 
     def write(self, path):
         """Writes the page whole or not at all."""
@@ -247,4 +306,4 @@ class Page:
 def read_data(text):
     """The data within a page, as a program may want them: tables, columns, charts."""
     begin = text.index('id="data">') + len('id="data">')
-    return json.loads(text[begin:text.index("</script>", begin)])
+    return json.loads(text[begin : text.index("</script>", begin)])

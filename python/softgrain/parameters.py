@@ -79,12 +79,19 @@ class Parameters(Mapping):
             last = plain(name.rsplit("/", 1)[-1])
             near = [key for key in self.entries if plain(key.rsplit("/", 1)[-1]) == last]
             told = " or ".join(near[:4]) or near_names(name, self.entries)
-            raise MissingName(f"there is no parameter '{name}' in {self.path}" + (f"; did you mean {told}?" if told else ""))
+            raise MissingName(
+                f"there is no parameter '{name}' in {self.path}"
+                + (f"; did you mean {told}?" if told else "")
+            )
         return self.entries[name]
 
     def names(self, section):
         """The list 'Names' of Materials, Bodies or Walls."""
-        return [name.strip() for name in self.entries.get(f"{section}/Names", "").split(",") if name.strip()]
+        return [
+            name.strip()
+            for name in self.entries.get(f"{section}/Names", "").split(",")
+            if name.strip()
+        ]
 
     def section(self, prefix):
         """
@@ -94,15 +101,18 @@ class Parameters(Mapping):
         {'Friction': 0.3}
         """
         start = prefix.rstrip("/") + "/"
-        return {key[len(start):]: self[key] for key in self.entries if key.startswith(start)}
+        return {key[len(start) :]: self[key] for key in self.entries if key.startswith(start)}
 
     def find_number(self, name, group):
         """
-        The number called @name in the first subsection of @group that has it, in that of its law if it says one; None
-        when there is none.
+        The number called @name in the first subsection of @group that has it, in that of its law if
+        it says one; None when there is none.
         """
-        found = [(key.split("/"), value) for key, value in self.entries.items()
-                 if key.split("/")[0] == group and plain(key.rsplit("/", 1)[-1]) == plain(name)]
+        found = [
+            (key.split("/"), value)
+            for key, value in self.entries.items()
+            if key.split("/")[0] == group and plain(key.rsplit("/", 1)[-1]) == plain(name)
+        ]
         for key, value in found:
             law = self.entries.get(f"{group}/{key[1]}/Law")
             if law is None or len(key) < 4 or plain(law) == plain(key[2]):

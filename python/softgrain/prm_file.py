@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files in the form of parameter files, read by the rules of the program, with the line of every entry."""
+"""
+Files in the form of parameter files, read by the rules of the program, with the line of every
+entry.
+"""
 
 import difflib
 import os
@@ -9,13 +12,15 @@ from typing import Any, Dict, List
 from .errors import InputError
 
 WORDS = ("set", "subsection", "end", "include")
-# As in the program: sections within each other; files on the way of includes, the first counted; includes altogether.
+# As in the program: sections within each other; files on the way of includes, the first counted;
+# includes altogether.
 MOST_SECTIONS, DEEPEST_INCLUDE, MOST_INCLUDES = 16, 16, 200
 
 
 @dataclass
 class Item:
     """A value and where it stands, as 'file:line'."""
+
     text: str
     where: str
 
@@ -34,8 +39,9 @@ def read_text(path):
 
 def read_prm(path, including=(), counter=None):
     """
-    {(section, ..., name): Item} of a file and of those that it includes. What a file sets itself counts more than what it includes,
-    wherever the include stands; of two includes the later counts.
+    {(section, ..., name): Item} of a file and of those that it includes. What a file sets itself
+    counts more than what it includes, wherever the include stands; of two includes the later
+    counts.
 
     >>> with open("small.prm", "w") as file:
     ...     _ = file.write("subsection Mesh  # cells\\n  set Cell size = 1e-3\\nend\\n")
@@ -99,13 +105,17 @@ def read_prm(path, including=(), counter=None):
                 fail(f"more than {DEEPEST_INCLUDE} files that include each other")
             counter.append(other)
             if len(counter) > MOST_INCLUDES:
-                fail(f"this is include number {len(counter)}, and {MOST_INCLUDES} are allowed; a file that is included twice "
-                     "counts twice")
+                fail(
+                    f"this is include number {len(counter)}, and {MOST_INCLUDES} are allowed; a"
+                    " file that is included twice counts twice"
+                )
             included.update(read_prm(other, (*including, os.path.realpath(path)), counter))
         else:
             near = difflib.get_close_matches(word, WORDS, 1)
-            fail(f"'{line}' is not understood: a line starts with set, subsection, end or include" +
-                 (f" (did you mean '{near[0]}'?)" if near else ""))
+            fail(
+                f"'{line}' is not understood: a line starts with set, subsection, end or include"
+                + (f" (did you mean '{near[0]}'?)" if near else "")
+            )
     if continued:
         fail("the file ends within a line continued by '\\'")
     if sections:

@@ -16,14 +16,14 @@ from .folder import Run
 from .made_by import Origins, digest_of, entries_of, why_not, write_origin
 
 ERROR = "softgrain: error: "  # before every message of the program
-GRACE = 60.  # seconds that a run has to save its state
+GRACE = 60.0  # seconds that a run has to save its state
 HERE = pathlib.Path(__file__).resolve().parent
 
 
 def find_program(program=None):
     """
-    The program softgrain: the one that is named, that of the environment variable SOFTGRAIN, that which this package
-    was installed or built with, or the first in PATH.
+    The program softgrain: the one that is named, that of the environment variable SOFTGRAIN, that
+    which this package was installed or built with, or the first in PATH.
     """
     named = program or os.environ.get("SOFTGRAIN")
     if named:
@@ -33,16 +33,24 @@ def find_program(program=None):
         return found
     # In a wheel, PREFIX/share/softgrain/python/softgrain, or python/softgrain in the sources.
     places = [HERE / "program" / "bin" / "softgrain"]
-    places += [folder / "bin" / "softgrain" for folder in HERE.parents if (folder / "share" / "softgrain").is_dir()]
-    places += sorted(HERE.parents[1].glob("build/*/bin/softgrain"), key=lambda path: path.parts[-3] != "release")
+    places += [
+        folder / "bin" / "softgrain"
+        for folder in HERE.parents
+        if (folder / "share" / "softgrain").is_dir()
+    ]
+    places += sorted(
+        HERE.parents[1].glob("build/*/bin/softgrain"), key=lambda path: path.parts[-3] != "release"
+    )
     for place in places:
         if os.access(place, os.X_OK) and place.is_file():
             return str(place)
     found = shutil.which("softgrain")
     if found:
         return found
-    raise InputError("the program softgrain is not in PATH: set the environment variable SOFTGRAIN to it, or say "
-                     "program=...")
+    raise InputError(
+        "the program softgrain is not in PATH: set the environment variable SOFTGRAIN to it, or say"
+        " program=..."
+    )
 
 
 def text_of(value):
@@ -61,9 +69,11 @@ def text_of(value):
 
 def last_errors(text):
     """
-    What the program said when it ended, in one line; of a wrong input it may be several, one for each mistake.
+    What the program said when it ended, in one line; of a wrong input it may be several, one for
+    each mistake.
 
-    >>> last_errors("step 1\\nsoftgrain: error: a.prm:1: no\\nsoftgrain: error: a.prm:2: nor that\\n")
+    >>> last_errors("step 1\\nsoftgrain: error: a.prm:1: no\\n"
+    ...             "softgrain: error: a.prm:2: nor that\\n")
     'a.prm:1: no; a.prm:2: nor that'
     """
     found = []
@@ -79,15 +89,18 @@ def error_of(text, code):
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     own = [number for number, line in enumerate(lines) if line.startswith(ERROR)]
     if own:
-        return last_errors("\n".join(lines[:own[-1] + 1]))
+        return last_errors("\n".join(lines[: own[-1] + 1]))
     return f"ended by signal {-code}" if code < 0 else f"ended with status {code}"
 
 
 def call(words, timeout=None):
     """
-    Starts the program; returns what it printed. Of a run that takes too long, or that Ctrl-C ends, the state is saved.
+    Starts the program; returns what it printed. Of a run that takes too long, or that Ctrl-C ends,
+    the state is saved.
     """
-    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
     try:
         printed, errors = process.communicate(timeout=timeout)
     except (subprocess.TimeoutExpired, KeyboardInterrupt) as error:
@@ -101,7 +114,10 @@ def call(words, timeout=None):
             raise
         raise RunFailed(f"over {timeout} s") from error
     if process.returncode != 0:
-        said = last_errors(errors) or (errors.strip().splitlines() or [f"ended with status {process.returncode}"])[-1]
+        said = (
+            last_errors(errors)
+            or (errors.strip().splitlines() or [f"ended with status {process.returncode}"])[-1]
+        )
         raise (InputError if process.returncode == 2 else RunFailed)(said)
     return printed
 
@@ -112,23 +128,43 @@ def knows(program, option):
     return option in call((program, "run", "--help"))
 
 
-def run(scene, set=None, output=None, threads=None, program=None, timeout=None, again=None, restart=False,
-        overwrite=False, verbose=False):
+def run(
+    scene,
+    set=None,
+    output=None,
+    threads=None,
+    program=None,
+    timeout=None,
+    again=None,
+    restart=False,
+    overwrite=False,
+    verbose=False,
+):
     """
     Runs a parameter file, or a Scene, with some parameters changed and returns the finished run.
 
-    @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). A run that is there
-    already is an error unless something is said: of one that is finished, again=False opens it only and again=True runs it
-    again; restart=True goes on with one that is not, from its newest checkpoint, and overwrite=True loses either.
-    restart=FILE goes on from that checkpoint. @timeout: seconds. @verbose prints the command first.
-    What the program prints is kept in the attribute `log` of the run. InputError and RunFailed tell what the program said.
+    @set: {"Section/Name": value}. @output: folder of the results (default: that of the file). A run
+    that is there already is an error unless something is said: of one that is finished, again=False
+    opens it only and again=True runs it again; restart=True goes on with one that is not, from its
+    newest checkpoint, and overwrite=True loses either. restart=FILE goes on from that checkpoint.
+    @timeout: seconds. @verbose prints the command first. What the program prints is kept in the
+    attribute `log` of the run. InputError and RunFailed tell what the program said.
 
     >>> run(example_scene, set={"Stop/Axial strain": 0.005}, output=scratch + "/quick").finished
     True
     """
     if hasattr(scene, "write"):
-        return scene.run(output, set=set, threads=threads, program=program, timeout=timeout, again=again, restart=restart,
-                         overwrite=overwrite, verbose=verbose)
+        return scene.run(
+            output,
+            set=set,
+            threads=threads,
+            program=program,
+            timeout=timeout,
+            again=again,
+            restart=restart,
+            overwrite=overwrite,
+            verbose=verbose,
+        )
     program = find_program(program)
     changes = {name: text_of(value) for name, value in (set or {}).items()}
     if not os.path.exists(scene):
@@ -170,10 +206,15 @@ def run_that_is_there(folder, origin):
     """The finished run in a folder, if it was made by all that is asked for."""
     said = why_not(folder, origin)
     if said is None:
-        raise InputError(f"{folder} holds a run that was not started from Python, so that nobody knows whether it is this one: "
-                         "softgrain.open() opens it, again=True makes it anew")
+        raise InputError(
+            f"{folder} holds a run that was not started from Python, so that nobody knows whether"
+            " it is this one: softgrain.open() opens it, again=True makes it anew"
+        )
     if said:
-        raise InputError(f"{folder} holds another run, with {said}: name another folder, or say again=True to lose it")
+        raise InputError(
+            f"{folder} holds another run, with {said}: name another folder, or say again=True to"
+            " lose it"
+        )
     found = Run(folder)
     found.log = None
     return found
@@ -204,9 +245,11 @@ def folder_name(changes, origin):
 
 def measure(directory, program=None):
     """
-    The values of all measures at the snapshots of a run, worked out by the program; nothing is written into the folder.
+    The values of all measures at the snapshots of a run, worked out by the program; nothing is
+    written into the folder.
     """
     from .tables import read_table
+
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "measures.csv")
         call([find_program(program), "measure", os.fspath(directory), "--output", path])

@@ -40,8 +40,11 @@ def add_pictures(page, entries, choices, problems):
             section.add(tag("div", entry.chip, class_="run"))
         section.figures(items)
     if len(found) > 1:
-        section.text("One scale of colours and one of forces for all runs." if common else
-                     "Every run has its own scales: the scenes are of different kinds or sizes.")
+        section.text(
+            "One scale of colours and one of forces for all runs."
+            if common
+            else "Every run has its own scales: the scenes are of different kinds or sizes."
+        )
 
 
 def states_of(entry, run, choices, problems):
@@ -50,21 +53,28 @@ def states_of(entry, run, choices, problems):
     if choices.film and len(run) > 2:
         try:
             ending = film.best_ending()
-            numbers = np.unique(np.linspace(0, len(run) - 1, min(choices.frames, len(run))).astype(int)).tolist()
+            numbers = np.unique(
+                np.linspace(0, len(run) - 1, min(choices.frames, len(run))).astype(int)
+            ).tolist()
         except InputError as error:
             problems.append((entry.colour, entry.label, f"there is no film: {error}"))
     return [run[number] for number in numbers], ending
 
 
 def picture_of_all(series, choices, alike=0.2):
-    """What pictures of several runs have in common; None when one run differs in model or by so much in size."""
+    """
+    What pictures of several runs have in common; None when one run differs in model or by so much
+    in size.
+    """
     if len({(states[0].run.model, states[0].has("points")) for states in series}) > 1:
         return None
     try:
         sizes = [np.ptp(Picture.places(states[0]), axis=0) for states in series]
         if np.ptp(sizes, axis=0).max() > alike * np.max(sizes):
             return None
-        return picture_of(Options(field=choices.field), [state for states in series for state in states])
+        return picture_of(
+            Options(field=choices.field), [state for states in series for state in states]
+        )
     except InputError:
         return None  # each run says for itself what is missing
 
@@ -75,10 +85,27 @@ def pictures_of(run, states, picture, ending, choices):
     with tempfile.TemporaryDirectory(prefix="softgrain-report-") as folder:
         if ending:
             path = os.path.join(folder, "film" + ending)
-            film.make(path, choices.fps, lambda number, file: picture.save(states[number], file, FILM_DPI), len(states))
-            items.append((data_address(path), f"{len(states)} of {len(run)} states" if len(states) < len(run) else
-                          f"all {len(run)} states"))
-        for name, state in {"last": states[-1], "first": states[0]}.items() if len(states) > 1 else [("only", states[0])]:
+            film.make(
+                path,
+                choices.fps,
+                lambda number, file: picture.save(states[number], file, FILM_DPI),
+                len(states),
+            )
+            items.append(
+                (
+                    data_address(path),
+                    (
+                        f"{len(states)} of {len(run)} states"
+                        if len(states) < len(run)
+                        else f"all {len(run)} states"
+                    ),
+                )
+            )
+        for name, state in (
+            {"last": states[-1], "first": states[0]}.items()
+            if len(states) > 1
+            else [("only", states[0])]
+        ):
             path = os.path.join(folder, f"{name}.png")
             picture.save(state, path, PICTURE_DPI)
             items.append((data_address(path), f"{name} state, {when(picture, state)}"))
@@ -86,12 +113,20 @@ def pictures_of(run, states, picture, ending, choices):
             path = os.path.join(folder, "pressures.png")
             pressures = picture_of(Options(field="contact_pressure"), [states[-1]])
             pressures.save(states[-1], path, PICTURE_DPI)
-            items.append((data_address(path), f"pressure along contacts, last state, {when(picture, states[-1])}"))
+            items.append(
+                (
+                    data_address(path),
+                    f"pressure along contacts, last state, {when(picture, states[-1])}",
+                )
+            )
     return items
 
 
 def when(picture, state):
-    """The time of a state, in the unit that the pictures have, and what else their titles say, without the signs of mathematics."""
+    """
+    The time of a state, in the unit that the pictures have, and what else their titles say, without
+    the signs of mathematics.
+    """
     title = picture.title(state)
     for sign, text in {r"\Phi": "Φ", r"\varepsilon": "ε", r"_\mathrm{q}": "_q", "$": ""}.items():
         title = title.replace(sign, text)
@@ -101,5 +136,10 @@ def when(picture, state):
 def shows_pressures(state, picture, choices):
     """Material points that touch, unless the page shows that already."""
     first = getattr(picture, "pictures", [picture])[0]
-    return (choices.field or "") != "contact_pressure" and not first.primaries and state.has("contacts") and state.has("outlines") and \
-        len(state.pairs) > 0
+    return (
+        (choices.field or "") != "contact_pressure"
+        and not first.primaries
+        and state.has("contacts")
+        and state.has("outlines")
+        and len(state.pairs) > 0
+    )

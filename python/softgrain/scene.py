@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Scenes built in Python. Sections and parameters are those that the program lists, so that none is unknown here or outdated; what
-values may be is checked by the program, as it checks a file.
+Scenes built in Python. Sections and parameters are those that the program lists, so that none is
+unknown here or outdated; what values may be is checked by the program, as it checks a file.
 
     scene = softgrain.Scene()
     scene.materials.add("gel", law="neo_hookean", density=1000, youngs_modulus=1e6)
@@ -33,29 +33,49 @@ class MissingParameter(MissingName, AttributeError):
 
 class Section:
     """
-    A section of a scene. Its parameters and subsections are attributes, with the names of files in small letters:
-    `scene.mesh.cell_size` is 'Mesh/Cell size'. Calling it sets several, and one that is not set has the default.
+    A section of a scene. Its parameters and subsections are attributes, with the names of files in
+    small letters: `scene.mesh.cell_size` is 'Mesh/Cell size'. Calling it sets several, and one that
+    is not set has the default.
     """
 
     def __init__(self, listed: Listed, path: str, scene: "Scene", name: str = ""):
-        self.__dict__.update(_listed=listed, _path=path, _scene=scene, _name=name, _values={}, _sections={})
+        self.__dict__.update(
+            _listed=listed, _path=path, _scene=scene, _name=name, _values={}, _sections={}
+        )
 
     # --- names ---
 
     def _own(self) -> Dict[str, str]:
         """Names in files by those in Python, without the list of names, which `add` keeps."""
-        return {python_name(name): name for name in [*self._listed.sections, *self._listed.entries] if name != NAMES}
+        return {
+            python_name(name): name
+            for name in [*self._listed.sections, *self._listed.entries]
+            if name != NAMES
+        }
 
     def _law(self) -> Optional["Section"]:
         """Of a material the section of its law: its parameters are found in the material, too."""
-        law = self._values.get("Law", self._listed.entries["Law"].default) if "Law" in self._listed.entries else None
-        name = next((name for name in self._listed.sections if law is not None and plain(name) == plain(law)), None)
+        law = (
+            self._values.get("Law", self._listed.entries["Law"].default)
+            if "Law" in self._listed.entries
+            else None
+        )
+        name = next(
+            (
+                name
+                for name in self._listed.sections
+                if law is not None and plain(name) == plain(law)
+            ),
+            None,
+        )
         return self._section(name) if name else None
 
     def _section(self, name: str) -> "Section":
         if name not in self._sections:
             listed = self._listed.sections.get(name) or self._listed.named
-            self._sections[name] = (Group if NAMES in listed.entries else Section)(listed, f"{self._path}{name}/", self._scene, name)
+            self._sections[name] = (Group if NAMES in listed.entries else Section)(
+                listed, f"{self._path}{name}/", self._scene, name
+            )
         return self._sections[name]
 
     def _is_named(self, name: str) -> bool:
@@ -71,8 +91,14 @@ class Section:
         known = list(known) or self._known()
         near = difflib.get_close_matches(name, known, 1, 0.6)
         where = f"'{self._path.rstrip('/')}'" if self._path else "a scene"
-        return MissingParameter(f"{where} has no '{name}'" +
-                                (f"; did you mean '{near[0]}'?" if near else f"; there are {', '.join(sorted(known)) or 'none'}"))
+        return MissingParameter(
+            f"{where} has no '{name}'"
+            + (
+                f"; did you mean '{near[0]}'?"
+                if near
+                else f"; there are {', '.join(sorted(known)) or 'none'}"
+            )
+        )
 
     # --- values ---
 
@@ -92,10 +118,17 @@ class Section:
 
     def __setattr__(self, name: str, value) -> None:
         own = self._own().get(name)
-        section = own if own in self._listed.sections else name if own is None and self._is_named(name) else None
+        section = (
+            own
+            if own in self._listed.sections
+            else name if own is None and self._is_named(name) else None
+        )
         if section is not None:
             if not isinstance(value, Mapping):
-                raise InputError(f"'{self._path}{section}' is a section: a dict of its parameters can be given, not {value!r}")
+                raise InputError(
+                    f"'{self._path}{section}' is a section: a dict of its parameters can be given,"
+                    f" not {value!r}"
+                )
             self._section(section)(**value)
         elif own is not None and value is None:
             self._values.pop(own, None)  # its default
@@ -115,8 +148,13 @@ class Section:
         self._sections.pop(own, None)
 
     def __call__(self, **values) -> "Section":
-        """Sets several parameters; those of a subsection as a dict, `stop={"end_time": 1}`. Returns the section."""
-        for name, value in sorted(values.items(), key=lambda one: one[0] != "law"):  # the law says what else there is
+        """
+        Sets several parameters; those of a subsection as a dict, `stop={"end_time": 1}`. Returns
+        the section.
+        """
+        for name, value in sorted(
+            values.items(), key=lambda one: one[0] != "law"
+        ):  # the law says what else there is
             setattr(self, name, value)
         return self
 
@@ -132,7 +170,10 @@ class Section:
         for name in self._listed.entries:
             if name in self._values:
                 yield path + name, self._values[name]
-        for name in [*self._listed.sections, *(name for name in self._sections if name not in self._listed.sections)]:
+        for name in [
+            *self._listed.sections,
+            *(name for name in self._sections if name not in self._listed.sections),
+        ]:
             if name in self._sections:
                 yield from self._sections[name]._all(f"{path}{name}/")
 
@@ -144,7 +185,10 @@ class Section:
         for own, listed in self._own().items():
             if listed in self._listed.entries and name in ("", own):
                 entry = self._listed.entries[listed]
-                lines.append(f"{own} (default: {entry.default or 'empty'}; {entry.allowed})\n    {entry.meaning}")
+                lines.append(
+                    f"{own} (default: {entry.default or 'empty'}; {entry.allowed})\n   "
+                    f" {entry.meaning}"
+                )
         return "\n".join(lines)
 
 
@@ -161,7 +205,9 @@ class Group(Section):
         """A new one; values as those of a section."""
         if name in self._sections:
             raise InputError(f"'{self._path}{name}' is there already")
-        self._sections[name] = Section(self._listed.named, f"{self._path}{name}/", self._scene, name)
+        self._sections[name] = Section(
+            self._listed.named, f"{self._path}{name}/", self._scene, name
+        )
         try:
             return self._sections[name](**values)
         except MissingName:
@@ -176,7 +222,10 @@ class Group(Section):
 
     def __getitem__(self, name: str) -> Section:
         if name not in self._sections:
-            raise MissingName(f"'{self._path.rstrip('/')}' has no '{name}'; there are {', '.join(self._sections) or 'none'}")
+            raise MissingName(
+                f"'{self._path.rstrip('/')}' has no '{name}'; there are"
+                f" {', '.join(self._sections) or 'none'}"
+            )
         return self._sections[name]
 
     def __delitem__(self, name: str) -> None:
@@ -228,7 +277,9 @@ class Scene(Section):
 
     def __setattr__(self, name: str, value) -> None:
         if name == "model" and value != self.model:
-            raise InputError(f"the model of a scene decides what parameters it has: say Scene('{value}')")
+            raise InputError(
+                f"the model of a scene decides what parameters it has: say Scene('{value}')"
+            )
         if name == "title":
             self.__dict__[name] = value
         else:
@@ -237,8 +288,10 @@ class Scene(Section):
     @classmethod
     def read(cls, path: str, program: Optional[str] = None) -> "Scene":
         """The scene of a parameter file, with what it includes."""
-        entries = {name: moved(text, folder) if name in PATHS and folder else text
-                   for name, (text, folder) in entries_of(os.fspath(path)).items()}
+        entries = {
+            name: moved(text, folder) if name in PATHS and folder else text
+            for name, (text, folder) in entries_of(os.fspath(path)).items()
+        }
         if UNREAD in entries:
             call([find_program(program), "check", os.fspath(path)])  # says what is wrong with it
         scene = cls(entries.pop("Model", None), program)
@@ -273,7 +326,7 @@ class Scene(Section):
         if name != NAMES:
             setattr(section, python_name(name), value)
             return
-        for one in (value.split(",") if isinstance(value, str) else value):
+        for one in value.split(",") if isinstance(value, str) else value:
             if one.strip() not in section:
                 section.add(one.strip())
 
@@ -285,15 +338,21 @@ class Scene(Section):
 
     def place(self, x, y, radius, material=None) -> None:
         """
-        Disks at places of one's own [m]: numbers, or arrays of one length. @material: a name for each, or one for all. They are written to
-        a table beside the file of the scene, which 'Packing/File' names.
+        Disks at places of one's own [m]: numbers, or arrays of one length. @material: a name for
+        each, or one for all. They are written to a table beside the file of the scene, which
+        'Packing/File' names.
         """
         names = value_text(material, None) if isinstance(material, (str, Section)) else material
         try:
-            columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in (x, y, radius)),
-                                          np.atleast_1d(np.asarray(names if names is not None else "", dtype=str)))
+            columns = np.broadcast_arrays(
+                *(np.atleast_1d(np.asarray(one, dtype=float)) for one in (x, y, radius)),
+                np.atleast_1d(np.asarray(names if names is not None else "", dtype=str)),
+            )
         except ValueError as error:
-            raise InputError(f"x, y, radius and material must be numbers and names, or arrays of one length: {error}") from error
+            raise InputError(
+                "x, y, radius and material must be numbers and names, or arrays of one length:"
+                f" {error}"
+            ) from error
         self._grains.extend(zip(*(column.tolist() for column in columns)))
 
     @property
@@ -310,8 +369,8 @@ class Scene(Section):
 
     def check(self) -> str:
         """
-        Lets the program read the scene; returns what it says of the size of the job. What is wrong is an InputError with the program's
-        own lines.
+        Lets the program read the scene; returns what it says of the size of the job. What is wrong
+        is an InputError with the program's own lines.
         """
         path = f".check-{os.getpid()}.prm"
         try:
@@ -323,8 +382,8 @@ class Scene(Section):
 
     def write(self, path: str, check: bool = True) -> str:
         """
-        Writes the scene as a parameter file, and its grains as a table beside it, once the program has read it and refuses nothing;
-        @check=False leaves that to the run. Returns the path.
+        Writes the scene as a parameter file, and its grains as a table beside it, once the program
+        has read it and refuses nothing; @check=False leaves that to the run. Returns the path.
         """
         path = os.fspath(path)
         if not path.endswith(".prm"):
@@ -338,7 +397,10 @@ class Scene(Section):
     def _put(self, path: str, check: bool = True) -> str:
         scene = self
         if self._grains and self.packing.file:
-            raise InputError(f"disks are placed, and 'Packing/File' = '{self.packing.file}' is another packing: leave one out")
+            raise InputError(
+                f"disks are placed, and 'Packing/File' = '{self.packing.file}' is another packing:"
+                " leave one out"
+            )
         if self._grains:
             table = grains_path(path)
             with open(table, "w", encoding="utf-8") as file:
@@ -347,7 +409,10 @@ class Scene(Section):
             scene.packing.file = table
         # What counts from here counts from the folder of the file there.
         folder = os.path.relpath(".", os.path.dirname(path) or ".")
-        entries = {name: moved(text, folder) if name in PATHS and folder != "." else text for name, text in scene._all()}
+        entries = {
+            name: moved(text, folder) if name in PATHS and folder != "." else text
+            for name, text in scene._all()
+        }
         with open(path, "w", encoding="utf-8") as file:
             file.write(scene_text(entries, scene.title))
         if not check:
@@ -359,8 +424,8 @@ class Scene(Section):
 
     def run(self, output: str, **options):
         """
-        Writes the scene as @output with '.prm' at its end, runs it into this folder, and returns the finished run; @options are those
-        of softgrain.run.
+        Writes the scene as @output with '.prm' at its end, runs it into this folder, and returns
+        the finished run; @options are those of softgrain.run.
         """
         if not output:
             raise InputError("a Scene has no folder by itself: say output=")

@@ -11,8 +11,15 @@ from .listing import Entry
 
 
 def separator_of(entry: Optional[Entry]) -> str:
-    """What stands between the items of a list: vectors of formulas and lists of points have semicolons."""
-    return "; " if entry is not None and ("separated by ';'" in entry.allowed or ";" in entry.default) else ", "
+    """
+    What stands between the items of a list: vectors of formulas and lists of points have
+    semicolons.
+    """
+    return (
+        "; "
+        if entry is not None and ("separated by ';'" in entry.allowed or ";" in entry.default)
+        else ", "
+    )
 
 
 def number_text(value: float) -> str:
@@ -28,8 +35,15 @@ def number_text(value: float) -> str:
         return plain
     sign, digits, exponent = Decimal(repr(value)).normalize().as_tuple()
     power = int(exponent) + len(digits) - 1
-    short = "-" * sign + str(digits[0]) + ("." + "".join(map(str, digits[1:])) if len(digits) > 1 else "") + f"e{power}"
-    return short if (power <= -3 or power >= 5) and len(short) < len(plain) or "e" in plain else plain
+    short = (
+        "-" * sign
+        + str(digits[0])
+        + ("." + "".join(map(str, digits[1:])) if len(digits) > 1 else "")
+        + f"e{power}"
+    )
+    return (
+        short if (power <= -3 or power >= 5) and len(short) < len(plain) or "e" in plain else plain
+    )
 
 
 def value_text(value, entry: Optional[Entry] = None) -> str:
@@ -37,7 +51,8 @@ def value_text(value, entry: Optional[Entry] = None) -> str:
     A value as a parameter file has it.
 
     >>> points = Entry("Points", "", "a list separated by ';', each of them ...", "")
-    >>> value_text([(0, 1), (2, 3)], points), value_text((0, 1e-3)), value_text(True), value_text({("gel", "stone"): 0.3})
+    >>> (value_text([(0, 1), (2, 3)], points), value_text((0, 1e-3)), value_text(True),
+    ...  value_text({("gel", "stone"): 0.3}))
     ('0, 1; 2, 3', '0, 1e-3', 'true', 'gel / stone: 0.3')
     """
     if hasattr(value, "_name"):  # a material, by its name
@@ -47,7 +62,10 @@ def value_text(value, entry: Optional[Entry] = None) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):  # of pairs
-        return "; ".join(f"{' / '.join(value_text(one) for one in pair)}: {value_text(number)}" for pair, number in value.items())
+        return "; ".join(
+            f"{' / '.join(value_text(one) for one in pair)}: {value_text(number)}"
+            for pair, number in value.items()
+        )
     if isinstance(value, (list, tuple, range)):
         return separator_of(entry).join(value_text(one) for one in value)
     text = number_text(value) if isinstance(value, float) else str(value)
@@ -57,7 +75,10 @@ def value_text(value, entry: Optional[Entry] = None) -> str:
 
 
 def scene_text(entries: Dict[str, str], title: str = "") -> str:
-    """{"Section/Name": text} as a parameter file, in the order given; sections of the first level stand apart."""
+    """
+    {"Section/Name": text} as a parameter file, in the order given; sections of the first level
+    stand apart.
+    """
     tree: dict = {}
     for path, text in entries.items():
         *sections, name = path.split("/")
@@ -88,5 +109,8 @@ def grains_text(grains) -> str:
     """Disks (x, y, radius, material) as a table that 'Packing/File' can name."""
     with_material = any(material for *_, material in grains)
     lines = ["x_m,y_m,radius_m" + (",material" if with_material else "")]
-    lines += [",".join(map(repr, numbers)) + (f",{material}" if with_material else "") for *numbers, material in grains]
+    lines += [
+        ",".join(map(repr, numbers)) + (f",{material}" if with_material else "")
+        for *numbers, material in grains
+    ]
     return "\n".join(lines) + "\n"

@@ -11,11 +11,29 @@ from .errors import InputError, MissingName, need
 from .tables import Table
 
 NOBODY = 4294967295
-WIDTHS = {"position_m": 2, "velocity_m_per_s": 2, "center_m": 2, "place_m": 2, "normal": 2, "force_N_per_m": 2,
-          "point_m": 2, "points_m": 2, "pivot_m": 2, "image_m": 2, "stress_Pa": 3, "mean_stress_Pa": 3, "deformation_gradient": 4}
-# Names of arrays in files of softgrain 0.2.0 and before, and those that fields.pvd and history.csv have.
-OLD_NAMES = {"size_m2": "area_m2", "kinetic_J_per_m": "kinetic_energy_J_per_m", "elastic_J_per_m": "elastic_energy_J_per_m",
-             "dissipated_J_per_m": "dissipated_energy_J_per_m"}
+WIDTHS = {
+    "position_m": 2,
+    "velocity_m_per_s": 2,
+    "center_m": 2,
+    "place_m": 2,
+    "normal": 2,
+    "force_N_per_m": 2,
+    "point_m": 2,
+    "points_m": 2,
+    "pivot_m": 2,
+    "image_m": 2,
+    "stress_Pa": 3,
+    "mean_stress_Pa": 3,
+    "deformation_gradient": 4,
+}
+# Names of arrays in files of softgrain 0.2.0 and before, and those that fields.pvd and history.csv
+# have.
+OLD_NAMES = {
+    "size_m2": "area_m2",
+    "kinetic_J_per_m": "kinetic_energy_J_per_m",
+    "elastic_J_per_m": "elastic_energy_J_per_m",
+    "dissipated_J_per_m": "dissipated_energy_J_per_m",
+}
 
 
 def shown_name(name):
@@ -27,8 +45,14 @@ class Energies(dict):
     """Energies by their names; one that does not exist is told with those that do."""
 
     def __missing__(self, name):
-        raise MissingName(f"there is no energy '{name}'; " + (f"did you mean '{shown_name(name)}'?" if name in OLD_NAMES
-                                                             else f"there are {', '.join(self)}"))
+        raise MissingName(
+            f"there is no energy '{name}'; "
+            + (
+                f"did you mean '{shown_name(name)}'?"
+                if name in OLD_NAMES
+                else f"there are {', '.join(self)}"
+            )
+        )
 
 
 def open_file(path):
@@ -75,7 +99,9 @@ class SnapshotSource:
     @staticmethod
     def converted(name, values):
         if values.dtype.kind in "OS":
-            return np.array([item.decode() if isinstance(item, bytes) else item for item in values.ravel()])
+            return np.array(
+                [item.decode() if isinstance(item, bytes) else item for item in values.ravel()]
+            )
         if values.dtype.kind == "u":
             signed = values.astype(np.int64)
             return np.where(signed == NOBODY, -1, signed)
@@ -95,7 +121,11 @@ class SnapshotSource:
             if "units" in getattr(item, "attrs", ()):
                 text = item.attrs["units"]
                 text = text.decode() if isinstance(text, bytes) else str(text)
-                found[shown_name(name)] = "" if text == "1" else text.replace("^2", "²").replace("^3", "³").replace("byte", "B")
+                found[shown_name(name)] = (
+                    ""
+                    if text == "1"
+                    else text.replace("^2", "²").replace("^3", "³").replace("byte", "B")
+                )
 
         with open_file(self.file) as file:
             if part in file[self.group]:
@@ -123,11 +153,18 @@ class SnapshotSource:
 
     def table(self, part):
         sizes = self.names(part)
-        key = {"points": "position_m", "bodies": "center_m", "contacts": "place_m", "walls": "name",
-               "obstacles": "name"}[part]
+        key = {
+            "points": "position_m",
+            "bodies": "center_m",
+            "contacts": "place_m",
+            "walls": "name",
+            "obstacles": "name",
+        }[part]
         n_rows = sizes.get(key, max(sizes.values(), default=0))
         columns: Dict[str, Callable[[], Any]] = {}
-        for name, size in sorted(sizes.items(), key=lambda item: (item[0] not in (key, "name"), shown_name(item[0]))):
+        for name, size in sorted(
+            sizes.items(), key=lambda item: (item[0] not in (key, "name"), shown_name(item[0]))
+        ):
             if size == 0 and n_rows > 0:
                 continue  # what this model does not have
             if name in ("line_offsets", "points_m"):
@@ -145,13 +182,22 @@ class SnapshotSource:
         return np.split(self.read("obstacles/points_m"), offsets[1:-1])
 
     def rings(self):
-        vertices, rings, bodies = (self.read(f"outlines/{name}")
-                                   for name in ("points_m", "ring_offsets", "body_offsets"))
-        return {b: [vertices[rings[r]:rings[r + 1]] for r in range(bodies[b], bodies[b + 1])]
-                for b in range(len(bodies) - 1) if bodies[b + 1] > bodies[b]}
+        vertices, rings, bodies = (
+            self.read(f"outlines/{name}") for name in ("points_m", "ring_offsets", "body_offsets")
+        )
+        return {
+            b: [vertices[rings[r] : rings[r + 1]] for r in range(bodies[b], bodies[b + 1])]
+            for b in range(len(bodies) - 1)
+            if bodies[b + 1] > bodies[b]
+        }
 
     def energies(self):
-        return Energies({shown_name(name): float(np.ravel(self.read(f"energies/{name}"))[0]) for name in self.names("energies")})
+        return Energies(
+            {
+                shown_name(name): float(np.ravel(self.read(f"energies/{name}"))[0])
+                for name in self.names("energies")
+            }
+        )
 
     def vertices(self):
         return self.read("outlines/points_m")

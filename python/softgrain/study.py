@@ -19,7 +19,7 @@ from .study_quantities import check_columns
 from .study_results import evaluate
 from .study_tables import write_csv, write_json
 
-MOST_CHECKS = 20.  # seconds spent on looking at points before the first is run
+MOST_CHECKS = 20.0  # seconds spent on looking at points before the first is run
 
 
 def default_folder(path):
@@ -27,7 +27,10 @@ def default_folder(path):
 
 
 def check_points(study, jobs, program):
-    """Lets the program read points that have not been run, so that every value is seen before anything is computed."""
+    """
+    Lets the program read points that have not been run, so that every value is seen before anything
+    is computed.
+    """
     for job, said in check_jobs(program, jobs, MOST_CHECKS):
         raise InputError(explain(study, job, said))
 
@@ -35,8 +38,11 @@ def check_points(study, jobs, program):
 def explain(study, job, said):
     """The program's own line, behind the line of the study file that it is about."""
     places = {name: item.where for name, item in study.settings.items()}
-    places |= {knob.parameter: knob.named_at if "unknown parameter" in said else knob.where
-               for knob in study.knobs if knob.parameter}
+    places |= {
+        knob.parameter: knob.named_at if "unknown parameter" in said else knob.where
+        for knob in study.knobs
+        if knob.parameter
+    }
     about = [name for name in places if f"'{name}'" in said]
     where = places[max(about, key=len)] if about else study.path
     return f"{where}: {said} (at {job.label})"
@@ -51,18 +57,33 @@ class Session:
         self.output = output or default_folder(path)
         self.points = points_of(self.study, Origins(self.study.scene, self.program))
         self.tasks = [task for point in self.points for task in point.tasks]
-        self.jobs = [Job(self.study.scene, folder_of(self.output, task), task.words(self.study.knobs), task.changes, task.origin)
-                     for task in self.tasks]
+        self.jobs = [
+            Job(
+                self.study.scene,
+                folder_of(self.output, task),
+                task.words(self.study.knobs),
+                task.changes,
+                task.origin,
+            )
+            for task in self.tasks
+        ]
 
     def statuses(self):
-        return [(task, read_record(job.folder)["status"]) for task, job in zip(self.tasks, self.jobs)]
+        return [
+            (task, read_record(job.folder)["status"]) for task, job in zip(self.tasks, self.jobs)
+        ]
 
     def run(self, jobs=1, threads=1, again=False, say=print):
         """Runs what has not ended; False when a signal came first."""
         new = [job for job in self.jobs if read_record(job.folder)["status"] == NOT_RUN]
         check_points(self.study, new, self.program)
-        runner = Runner(self.program, threads, self.study.longest_run, say,
-                        lambda run: check_columns(run, self.study.quantities))  # before all others are run for nothing
+        runner = Runner(
+            self.program,
+            threads,
+            self.study.longest_run,
+            say,
+            lambda run: check_columns(run, self.study.quantities),
+        )  # before all others are run for nothing
         return runner.run_all(self.jobs, jobs, "failed" if again else "nothing")
 
     def lock(self):
@@ -78,8 +99,9 @@ class Session:
 
 def run_study(path, output=None, set=None, jobs=1, threads=1, program=None, again=False):
     """
-    Runs a study file as `softgrain study` does and returns its Findings; study.csv and study.json are written into @output.
-    @set: {"Section/Name": value} for all runs; @again repeats those that failed.
+    Runs a study file as `softgrain study` does and returns its Findings; study.csv and study.json
+    are written into @output. @set: {"Section/Name": value} for all runs; @again repeats those that
+    failed.
     """
     session = Session(path, output, set, program)
     with session.lock(), heeding_signals():

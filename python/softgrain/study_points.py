@@ -17,6 +17,7 @@ EMPTY = '""'  # how a value is written that empties a parameter
 @dataclass
 class Task:
     """One run: the values of all knobs, the parameters that they change, its folder."""
+
     values: dict  # {knob: text}
     changes: dict  # {parameter: text}
     name: str  # of the folder
@@ -29,6 +30,7 @@ class Task:
 @dataclass
 class Point:
     """Runs that differ in averaged knobs alone, and that count as one."""
+
     values: dict  # {knob: text} of the other knobs
     tasks: list
     is_reference: bool = False
@@ -53,15 +55,21 @@ def filled(text, values):
         if inside in values:
             return values[inside]
         return f"{float(Formula(inside)(numbers)):.12g}"
+
     return IN_BRACES.sub(one, text)
 
 
 def task_of(study, values, origins):
-    """The run for a value of every knob; the same run has the same folder in every study of the scene."""
+    """
+    The run for a value of every knob; the same run has the same folder in every study of the scene.
+    """
     changes = {name: filled(item.text, values) for name, item in study.settings.items()}
     changes.update({knob.parameter: values[knob.name] for knob in study.knobs if knob.parameter})
     folder = os.path.dirname(study.path)
-    changes = {name: moved(text, folder) if name in PATHS and folder and text != EMPTY else text for name, text in changes.items()}
+    changes = {
+        name: moved(text, folder) if name in PATHS and folder and text != EMPTY else text
+        for name, text in changes.items()
+    }
     changes.update(study.changes)
     changes = {name: "" if value == EMPTY else str(value) for name, value in changes.items()}
     origin = origins.of(changes)
@@ -71,10 +79,14 @@ def task_of(study, values, origins):
 def combinations(study, knobs):
     """Values of some knobs, all combinations or one knob after the other."""
     if study.combinations == "all":
-        return [dict(zip([knob.name for knob in knobs], values))
-                for values in itertools.product(*(knob.values for knob in knobs))]
+        return [
+            dict(zip([knob.name for knob in knobs], values))
+            for values in itertools.product(*(knob.values for knob in knobs))
+        ]
     base = {knob.name: knob.base for knob in knobs}
-    found = [base] + [{**base, knob.name: value} for knob in knobs for value in knob.values if value != knob.base]
+    found = [base] + [
+        {**base, knob.name: value} for knob in knobs for value in knob.values if value != knob.base
+    ]
     return found
 
 
@@ -82,20 +94,29 @@ def points_of(study, origins):
     """The points of a study, the reference too; @origins: the Origins of runs of its scene."""
     compared = [knob for knob in study.knobs if not knob.average]
     averaged = [knob for knob in study.knobs if knob.average]
-    repeats = [dict(zip([knob.name for knob in averaged], values))
-               for values in itertools.product(*(knob.values for knob in averaged))]
+    repeats = [
+        dict(zip([knob.name for knob in averaged], values))
+        for values in itertools.product(*(knob.values for knob in averaged))
+    ]
     rows = combinations(study, compared)
     if study.reference is not None and study.reference not in rows:
         rows.append(study.reference)
-    added = study.reference is not None and rows[-1] == study.reference and \
-        study.reference not in combinations(study, compared)
+    added = (
+        study.reference is not None
+        and rows[-1] == study.reference
+        and study.reference not in combinations(study, compared)
+    )
     points = []
     for number, values in enumerate(rows):
         tasks = [task_of(study, {**values, **repeat}, origins) for repeat in repeats]
-        points.append(Point(values, tasks, values == study.reference, added and number == len(rows) - 1))
+        points.append(
+            Point(values, tasks, values == study.reference, added and number == len(rows) - 1)
+        )
     names = [task.name for point in points for task in point.tasks]
     if len(set(names)) < len(names):
-        raise InputError(f"{study.path}: two points of the study are the same run, {max(names, key=names.count)}")
+        raise InputError(
+            f"{study.path}: two points of the study are the same run, {max(names, key=names.count)}"
+        )
     return points
 
 

@@ -15,6 +15,7 @@ WINDOW = 201  # places in a window
 @dataclass
 class Difference:
     """How far a point is from the reference; relative numbers."""
+
     error: float = np.nan
     scatter: float = np.nan  # standard deviation of the difference of one run about its mean
     signed: Optional[np.ndarray] = None  # at every place
@@ -31,7 +32,10 @@ def places(quantity):
 
 
 def curve_of(run, quantity):
-    """(x, y) of a run, row by row. Columns of history.csv are read at the times of measures.csv where both are used."""
+    """
+    (x, y) of a run, row by row. Columns of history.csv are read at the times of measures.csv where
+    both are used.
+    """
     names = quantity.x.names | quantity.y.names
     found = {name: run.column(name) for name in names}
     tables = {id(table): table for _, table in found.values()}
@@ -40,7 +44,11 @@ def curve_of(run, quantity):
         sparse = min(tables.values(), key=len)
         for name, (values, table) in found.items():
             if table is not sparse:
-                columns[name] = sparse[name] if name in sparse else np.interp(sparse["time_s"], table["time_s"], values)
+                columns[name] = (
+                    sparse[name]
+                    if name in sparse
+                    else np.interp(sparse["time_s"], table["time_s"], values)
+                )
     x, y = (np.asarray(formula(columns), dtype=float) for formula in (quantity.x, quantity.y))
     x, y = np.broadcast_arrays(x, y)
     known = np.isfinite(x) & np.isfinite(y)
@@ -49,7 +57,8 @@ def curve_of(run, quantity):
 
 def value_of(x, y, place, width):
     """
-    y where x first reaches a place, or a mean over x ± width; NaN where the curve does not get there.
+    y where x first reaches a place, or a mean over x ± width; NaN where the curve does not get
+    there.
 
     >>> x, y = np.array([0., 1., 2., 1.]), np.array([0., 2., 4., 9.])
     >>> value_of(x, y, 0.5, 0.), value_of(x, y, 1., 0.), value_of(x, y, 3., 0.)
@@ -68,24 +77,26 @@ def value_of(x, y, place, width):
     if not above.any():
         return np.nan
     i = int(np.argmax(above))
-    share = min((place - x[i - 1]) / (x[i] - x[i - 1]), 1.)
+    share = min((place - x[i - 1]) / (x[i] - x[i - 1]), 1.0)
     return float(y[i - 1] + share * (y[i] - y[i - 1]))
 
 
 def mean_over(x, y, begin, end):
     """
-    Mean of y from where x first reaches @begin to where it first reaches @end, every row counted: single values of a noisy
-    curve would not do. NaN where the curve does not get there.
+    Mean of y from where x first reaches @begin to where it first reaches @end, every row counted:
+    single values of a noisy curve would not do. NaN where the curve does not get there.
 
     >>> round(mean_over(np.array([0., 1., 2., 3.]), np.array([0., 2., 0., 0.]), 0.5, 2.), 6)
     1.166667
     """
-    ends = [value_of(x, y, place, 0.) for place in (begin, end)]
+    ends = [value_of(x, y, place, 0.0) for place in (begin, end)]
     if not np.isfinite(ends).all():
         return np.nan
     slack = 1e-9 * max(np.abs(x).max(), abs(end))  # as in value_of()
     inside = slice(int(np.argmax(x > begin)), int(np.argmax(x >= end - slack)))
-    along, values = np.concatenate([[begin], x[inside], [end]]), np.concatenate([ends[:1], y[inside], ends[1:]])
+    along, values = np.concatenate([[begin], x[inside], [end]]), np.concatenate(
+        [ends[:1], y[inside], ends[1:]]
+    )
     return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(along)) / (end - begin))
 
 
@@ -98,7 +109,10 @@ def values_of(run, quantity):
 
 
 def reference_values(quantity, values, x=None):
-    """The formula or curve of a quantity at its places or at others; @values {knob: text} of the point."""
+    """
+    The formula or curve of a quantity at its places or at others; @values {knob: text} of the
+    point.
+    """
     x = places(quantity) if x is None else x
     if quantity.curve is not None:
         places_of, values_of = quantity.curve
@@ -118,30 +132,38 @@ def exact_curve(quantity, values):
 
 def difference(quantity, found, reference):
     """
-    The difference of runs from a reference. @found: values of each run at the places; @reference: the same of the
-    reference runs, one for each run, or one for all.
+    The difference of runs from a reference. @found: values of each run at the places; @reference:
+    the same of the reference runs, one for each run, or one for all.
 
-    Single places: relative to the reference there. A window: relative to its largest value in the window, 'of means': to its
-    mean.
+    Single places: relative to the reference there. A window: relative to its largest value in the
+    window, 'of means': to its mean.
     """
     found, reference = np.atleast_2d(found), np.atleast_2d(reference)
     own, other = found.mean(axis=0), reference.mean(axis=0)
     x = places(quantity)
     for values, whose in ((own, "the run does"), (other, "the reference does")):
         if not np.isfinite(values).all():
-            return Difference(note=f"{whose} not reach {quantity.x.text} = {x[~np.isfinite(values)][0]:g}")
+            return Difference(
+                note=f"{whose} not reach {quantity.x.text} = {x[~np.isfinite(values)][0]:g}"
+            )
     if quantity.norm == "of means":
         found, reference = found.mean(axis=1, keepdims=True), reference.mean(axis=1, keepdims=True)
         own, other = found.mean(axis=0), reference.mean(axis=0)
-    scale = np.abs(other) if quantity.at or quantity.norm == "of means" else np.full_like(other, np.abs(other).max())
+    scale = (
+        np.abs(other)
+        if quantity.at or quantity.norm == "of means"
+        else np.full_like(other, np.abs(other).max())
+    )
     if not (scale > 0).all():
         return Difference(note="the reference is 0")
     of_runs = (found - reference) / scale
     if quantity.average == "errors":
-        error = float(np.sqrt(np.mean([norm_of(quantity.norm, one)**2 for one in of_runs])))
+        error = float(np.sqrt(np.mean([norm_of(quantity.norm, one) ** 2 for one in of_runs])))
     else:
         error = norm_of(quantity.norm, (own - other) / scale)
-    scatter = float(np.sqrt(np.mean(np.var(of_runs, axis=0, ddof=1)))) if len(of_runs) > 1 else np.nan
+    scatter = (
+        float(np.sqrt(np.mean(np.var(of_runs, axis=0, ddof=1)))) if len(of_runs) > 1 else np.nan
+    )
     return Difference(error, scatter, (own - other) / scale, of_runs)
 
 

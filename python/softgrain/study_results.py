@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a study finds: errors and costs of its points, the front of the best ones, orders of convergence."""
+"""
+What a study finds: errors and costs of its points, the front of the best ones, orders of
+convergence.
+"""
 
 import os
 from dataclasses import dataclass, field
@@ -24,13 +27,18 @@ GOOD = 0.99  # R² of the logarithms from which an order is told
 @dataclass
 class Result:
     """A point with what its runs gave."""
+
     point: Any  # a Point
     runs: list  # one Run or None for every task
     records: list
     differences: dict = field(default_factory=dict)  # {quantity: Difference}
-    front: dict = field(default_factory=dict)  # {quantity: whether no other point is better in error and cost}
+    front: dict = field(
+        default_factory=dict
+    )  # {quantity: whether no other point is better in error and cost}
     uncertainty: dict = field(default_factory=dict)  # {quantity: what its error may be off by}
-    of_one_packing: dict = field(default_factory=dict)  # {quantity: whether that is judged from the places of one packing}
+    of_one_packing: dict = field(
+        default_factory=dict
+    )  # {quantity: whether that is judged from the places of one packing}
 
     @property
     def status(self):
@@ -47,7 +55,9 @@ class Result:
         return list(dict.fromkeys(found))
 
     def mean(self, function):
-        values = [function(run, record) for run, record in zip(self.runs, self.records) if run is not None]
+        values = [
+            function(run, record) for run, record in zip(self.runs, self.records) if run is not None
+        ]
         values = [value for value in values if is_number(value)]
         return float(np.mean(values)) if values else np.nan
 
@@ -62,15 +72,22 @@ class Result:
 
     def per_step(self, column):
         """Mean of a column of the history; the state at the start is no step."""
+
         def of_run(run, _):
             values = run.history_table.get(column)
-            return float(np.nanmean(values[1:])) if values is not None and np.isfinite(values[1:]).any() else None
+            return (
+                float(np.nanmean(values[1:]))
+                if values is not None and np.isfinite(values[1:]).any()
+                else None
+            )
+
         return self.mean(of_run)
 
 
 @dataclass
 class Order:
     """The error of a quantity goes with a power of a knob, other knobs being the same."""
+
     quantity: str
     knob: str
     others: dict
@@ -87,6 +104,7 @@ class Order:
 @dataclass
 class Findings:
     """All that is to be told of a study."""
+
     study: Any  # a Study
     results: list
     orders: list
@@ -94,14 +112,18 @@ class Findings:
     @property
     def failures(self):
         """How many runs have failed or took too long."""
-        return sum(record["status"] in (FAILED, TOO_LONG) for one in self.results for record in one.records)
+        return sum(
+            record["status"] in (FAILED, TOO_LONG) for one in self.results for record in one.records
+        )
 
     def verdict(self, quantity, level):
         """The cheapest point whose error is at most @level, and whether that is sure."""
         return verdict(self.results, quantity, level, self.study.cost)
 
     def is_front_sure(self, quantity):
-        """Whether no best point could be none, and no other one a best, for all that is uncertain."""
+        """
+        Whether no best point could be none, and no other one a best, for all that is uncertain.
+        """
         return is_front_sure(self.results, quantity.name, self.study.cost)
 
     def has_one_packing(self, quantity):
@@ -132,7 +154,10 @@ def evaluate(study, points, output):
         check_columns(found, study.quantities)
     place = next((number for number, one in enumerate(results) if one.point.is_reference), None)
     for quantity in study.quantities:
-        found = [[values_of(run, quantity) if run is not None else None for run in one.runs] for one in results]
+        found = [
+            [values_of(run, quantity) if run is not None else None for run in one.runs]
+            for one in results
+        ]
         other = found[place] if place is not None else None
         for one, values in zip(results, found):
             one.differences[quantity.name] = compare(quantity, one, values, other)
@@ -145,20 +170,34 @@ def evaluate(study, points, output):
 def compare(quantity, one, values, reference):
     """The Difference of a point; runs that are missing, here or in the reference, do not count."""
     if quantity.needs_run and one.point.is_reference:
-        return Difference(note="" if any(run is not None for run in one.runs) else "there is no run")
+        return Difference(
+            note="" if any(run is not None for run in one.runs) else "there is no run"
+        )
     if quantity.needs_run:
-        pairs = [(own, other) for own, other in zip(values, reference) if own is not None and other is not None]
+        pairs = [
+            (own, other)
+            for own, other in zip(values, reference)
+            if own is not None and other is not None
+        ]
     else:
-        pairs = [(own, reference_values(quantity, one.point.values)) for own in values if own is not None]
+        pairs = [
+            (own, reference_values(quantity, one.point.values)) for own in values if own is not None
+        ]
     if not pairs:
-        return Difference(note="there is no run" if all(own is None for own in values) else "there is no reference run")
+        return Difference(
+            note=(
+                "there is no run"
+                if all(own is None for own in values)
+                else "there is no reference run"
+            )
+        )
     return difference(quantity, *map(np.array, zip(*pairs)))
 
 
 def mark_front(results, quantity, cost):
     """
-    A point is on the front when no cheaper one is as near to the reference; errors that differ by a fiftieth count as equal,
-    so that rounding and noise make no points of a front.
+    A point is on the front when no cheaper one is as near to the reference; errors that differ by a
+    fiftieth count as equal, so that rounding and noise make no points of a front.
     """
     reached = np.inf
     for one in sorted(results, key=lambda one: (one.cost(cost), one.differences[quantity].error)):
@@ -175,7 +214,9 @@ def orders_of(study, results):
         for knob in knobs:
             groups: Dict[Any, Any] = {}
             for one in results:
-                others = tuple((name, value) for name, value in one.point.values.items() if name != knob.name)
+                others = tuple(
+                    (name, value) for name, value in one.point.values.items() if name != knob.name
+                )
                 groups.setdefault(others, []).append(one)
             for others, group in groups.items():
                 if knob.numeric and (found := order_of(study, quantity, knob, dict(others), group)):
@@ -185,20 +226,25 @@ def orders_of(study, results):
 
 def order_of(study, quantity, knob, others, group):
     """The Order in one knob, None without enough points with an error."""
-    found = sorted((float(one.point.values[knob.name]), one.differences[quantity.name].error) for one in group)
-    found = [(value, error) for value, error in found if value > 0 and error > 0 and np.isfinite(error)]
+    found = sorted(
+        (float(one.point.values[knob.name]), one.differences[quantity.name].error) for one in group
+    )
+    found = [
+        (value, error) for value, error in found if value > 0 and error > 0 and np.isfinite(error)
+    ]
     if len(found) < FEWEST:
         return None
     values, errors = map(np.array, zip(*found))
-    # The reference run has an error of its own: with the same other knobs that is known up to its factor.
-    end = 0.
+    # The reference run has an error of its own: with the same other knobs that is known up to its
+    # factor.
+    end = 0.0
     if quantity.needs_run and {name: study.reference[name] for name in others} == others:
         end = float(study.reference[knob.name])
     order, quality = fit_order(values, errors, end)
     return Order(quantity.name, knob.name, others, order, quality, values.tolist(), errors.tolist())
 
 
-def fit_order(values, errors, end=0.):
+def fit_order(values, errors, end=0.0):
     """
     (p, R² of the logarithms) of error = C |value^p - end^p|.
 
@@ -209,8 +255,13 @@ def fit_order(values, errors, end=0.):
     x, y = np.log(values), np.log(errors)
 
     def left(p):
-        shape = np.log(np.abs(np.exp(p * (x - x[-1])) - (np.exp(p * (np.log(end) - x[-1])) if end > 0 else 0.)))
+        shape = np.log(
+            np.abs(
+                np.exp(p * (x - x[-1])) - (np.exp(p * (np.log(end) - x[-1])) if end > 0 else 0.0)
+            )
+        )
         return np.std(y - shape)
-    order = float(smallest(left, 0.02, 8.)) if end > 0 else float(np.polyfit(x, y, 1)[0])
+
+    order = float(smallest(left, 0.02, 8.0)) if end > 0 else float(np.polyfit(x, y, 1)[0])
     spread = np.std(y)
-    return order, float(1 - (left(order) / spread)**2) if spread > 0 else 0.
+    return order, float(1 - (left(order) / spread) ** 2) if spread > 0 else 0.0

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of numpy columns: history.csv, measures.csv, and what a state has per body, point or contact."""
+"""
+Tables of numpy columns: history.csv, measures.csv, and what a state has per body, point or contact.
+"""
 
 import csv
 import os
@@ -16,10 +18,11 @@ COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
 
 class Table:
     """
-    Columns by name, each a numpy array with one row per thing; ``units`` tells the units. Where the name is clear, the
-    unit may be left out. Columns are read when they are asked for.
+    Columns by name, each a numpy array with one row per thing; ``units`` tells the units. Where the
+    name is clear, the unit may be left out. Columns are read when they are asked for.
 
-    >>> t = Table({"center_m": np.array([[0., 0.], [1., 2.]]), "area_m2": np.array([3., 4.])}, "bodies")
+    >>> t = Table({"center_m": np.array([[0., 0.], [1., 2.]]),
+    ...            "area_m2": np.array([3., 4.])}, "bodies")
     >>> t["area_m2"], t.area
     (array([3., 4.]), array([3., 4.]))
     >>> t.units
@@ -31,15 +34,26 @@ class Table:
     """
 
     def __init__(self, columns, title="table", path="", units=None):
-        self._columns, self._title, self._path, self._units = dict(columns), title, path, dict(units or {})
+        self._columns, self._title, self._path, self._units = (
+            dict(columns),
+            title,
+            path,
+            dict(units or {}),
+        )
 
     def __getitem__(self, name):
         full = self.resolve(name)
         if full is None:
             where = f"{self._title} of {self._path}" if self._path else self._title
             near = near_names(name, self._columns)
-            raise MissingName(f"there is no '{name}' in {where}; " + (f"did you mean {near}?" if near else
-                                                                      f"there are {', '.join(self._columns) or 'none'}"))
+            raise MissingName(
+                f"there is no '{name}' in {where}; "
+                + (
+                    f"did you mean {near}?"
+                    if near
+                    else f"there are {', '.join(self._columns) or 'none'}"
+                )
+            )
         value = self._columns[full]
         if callable(value):
             value = self._columns[full] = value()
@@ -54,7 +68,11 @@ class Table:
             raise AttributeError(str(error)) from None
 
     def __dir__(self):
-        return [*super().__dir__(), *self._columns, *(split_unit(name)[0] for name in self._columns)]
+        return [
+            *super().__dir__(),
+            *self._columns,
+            *(split_unit(name)[0] for name in self._columns),
+        ]
 
     def __setitem__(self, name, values):
         self._columns[name] = values
@@ -72,8 +90,11 @@ class Table:
         lines = [f"<{self._title}: {len(self)} rows>"]
         for name in self._columns:
             unit, shape = self.unit(name), np.shape(self[name])[1:]
-            lines.append(f"  {name}" + (f" ({' x '.join(map(str, shape))})" if shape else "") +
-                         (f" [{unit}]" if unit else ""))
+            lines.append(
+                f"  {name}"
+                + (f" ({' x '.join(map(str, shape))})" if shape else "")
+                + (f" [{unit}]" if unit else "")
+            )
         return "\n".join(lines)
 
     def resolve(self, name):
@@ -118,32 +139,44 @@ class Table:
 
     def where(self, mask):
         """The rows for which @mask is true, as a table."""
-        return Table({name: values[mask] for name, values in self.items()}, self._title, self._path,
-                     self._units)
+        return Table(
+            {name: values[mask] for name, values in self.items()},
+            self._title,
+            self._path,
+            self._units,
+        )
 
     def flat(self):
-        """{name: column} with vectors and tensors taken apart: center_m becomes center_x_m and center_y_m."""
+        """
+        {name: column} with vectors and tensors taken apart: center_m becomes center_x_m and
+        center_y_m.
+        """
         result = {}
         for name, values in self.items():
             if values.ndim == 1:
                 result[name] = values
                 continue
             base, unit = split_unit(name)
-            suffix = name[len(base):] if unit else ""
+            suffix = name[len(base) :] if unit else ""
             labels = COMPONENTS.get(values.shape[1], [str(i) for i in range(values.shape[1])])
             for i, label in enumerate(labels):
                 result[f"{base}_{label}{suffix}"] = values[:, i]
         return result
 
     def to_csv(self, path):
-        """Writes a table of commas, one row per thing, whole or not at all; numbers are written in full."""
+        """
+        Writes a table of commas, one row per thing, whole or not at all; numbers are written in
+        full.
+        """
         flat = self.flat()
         temporary = os.path.join(os.path.dirname(path), ".part-" + os.path.basename(path))
         with open(temporary, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(flat)
             for row in zip(*(column.tolist() for column in flat.values())):
-                writer.writerow(["" if value != value else value for value in row])  # not a number: empty
+                writer.writerow(
+                    ["" if value != value else value for value in row]
+                )  # not a number: empty
         os.replace(temporary, path)
         return path
 
@@ -153,6 +186,7 @@ class Table:
             import pandas
         except ImportError as error:
             from .errors import need
+
             raise need("python3-pandas", error) from error
         flat = self.flat()
         frame = pandas.DataFrame(flat)
@@ -175,7 +209,8 @@ def number(text):
 
 def read_table(path):
     """
-    A file like history.csv, or the table of a packing; fields that are empty are NaN, and the columns WORDS hold words.
+    A file like history.csv, or the table of a packing; fields that are empty are NaN, and the
+    columns WORDS hold words.
 
     A last row that is still being written is left out.
     """
@@ -196,7 +231,9 @@ def read_table(path):
         if len(row) != len(names):
             if line == len(rows):
                 break
-            raise InputError(f"{path} line {line} has {len(row)} fields where the first line names {len(names)}")
+            raise InputError(
+                f"{path} line {line} has {len(row)} fields where the first line names {len(names)}"
+            )
         if line == len(rows) and not text.endswith("\n"):
             break  # its last number may not be whole
         try:
@@ -204,4 +241,11 @@ def read_table(path):
         except ValueError as error:
             raise InputError(f"{path} line {line}: {error}") from error
     columns = zip(*values) if values else [()] * len(names)
-    return Table({one: np.array(column, dtype=str if one in WORDS else float) for one, column in zip(names, columns)}, name, path)
+    return Table(
+        {
+            one: np.array(column, dtype=str if one in WORDS else float)
+            for one, column in zip(names, columns)
+        },
+        name,
+        path,
+    )

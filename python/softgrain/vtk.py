@@ -14,13 +14,18 @@ PARTS = ("points", "outlines", "contacts", "contact_pressures", "walls")
 
 def three(values):
     """Vectors of the plane with a third component, as VTK wants them."""
-    return np.column_stack([values, np.zeros(len(values))]) if values.ndim == 2 and values.shape[1] == 2 else values
+    return (
+        np.column_stack([values, np.zeros(len(values))])
+        if values.ndim == 2 and values.shape[1] == 2
+        else values
+    )
 
 
 def to_vtk(state, part):
     """
-    A vtkPolyData of a part of a state: points, contacts and pressures along them as vertices, outlines and walls as closed and open lines.
-    The vertices of outlines have the pressure and the traction of contact, where contacts were written.
+    A vtkPolyData of a part of a state: points, contacts and pressures along them as vertices,
+    outlines and walls as closed and open lines. The vertices of outlines have the pressure and the
+    traction of contact, where contacts were written.
     """
     if part not in PARTS:
         raise InputError(f"there is no mesh of '{part}'; there are {', '.join(PARTS)}")
@@ -36,14 +41,25 @@ def to_vtk(state, part):
     points.SetDataTypeToDouble()
     points.SetData(numpy_to_vtk(three(places), deep=1))
     mesh.SetPoints(points)
-    offsets = np.concatenate([[0], np.cumsum([len(line) for line in lines])]) if lines else np.arange(len(places) + 1)
+    offsets = (
+        np.concatenate([[0], np.cumsum([len(line) for line in lines])])
+        if lines
+        else np.arange(len(places) + 1)
+    )
     numbers = np.concatenate(lines) if lines else np.arange(len(places))
-    cells.SetData(*(numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, dtype=np.int64), deep=1)
-                    for a in (offsets, numbers)))
+    cells.SetData(
+        *(
+            numpy_to_vtkIdTypeArray(np.ascontiguousarray(a, dtype=np.int64), deep=1)
+            for a in (offsets, numbers)
+        )
+    )
     (mesh.SetLines if lines else mesh.SetVerts)(cells)
     if part == "outlines" and state.has("contacts"):
         of_places = dict(pressures_on_outlines(state).items())
-    for target, columns in ((mesh.GetPointData(), of_places), (mesh.GetCellData(), data if lines else {})):
+    for target, columns in (
+        (mesh.GetPointData(), of_places),
+        (mesh.GetCellData(), data if lines else {}),
+    ):
         for name, values in columns.items():
             if values.dtype.kind in "US" or values.ndim > 2:
                 continue
@@ -87,7 +103,9 @@ def write_vtp(state, part, path):
     except ImportError as error:
         raise need("python3-vtk9", error) from error
     if not path.endswith(".vtp"):
-        raise InputError(f"the name of a file of lines and places for ParaView ends with .vtp, not {path}")
+        raise InputError(
+            f"the name of a file of lines and places for ParaView ends with .vtp, not {path}"
+        )
     writer, temporary = vtkXMLPolyDataWriter(), hidden_beside(path)
     writer.SetInputData(mesh)
     writer.SetFileName(temporary)
@@ -98,15 +116,28 @@ def write_vtp(state, part, path):
 
 
 def write_pvd(run, part, path):
-    """Writes a part of all states of a run as files beside @path, a series that ParaView plays; @path is the last that is written."""
+    """
+    Writes a part of all states of a run as files beside @path, a series that ParaView plays; @path
+    is the last that is written.
+    """
     if not path.endswith(".pvd"):
         raise InputError(f"the name of a series for ParaView ends with .pvd, not {path}")
-    stem = path[:-len(".pvd")]
+    stem = path[: -len(".pvd")]
     lines = []
     for number, state in enumerate(run):
         name = os.path.basename(write_vtp(state, part, f"{stem}-{number:06d}.vtp"))
         lines.append(f'<DataSet timestep="{state.time!r}" name="{part}" file={quoteattr(name)}/>')
-    text = "\n".join(['<?xml version="1.0"?>', '<VTKFile type="Collection" version="1.0">', "<Collection>", *lines, "</Collection>", "</VTKFile>", ""])
+    text = "\n".join(
+        [
+            '<?xml version="1.0"?>',
+            '<VTKFile type="Collection" version="1.0">',
+            "<Collection>",
+            *lines,
+            "</Collection>",
+            "</VTKFile>",
+            "",
+        ]
+    )
     temporary = hidden_beside(path)
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(text)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Figures of publications, drawn from runs. A set of figures is a module of this folder with a function main(words) and a line
-in SETS; nothing else knows its name. It is imported when it is asked for.
+Figures of publications, drawn from runs. A set of figures is a module of this folder with a
+function main(words) and a line in SETS; nothing else knows its name. It is imported when it is
+asked for.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ import sys
 SETS = {
     "thesis-3": "section 3.4 of Nguyen (2016), one grain: softgrain figures thesis-3 DIR...",
     "thesis-4": "chapter 4 of Nguyen (2016), compaction: softgrain figures thesis-4 DIR...",
-    "thesis-5": "chapter 5 of Nguyen (2016), biaxial compression: softgrain figures thesis-5 DIR...",
+    "thesis-5": (
+        "chapter 5 of Nguyen (2016), biaxial compression: softgrain figures thesis-5 DIR..."
+    ),
 }
 
 EXAMPLES = """Examples:
@@ -26,10 +29,12 @@ EXAMPLES = """Examples:
 def help_text() -> str:
     """The help of `softgrain figures`, in the form of those that the program itself prints."""
     sets = "".join(f"  {name:<27} {text}\n" for name, text in SETS.items())
-    return ("draw the figures of a publication from runs\n"
-            "Usage: softgrain figures [OPTIONS] SUBCOMMAND\n\n"
-            "Options:\n  -h,--help                   Print this help message and exit\n\n"
-            f"Subcommands:\n{sets}\n{EXAMPLES}")
+    return (
+        "draw the figures of a publication from runs\n"
+        "Usage: softgrain figures [OPTIONS] SUBCOMMAND\n\n"
+        "Options:\n  -h,--help                   Print this help message and exit\n\n"
+        f"Subcommands:\n{sets}\n{EXAMPLES}"
+    )
 
 
 def mistake_of(words: list[str]) -> str | None:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A compaction run as chapter 4 of Nguyen (2016) sees it: its curves against a reference state, its constants."""
+"""
+A compaction run as chapter 4 of Nguyen (2016) sees it: its curves against a reference state, its
+constants.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,8 @@ from .. import open as open_run
 
 PACKINGS = (0.80, 0.85, 0.90, 0.95)  # of the force distributions
 NEAR = 0.01  # states within this packing count as one
-LIMIT = 0.98  # packing up to which stress is fitted: above, pores are as small as those inside the particles
+# packing up to which stress is fitted: above, pores are as small as those inside the particles
+LIMIT = 0.98
 
 # Name: (text, value in the thesis by MPM and by BPM; None: not given for this model)
 CONSTANTS = {
@@ -23,7 +27,7 @@ CONSTANTS = {
     "jamming_strain": ("ε where Z = 3", 0.08, 0.08),
     "jamming_packing": ("Φ where Z = 3", 0.75, 0.75),
     "reference_stress_Pa": ("σ0 at Φ0 [Pa]", None, None),
-    "beta": ("β (4.3)", 10., None),
+    "beta": ("β (4.3)", 10.0, None),
     "beta_rms": ("  r.m.s. in σ/σ0", None, None),
     "packing_slope": ("Φ0/β (4.5)", 0.08, None),
     "packing_slope_rms": ("  r.m.s. in Φ", None, None),
@@ -42,6 +46,7 @@ CONSTANTS = {
 @dataclass
 class Run:
     """Curves of one run while the walls close: in steps (history) and at snapshots (measures)."""
+
     output: Output
     model: str
     friction: float
@@ -70,7 +75,10 @@ class Run:
         return [self.measures[name] for name in names]
 
     def normalised(self, width=0.0025):
-        """(strain since the reference, stress over that of the reference, packing), means over pieces of packing."""
+        """
+        (strain since the reference, stress over that of the reference, packing), means over pieces
+        of packing.
+        """
         if not self.reference_stress:
             return None
         packing, stress = fits.means(self.packing, self.stress, width)
@@ -81,7 +89,13 @@ class Run:
 def read_run(directory, reference):
     output = open_run(directory)
     history = output.history_table
-    for name in ("axial_strain", "packing_fraction", "bottom_force_N_per_m", "left_position_m", "right_position_m"):
+    for name in (
+        "axial_strain",
+        "packing_fraction",
+        "bottom_force_N_per_m",
+        "left_position_m",
+        "right_position_m",
+    ):
         if name not in history:
             raise InputError(f"{directory} is no compaction: its history.csv has no column {name}")
     strain, packing = history["axial_strain"], history["packing_fraction"]
@@ -91,18 +105,28 @@ def read_run(directory, reference):
     # The way down only: what follows the largest strain is another load.
     known &= np.arange(len(strain)) <= np.nanargmax(strain)
     width = history["right_position_m"] - history["left_position_m"]
-    friction = output.parameters.get("Contact/Friction", 0.)
-    run = Run(output, output.model, friction if isinstance(friction, (int, float)) else 0.,
-              strain[known], packing[known], (history["bottom_force_N_per_m"] / width)[known], reference=reference)
+    friction = output.parameters.get("Contact/Friction", 0.0)
+    run = Run(
+        output,
+        output.model,
+        friction if isinstance(friction, (int, float)) else 0.0,
+        strain[known],
+        packing[known],
+        (history["bottom_force_N_per_m"] / width)[known],
+        reference=reference,
+    )
     end = history["time_s"][known][-1]
     if os.path.exists(output.path("measures.csv")):
         measures = output.measures_table
         kept = measures["time_s"] <= end
         run.measures = {name: values[kept] for name, values in measures.items()}
-        run.measures["axial_strain"] = np.interp(run.measures["time_s"], history["time_s"][known], strain[known])
+        run.measures["axial_strain"] = np.interp(
+            run.measures["time_s"], history["time_s"][known], strain[known]
+        )
         if "packing_fraction" not in run.measures:
-            run.measures["packing_fraction"] = np.interp(run.measures["time_s"], history["time_s"][known],
-                                                         packing[known])
+            run.measures["packing_fraction"] = np.interp(
+                run.measures["time_s"], history["time_s"][known], packing[known]
+            )
     run.reference_stress = fits.value_at(run.packing, run.stress, reference, NEAR)
     run.reference_strain = fits.value_at(run.packing, run.strain, reference, NEAR)
     if run.reference_stress is not None and not run.reference_stress > 0:
@@ -112,12 +136,17 @@ def read_run(directory, reference):
 
 
 def densities(run, packing):
-    """Probability density of normal forces near a packing: (force over mean, density), None without states there."""
+    """
+    Probability density of normal forces near a packing: (force over mean, density), None without
+    states there.
+    """
     names = [name for name in run.measures if name.startswith("force_density_at_")]
     if not names:
         return None
     rows = np.stack([run.measures[name] for name in names], axis=1)
-    near = (np.abs(run.measures["packing_fraction"] - packing) <= NEAR) & np.isfinite(rows).all(axis=1)
+    near = (np.abs(run.measures["packing_fraction"] - packing) <= NEAR) & np.isfinite(rows).all(
+        axis=1
+    )
     if not near.any():
         return None
     return np.array([float(name.rsplit("_", 1)[1]) for name in names]), rows[near].mean(axis=0)
@@ -140,24 +169,36 @@ def constants_of(run):
         strain, stress, packing = curve
         fitted = (packing >= run.reference) & (packing <= LIMIT)
         strain, stress, packing = strain[fitted], stress[fitted], packing[fitted]
-        for name, found in (("beta", fits.slope_through_origin(strain, stress - 1)),
-                            ("packing_slope", fits.slope_through_origin(stress - 1, packing - run.reference)),
-                            ("alpha", fits.exponential_packing(stress, packing, run.reference))):
+        for name, found in (
+            ("beta", fits.slope_through_origin(strain, stress - 1)),
+            ("packing_slope", fits.slope_through_origin(stress - 1, packing - run.reference)),
+            ("alpha", fits.exponential_packing(stress, packing, run.reference)),
+        ):
             if found:
                 result[name], result[name + "_rms"] = found
         if len(stress):
-            fitted = {"beta": stress, "packing_slope": packing} if run.model == "mpm" else {"alpha": packing}
+            fitted = (
+                {"beta": stress, "packing_slope": packing}
+                if run.model == "mpm"
+                else {"alpha": packing}
+            )
             for name, values in fitted.items():
                 if result[name] is not None:
                     run.quality[name] = fits.quality(values, result[name + "_rms"])
     if found := run.measured("packing_fraction", "coordination_of_bodies", "axial_strain"):
         packing, coordination, strain = found
-        result["jamming_strain"] = fits.first_crossing(strain, coordination, 3.)
-        result["jamming_packing"] = fits.first_crossing(packing, coordination, 3.)
+        result["jamming_strain"] = fits.first_crossing(strain, coordination, 3.0)
+        result["jamming_packing"] = fits.first_crossing(packing, coordination, 3.0)
         if power := fits.power_of_coordination(packing, coordination, run.reference):
-            (result["coordination_exponent"], result["coordination_at_reference"],
-             result["coordination_when_full"], result["coordination_rms"]) = power
-            run.quality["coordination_exponent"] = fits.quality(coordination[packing >= run.reference], power[3])
+            (
+                result["coordination_exponent"],
+                result["coordination_at_reference"],
+                result["coordination_when_full"],
+                result["coordination_rms"],
+            ) = power
+            run.quality["coordination_exponent"] = fits.quality(
+                coordination[packing >= run.reference], power[3]
+            )
     result["force_gamma"] = gamma_near(run, PACKINGS[0])
     if found := run.measured("packing_fraction", "shape_anisotropy"):
         if regimes := fits.three_regimes(*found):
@@ -174,8 +215,15 @@ def groups_of(runs):
 
 
 def mean_and_spread(group, name):
-    """(mean, standard deviation, number of runs) of a constant over the runs of a group; None without any."""
+    """
+    (mean, standard deviation, number of runs) of a constant over the runs of a group; None without
+    any.
+    """
     values = [run.constants[name] for run in group if run.constants[name] is not None]
     if not values:
         return None
-    return float(np.mean(values)), float(np.std(values, ddof=1)) if len(values) > 1 else 0., len(values)
+    return (
+        float(np.mean(values)),
+        float(np.std(values, ddof=1)) if len(values) > 1 else 0.0,
+        len(values),
+    )

@@ -27,7 +27,11 @@ def read_frame(state):
 
 def frames_near(run, times):
     """Index and packing fraction of the snapshots next to the packings of STATES, each once."""
-    at = np.interp(times, run.measures["time_s"], run.measures["packing_fraction"]) if run.measures else None
+    at = (
+        np.interp(times, run.measures["time_s"], run.measures["packing_fraction"])
+        if run.measures
+        else None
+    )
     if at is None:
         return []
     chosen: list[tuple[int, float]] = []
@@ -39,21 +43,40 @@ def frames_near(run, times):
 
 
 def draw_grains(axes, frame, disks, zoom):
-    """Bodies of a frame as polygons; in a zoom also the primaries or material points they are made of."""
+    """
+    Bodies of a frame as polygons; in a zoom also the primaries or material points they are made of.
+    """
     outlines, points, walls = frame
     paths = [outline_path(body) for body in outlines if body]
     colours = [FILLS[b % len(FILLS)] for b, body in enumerate(outlines) if body]
-    axes.add_collection(PathCollection(paths, facecolors=colours, edgecolors=INK, linewidths=0.9 if zoom else 0.35))
+    axes.add_collection(
+        PathCollection(paths, facecolors=colours, edgecolors=INK, linewidths=0.9 if zoom else 0.35)
+    )
     if points is not None and (zoom or disks):
         places, sizes, _ = points
         # A material point is drawn smaller than the area it stands for, so that it stays a point.
-        diameter = 2 * np.sqrt(sizes / np.pi) * (1. if disks else 0.35)
-        axes.add_collection(EllipseCollection(
-            diameter, diameter, np.zeros(len(diameter)), units="xy", offsets=places, transOffset=axes.transData,
-            facecolors="none" if disks else INK, edgecolors=INK, linewidths=0.25 if disks else 0,
-            alpha=0.9 if zoom else 0.35))
+        diameter = 2 * np.sqrt(sizes / np.pi) * (1.0 if disks else 0.35)
+        axes.add_collection(
+            EllipseCollection(
+                diameter,
+                diameter,
+                np.zeros(len(diameter)),
+                units="xy",
+                offsets=places,
+                transOffset=axes.transData,
+                facecolors="none" if disks else INK,
+                edgecolors=INK,
+                linewidths=0.25 if disks else 0,
+                alpha=0.9 if zoom else 0.35,
+            )
+        )
     left, right, bottom, top = (walls[name] for name in ("left", "right", "bottom", "top"))
-    axes.plot([left, right, right, left, left], [bottom, bottom, top, top, bottom], color=INK, linewidth=1.2)
+    axes.plot(
+        [left, right, right, left, left],
+        [bottom, bottom, top, top, bottom],
+        color=INK,
+        linewidth=1.2,
+    )
     axes.set_aspect("equal")
     axes.axis("off")
     if zoom:
@@ -79,8 +102,13 @@ def states(groups):
     if not rows:
         raise NotDrawn("no run has snapshots.h5 and measures.csv")
     n = 1 + max(len(frames) for _, frames in rows)
-    figure, axes = plt.subplots(len(rows), n, squeeze=False, constrained_layout=True,
-                                figsize=(3.4 * n, 0.5 + 3.3 * len(rows)))
+    figure, axes = plt.subplots(
+        len(rows),
+        n,
+        squeeze=False,
+        constrained_layout=True,
+        figsize=(3.4 * n, 0.5 + 3.3 * len(rows)),
+    )
     for (run, frames), row in zip(rows, axes):
         for one in row:
             one.axis("off")

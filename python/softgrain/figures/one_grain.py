@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A grain between two walls as section 3.4 of Nguyen (2016) sees it: stress against strain, and its constants."""
+"""
+A grain between two walls as section 3.4 of Nguyen (2016) sees it: stress against strain, and its
+constants.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,9 @@ NOTHING = 0.01  # of the stress at reversal: counts as zero stress
 
 
 def running_mean(x, y, width, places):
-    """Means of the broken line y(x), x growing, over @width around the places; over less at the ends."""
+    """
+    Means of the broken line y(x), x growing, over @width around the places; over less at the ends.
+    """
     low, high = np.maximum(places - 0.5 * width, x[0]), np.minimum(places + 0.5 * width, x[-1])
     area = np.concatenate([[0], np.cumsum(0.5 * (y[1:] + y[:-1]) * np.diff(x))])
 
@@ -53,7 +58,9 @@ def characteristic_force(parameters):
 
 
 def growing(strain, stress):
-    """The part of the rows at which the strain exceeds all before, so that stress is a function of it."""
+    """
+    The part of the rows at which the strain exceeds all before, so that stress is a function of it.
+    """
     before = np.concatenate([[-np.inf], np.maximum.accumulate(strain)[:-1]])
     kept = strain > before
     return strain[kept], stress[kept]
@@ -61,14 +68,19 @@ def growing(strain, stress):
 
 @dataclass
 class Run:
-    """One run; loading and unloading are rows (strain, stress) of history.csv from first contact on."""
+    """
+    One run; loading and unloading are rows (strain, stress) of history.csv from first contact on.
+    """
+
     directory: str
     model: str
     force: float | None = None  # F0 [N/m]
     diameters: tuple | None = None  # smallest and largest [m]
     mean_diameter: float | None = None
     loading: tuple = ()
-    unloading: tuple | None = None  # strain from that of reversal down; None when the walls only close
+    unloading: tuple | None = (
+        None  # strain from that of reversal down; None when the walls only close
+    )
     smooth: tuple = ()
     smooth_unloading: tuple = ()
     constants: dict = field(default_factory=dict)
@@ -81,7 +93,7 @@ class Run:
     @property
     def smallest(self):
         """Diameter of the smallest primary, 0 where it is not known."""
-        return self.diameters[0] if self.diameters else 0.
+        return self.diameters[0] if self.diameters else 0.0
 
     @property
     def characteristic_stress(self):
@@ -94,7 +106,11 @@ class Run:
             return "MPM"
         parts = ["BPM"]
         if self.diameters:
-            parts.append(f"{1e3 * self.diameters[0]:.2f}-{1e3 * self.diameters[1]:.2f} mm".replace("-", "\u2013"))
+            parts.append(
+                f"{1e3 * self.diameters[0]:.2f}-{1e3 * self.diameters[1]:.2f} mm".replace(
+                    "-", "\u2013"
+                )
+            )
         if self.force:
             parts.append(f"$F_0$ = {self.force:g} N/m")
         return ", ".join(parts)
@@ -116,10 +132,18 @@ def mean_diameter_of(output):
 def read_run(directory):
     output = open_run(directory)
     history, parameters = output.history_table, output.parameters
-    for name in ("time_s", "bottom_position_m", "top_position_m", "bottom_force_N_per_m", "top_force_N_per_m"):
+    for name in (
+        "time_s",
+        "bottom_position_m",
+        "top_position_m",
+        "bottom_force_N_per_m",
+        "top_force_N_per_m",
+    ):
         if name not in history:
-            raise InputError(f"{directory} is no grain between the walls bottom and top: its history.csv has no column "
-                             f"{name}")
+            raise InputError(
+                f"{directory} is no grain between the walls bottom and top: its history.csv has no"
+                f" column {name}"
+            )
     bottom, top = history["bottom_force_N_per_m"], history["top_force_N_per_m"]
     pressed = (np.cumsum(bottom > 0) > 0) & (np.cumsum(top > 0) > 0)
     if pressed.sum() < 10:
@@ -130,15 +154,20 @@ def read_run(directory):
     strain = np.log(height[first] / height)[first:]
     stress = (0.5 * (bottom + top) / output.widths(history["time_s"]))[first:]
     if not (np.isfinite(strain).all() and np.isfinite(stress).all()):
-        raise InputError(f"{directory}/history.csv has rows without positions or forces of the walls")
+        raise InputError(
+            f"{directory}/history.csv has rows without positions or forces of the walls"
+        )
     run = Run(directory, output.model)
     if run.model != "mpm":
         run.force = characteristic_force(parameters)
-        ends = [parameters.find_number(f"{which} diameter", "Primaries") for which in ("Smallest", "Largest")]
+        ends = [
+            parameters.find_number(f"{which} diameter", "Primaries")
+            for which in ("Smallest", "Largest")
+        ]
         run.diameters = None if None in ends else tuple(ends)
         run.mean_diameter = mean_diameter_of(output)
     turn = int(np.argmax(strain))
-    run.loading = growing(strain[:turn + 1], stress[:turn + 1])
+    run.loading = growing(strain[: turn + 1], stress[: turn + 1])
     if strain[turn] - strain[-1] > 2 * UNLOADING_MEAN:
         back, value = growing(-strain[turn:], stress[turn:])
         run.unloading = -back, value
@@ -158,7 +187,10 @@ def smoothen(run):
 
 
 def linear_part(strain, stress):
-    """(slope of the stiffest secant through the origin, strain beyond which the curve first is BEND away from it)."""
+    """
+    (slope of the stiffest secant through the origin, strain beyond which the curve first is BEND
+    away from it).
+    """
     searched = (strain >= LOADING_MEAN) & (strain <= STIFFEST_WITHIN)
     if searched.sum() < 3 or strain[-1] < STIFFEST_WITHIN:
         return None, None
@@ -173,7 +205,9 @@ def linear_part(strain, stress):
         return stiffest, None
     i = beyond[0]
     part = (BEND - away[i - 1]) / (away[i] - away[i - 1])
-    return stiffest, float(strain[start + i - 1] + part * (strain[start + i] - strain[start + i - 1]))
+    return stiffest, float(
+        strain[start + i - 1] + part * (strain[start + i] - strain[start + i - 1])
+    )
 
 
 def first_below(strain, stress, level):
@@ -189,11 +223,16 @@ def first_below(strain, stress, level):
 
 
 CONSTANTS = {  # text for the table
-    "plateau_Pa": "plateau: mean σ over 0.10 < ε < 0.30 [Pa]", "characteristic_stress_Pa": "p_I = F0/<a0> [Pa]",
-    "plateau_over_characteristic": "plateau / p_I", "initial_slope_Pa": "stiffest secant [Pa]",
-    "linear_until_strain": "ε where σ leaves it by 10 %", "reversal_strain": "ε at reversal",
-    "reversal_stress_Pa": "σ at reversal [Pa]", "unloading_slope_Pa": "unloading slope E' [Pa]",
-    "unloading_slope_over_plateau": "E' / plateau", "recovered_strain": "ε recovered at σ = 0",
+    "plateau_Pa": "plateau: mean σ over 0.10 < ε < 0.30 [Pa]",
+    "characteristic_stress_Pa": "p_I = F0/<a0> [Pa]",
+    "plateau_over_characteristic": "plateau / p_I",
+    "initial_slope_Pa": "stiffest secant [Pa]",
+    "linear_until_strain": "ε where σ leaves it by 10 %",
+    "reversal_strain": "ε at reversal",
+    "reversal_stress_Pa": "σ at reversal [Pa]",
+    "unloading_slope_Pa": "unloading slope E' [Pa]",
+    "unloading_slope_over_plateau": "E' / plateau",
+    "recovered_strain": "ε recovered at σ = 0",
 }
 
 
@@ -211,7 +250,9 @@ def constants_of(run):
         strain, stress = run.smooth_unloading
         result["reversal_strain"] = float(run.loading[0][-1])
         # The moving mean of loading at its end, of the last half of its width.
-        reversal = float(running_mean(run.loading[0], run.loading[1], LOADING_MEAN, run.loading[0][-1:])[0])
+        reversal = float(
+            running_mean(run.loading[0], run.loading[1], LOADING_MEAN, run.loading[0][-1:])[0]
+        )
         result["reversal_stress_Pa"] = reversal
         begin, end = (first_below(strain, stress, part * reversal) for part in FALL)
         if begin is not None and end is not None:
@@ -219,17 +260,22 @@ def constants_of(run):
             if fitted.sum() >= 3:
                 line = np.polyfit(run.unloading[0][fitted], run.unloading[1][fitted], 1)
                 result["unloading_slope_Pa"] = float(line[0])
-                # Rows of primaries are noisy; whether they follow a line is seen at their moving mean.
+                # Rows of primaries are noisy; whether they follow a line is seen at their moving
+                # mean.
                 near = (strain <= begin) & (strain >= end)
                 left = stress[near] - np.polyval(line, strain[near])
-                run.quality["unloading_slope_Pa"] = fits.quality(stress[near], np.sqrt(np.mean(left**2)))
+                run.quality["unloading_slope_Pa"] = fits.quality(
+                    stress[near], np.sqrt(np.mean(left**2))
+                )
         if (free := first_below(strain, stress, NOTHING * reversal)) is not None:
             result["recovered_strain"] = result["reversal_strain"] - free
     return result
 
 
 def compare_slopes(runs):
-    """Unloading slope over plateau, that of the run itself or of one with the same grain that has one."""
+    """
+    Unloading slope over plateau, that of the run itself or of one with the same grain that has one.
+    """
     for run in runs:
         slope = run.constants["unloading_slope_Pa"]
         plateaus = [other.constants["plateau_Pa"] for other in [run, *runs] if other.key == run.key]

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws figures 4.1-4.5 and 4.8-4.11 of Nguyen (2016) from compaction runs, and fits its laws to them."""
+"""
+Draws figures 4.1-4.5 and 4.8-4.11 of Nguyen (2016) from compaction runs, and fits its laws to them.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +10,25 @@ import numpy as np
 from .. import InputError, fits
 from ..drawing import INK
 from . import grains
-from .compaction import (CONSTANTS, PACKINGS, densities, gamma_near, groups_of, mean_and_spread,
-                         read_run)
-from .tool import (NotDrawn, axes_of, draw_all, finish, markdown, parser_of, warn_of_poor_fits,
-                   write_constants)
+from .compaction import (
+    CONSTANTS,
+    PACKINGS,
+    densities,
+    gamma_near,
+    groups_of,
+    mean_and_spread,
+    read_run,
+)
+from .tool import (
+    NotDrawn,
+    axes_of,
+    draw_all,
+    finish,
+    markdown,
+    parser_of,
+    warn_of_poor_fits,
+    write_constants,
+)
 
 COLOURS = {"mpm": ("#0072B2", "#56B4E9"), "bpm": ("#D55E00", "#E69F00")}
 PACKING_COLOURS = ("#0072B2", "#009E73", "#E69F00", "#D55E00")
@@ -31,8 +48,13 @@ examples:
 
 def parse_arguments(words):
     parser = parser_of("thesis-4", __doc__, EPILOG, 200, FIGURES)
-    parser.add_argument("--reference", type=float, default=0.8, metavar="PHI",
-                        help="packing fraction of the reference state (default: %(default)s)")
+    parser.add_argument(
+        "--reference",
+        type=float,
+        default=0.8,
+        metavar="PHI",
+        help="packing fraction of the reference state (default: %(default)s)",
+    )
     options = parser.parse_args(words)
     if not 0 < options.reference < 1:
         raise InputError("--reference must be between 0 and 1")
@@ -43,10 +65,19 @@ def style_of(run, markers=False):
     """Colour by model, dashes and open markers with friction."""
     rough = run.friction > 0
     colour = COLOURS.get(run.model, COLOURS["bpm"])[rough]
-    result = {"color": colour, "linewidth": 1.5, "linestyle": (0, (4, 1.5)) if rough else "-", "zorder": 3}
+    result = {
+        "color": colour,
+        "linewidth": 1.5,
+        "linestyle": (0, (4, 1.5)) if rough else "-",
+        "zorder": 3,
+    }
     if markers:
-        result.update(marker="s" if rough else "o", markersize=3.2, linewidth=0.8,
-                      markerfacecolor="white" if rough else colour)
+        result.update(
+            marker="s" if rough else "o",
+            markersize=3.2,
+            linewidth=0.8,
+            markerfacecolor="white" if rough else colour,
+        )
     return result
 
 
@@ -59,7 +90,9 @@ def labelled(groups):
 
 def references(groups):
     """(run, label, normalised curve) of the runs that pass through the reference state."""
-    found = [(run, label, run.normalised()) for run, label in labelled(groups) if run.reference_stress]
+    found = [
+        (run, label, run.normalised()) for run, label in labelled(groups) if run.reference_stress
+    ]
     if not found:
         raise NotDrawn("no run carries stress at the reference packing")
     return found
@@ -74,9 +107,21 @@ def stress_against_strain(groups):
         found = mean_and_spread(group, "beta")
         if found and group[0].model == "mpm" and group[0].friction == 0:
             end = axes.get_xlim()[1]
-            axes.plot([0, end], [1, 1 + found[0] * end], color=INK, linewidth=0.9, linestyle=":", zorder=2,
-                      label=f"(4.3), β = {found[0]:.3g} (thesis: 10)")
-    finish(axes, "strain since the reference state $\\varepsilon'$", "$\\sigma/\\sigma_0$", xlim=(0, None))
+            axes.plot(
+                [0, end],
+                [1, 1 + found[0] * end],
+                color=INK,
+                linewidth=0.9,
+                linestyle=":",
+                zorder=2,
+                label=f"(4.3), β = {found[0]:.3g} (thesis: 10)",
+            )
+    finish(
+        axes,
+        "strain since the reference state $\\varepsilon'$",
+        "$\\sigma/\\sigma_0$",
+        xlim=(0, None),
+    )
     return figure
 
 
@@ -93,11 +138,24 @@ def packing_against_stress(groups):
             continue
         if run.model == "mpm" and (found := mean_and_spread(group, "packing_slope")):
             line = run.reference + found[0] * (stress - 1)
-            axes.plot(stress[line <= 1], line[line <= 1], color=INK, linewidth=0.9, linestyle=":", zorder=2,
-                      label=f"(4.5), $\\Phi_0/\\beta$ = {found[0]:.3g} (thesis: 0.08)")
+            axes.plot(
+                stress[line <= 1],
+                line[line <= 1],
+                color=INK,
+                linewidth=0.9,
+                linestyle=":",
+                zorder=2,
+                label=f"(4.5), $\\Phi_0/\\beta$ = {found[0]:.3g} (thesis: 0.08)",
+            )
         elif run.model != "mpm" and (found := mean_and_spread(group, "alpha")):
-            axes.plot(stress, 1 - (1 - run.reference) * np.exp(-found[0] * (stress - 1)), color=INK,
-                      linewidth=0.9, zorder=2, label=f"(4.1), α = {found[0]:.3g} (thesis: 0.27)")
+            axes.plot(
+                stress,
+                1 - (1 - run.reference) * np.exp(-found[0] * (stress - 1)),
+                color=INK,
+                linewidth=0.9,
+                zorder=2,
+                label=f"(4.1), α = {found[0]:.3g} (thesis: 0.27)",
+            )
     finish(axes, "$\\sigma/\\sigma_0$", "packing fraction $\\Phi$", xlim=ends, ylim=(None, 1.005))
     return figure
 
@@ -110,18 +168,29 @@ def against(axes, groups, x, y, name_of_measure):
             axes.plot(*found, label=label, **style_of(run, markers=True))
             drawn = True
     if not drawn:
-        raise NotDrawn(f"no run has the measure '{name_of_measure}' in measures.csv (softgrain measure DIR)")
+        raise NotDrawn(
+            f"no run has the measure '{name_of_measure}' in measures.csv (softgrain measure DIR)"
+        )
 
 
 def coordination_and_packing(groups):
-    figure, (left, right) = axes_of("Fig. 4.4: coordination number and packing fraction against strain", 2)
+    figure, (left, right) = axes_of(
+        "Fig. 4.4: coordination number and packing fraction against strain", 2
+    )
     against(left, groups, "axial_strain", "coordination_of_bodies", "coordination")
     for run, label in labelled(groups):
         right.plot(*fits.means(run.strain, run.packing, 0.002), label=label, **style_of(run))
     found = mean_and_spread([run for group in groups for run in group], "initial_packing")
     strain = np.linspace(0, max(run.strain.max() for group in groups for run in group), 100)
-    right.plot(strain, found[0] * np.exp(strain), color=INK, linewidth=0.9, linestyle=":", zorder=2,
-               label=f"{found[0]:.3f} exp ε (thesis: 0.7)")
+    right.plot(
+        strain,
+        found[0] * np.exp(strain),
+        color=INK,
+        linewidth=0.9,
+        linestyle=":",
+        zorder=2,
+        label=f"{found[0]:.3f} exp ε (thesis: 0.7)",
+    )
     finish(left, "axial strain $\\varepsilon$", "coordination number $Z$", ylim=(0, None))
     finish(right, "axial strain $\\varepsilon$", "packing fraction $\\Phi$")
     return figure
@@ -131,21 +200,33 @@ def collapse_of_coordination(groups):
     figure, (axes,) = axes_of("Fig. 4.5: coordination number against packing fraction")
     drawn = False
     for run, label in labelled(groups):
-        lower, upper = run.constants["coordination_at_reference"], run.constants["coordination_when_full"]
+        lower, upper = (
+            run.constants["coordination_at_reference"],
+            run.constants["coordination_when_full"],
+        )
         if None in (lower, upper):
             continue
         packing, coordination = run.measured("packing_fraction", "coordination_of_bodies")
         shown = packing >= run.reference
         exponent = run.constants["coordination_exponent"]
-        axes.plot(packing[shown], (coordination[shown] - lower) / (upper - lower),
-                  label=label and f"{label}: exponent {exponent:.2f}, $Z_1$ = {upper:.2f}",
-                  **{**style_of(run, markers=True), "linestyle": "none"})
+        axes.plot(
+            packing[shown],
+            (coordination[shown] - lower) / (upper - lower),
+            label=label and f"{label}: exponent {exponent:.2f}, $Z_1$ = {upper:.2f}",
+            **{**style_of(run, markers=True), "linestyle": "none"},
+        )
         drawn, reference = True, run.reference
     if not drawn:
         raise NotDrawn("no run has the measure 'coordination' above the reference packing")
     packing = np.linspace(reference, 1, 300)
-    axes.plot(packing, ((packing - reference) / (1 - reference))**0.5, color=INK, linewidth=1,
-              label="$(\\Phi - \\Phi_0)^{0.5}$ (thesis)", zorder=2)
+    axes.plot(
+        packing,
+        ((packing - reference) / (1 - reference)) ** 0.5,
+        color=INK,
+        linewidth=1,
+        label="$(\\Phi - \\Phi_0)^{0.5}$ (thesis)",
+        zorder=2,
+    )
     finish(axes, "packing fraction $\\Phi$", "$(Z - Z_0)/(Z_1 - Z_0)$", ylim=(-0.1, 1.2))
     return figure
 
@@ -162,16 +243,22 @@ def panels_against_packing(title, groups, measures):
 
 def shapes(groups):
     return panels_against_packing(
-        "Fig. 4.8: contact surface, orientation and aspect ratio (dotted: regimes of the thesis)", groups,
-        (("specific_contact_surface", "specific contact surface $S$", "contact_surface"),
-         ("orientation_anisotropy", "orientation anisotropy $A_m$", "shape"),
-         ("aspect_ratio", "aspect ratio $\\alpha$", "shape")))
+        "Fig. 4.8: contact surface, orientation and aspect ratio (dotted: regimes of the thesis)",
+        groups,
+        (
+            ("specific_contact_surface", "specific contact surface $S$", "contact_surface"),
+            ("orientation_anisotropy", "orientation anisotropy $A_m$", "shape"),
+            ("aspect_ratio", "aspect ratio $\\alpha$", "shape"),
+        ),
+    )
 
 
 def shape_strains(groups):
     return panels_against_packing(
-        "Fig. 4.9: strain and anisotropy of the particles (dotted: regimes of the thesis)", groups,
-        (("shape_strain", "$\\eta$", "shape"), ("shape_anisotropy", "$A_\\eta$", "shape")))
+        "Fig. 4.9: strain and anisotropy of the particles (dotted: regimes of the thesis)",
+        groups,
+        (("shape_strain", "$\\eta$", "shape"), ("shape_anisotropy", "$A_\\eta$", "shape")),
+    )
 
 
 def forces(groups, model, number, thesis):
@@ -187,23 +274,48 @@ def forces(groups, model, number, thesis):
                 continue
             density = np.mean([d[1] for d in found], axis=0)
             shown = density > 0
-            axes.semilogy(found[0][0][shown], density[shown], color=colour, marker=marker, markersize=4,
-                          linewidth=0.8, label=f"Φ = {packing:.2f}", zorder=3)
+            axes.semilogy(
+                found[0][0][shown],
+                density[shown],
+                color=colour,
+                marker=marker,
+                markersize=4,
+                linewidth=0.8,
+                label=f"Φ = {packing:.2f}",
+                zorder=3,
+            )
             drawn = True
         gammas = [g for g in (gamma_near(run, PACKINGS[0]) for run in group) if g is not None]
         if gammas:
             force, gamma = np.linspace(0, 4, 200), float(np.mean(gammas))
-            axes.semilogy(force, fits.force_density(force, gamma), color=INK, linewidth=1.1, zorder=2,
-                          label=f"(2.32), γ = {gamma:.2g} (thesis: {thesis})")
-        finish(axes, "normal force over its mean", "probability density", ylim=(5e-3, 3), title=group[0].label)
+            axes.semilogy(
+                force,
+                fits.force_density(force, gamma),
+                color=INK,
+                linewidth=1.1,
+                zorder=2,
+                label=f"(2.32), γ = {gamma:.2g} (thesis: {thesis})",
+            )
+        finish(
+            axes,
+            "normal force over its mean",
+            "probability density",
+            ylim=(5e-3, 3),
+            title=group[0].label,
+        )
     if not drawn:
         raise NotDrawn("no run has the measure 'forces' near these packing fractions")
     return figure
 
 
 FIGURES = {
-    "4.1": grains.states, "4.2": stress_against_strain, "4.3": packing_against_stress,
-    "4.4": coordination_and_packing, "4.5": collapse_of_coordination, "4.8": shapes, "4.9": shape_strains,
+    "4.1": grains.states,
+    "4.2": stress_against_strain,
+    "4.3": packing_against_stress,
+    "4.4": coordination_and_packing,
+    "4.5": collapse_of_coordination,
+    "4.8": shapes,
+    "4.9": shape_strains,
     "4.10": lambda groups: forces(groups, "bpm", "4.10", 0.25),
     "4.11": lambda groups: forces(groups, "mpm", "4.11", 0.15),
 }
@@ -220,7 +332,9 @@ def text_of(found):
 def table_of(groups):
     """The constants as a Markdown table, those of the thesis beside ours."""
     head = ["", "thesis, MPM", "thesis, BPM"]
-    head += [group[0].label + (f" ({len(group)} runs)" if len(group) > 1 else "") for group in groups]
+    head += [
+        group[0].label + (f" ({len(group)} runs)" if len(group) > 1 else "") for group in groups
+    ]
     rows = [head]
     for name, (text, mpm, bpm) in CONSTANTS.items():
         values = ["-" if value is None else f"{value:g}" for value in (mpm, bpm)]
@@ -230,18 +344,36 @@ def table_of(groups):
 
 def numbers_of(groups, reference):
     """The same for programs."""
-    result = {"reference_packing": reference,
-              "thesis": {name: {"mpm": mpm, "bpm": bpm} for name, (_, mpm, bpm) in CONSTANTS.items()
-                         if (mpm, bpm) != (None, None)},
-              "groups": []}
+    result = {
+        "reference_packing": reference,
+        "thesis": {
+            name: {"mpm": mpm, "bpm": bpm}
+            for name, (_, mpm, bpm) in CONSTANTS.items()
+            if (mpm, bpm) != (None, None)
+        },
+        "groups": [],
+    }
     for group in groups:
         found = {name: mean_and_spread(group, name) for name in CONSTANTS}
-        result["groups"].append({
-            "model": group[0].model, "friction": group[0].friction,
-            "mean": {name: value and value[0] for name, value in found.items()},
-            "spread": {name: value[1] if value and value[2] > 1 else None for name, value in found.items()},
-            "runs": [{"directory": run.directory, "constants": run.constants, "r_squared": run.quality}
-                     for run in group]})
+        result["groups"].append(
+            {
+                "model": group[0].model,
+                "friction": group[0].friction,
+                "mean": {name: value and value[0] for name, value in found.items()},
+                "spread": {
+                    name: value[1] if value and value[2] > 1 else None
+                    for name, value in found.items()
+                },
+                "runs": [
+                    {
+                        "directory": run.directory,
+                        "constants": run.constants,
+                        "r_squared": run.quality,
+                    }
+                    for run in group
+                ],
+            }
+        )
     return result
 
 
