@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
 Scripts can be read: Python parses, shell scripts pass bash -n, and shellcheck where it is installed. What names its interpreter can be
-called by its name. Modules of the Python package import each other in no circle, not even inside of functions.
+called by its name. Modules of the Python package import each other in no circle, not even inside of functions, and neither they nor the
+tools have lines above a hundred columns.
 """
 import ast
 import os
@@ -13,6 +14,7 @@ import common
 
 
 PACKAGE = "python/softgrain"
+COLUMNS = 100
 
 
 def imports_of(root, path, modules):
@@ -46,6 +48,9 @@ def check(root):
         if first.startswith("#!") and not os.access(root / path, os.X_OK):
             yield f"{path}: begins with '{first}' and cannot be executed: chmod +x"
         if path.suffix == ".py" or (first.startswith("#!") and "python" in first):
+            if path.parts[0] == "python":
+                yield from (f"{path}:{number}: {len(line)} columns, at most {COLUMNS}"
+                            for number, line in enumerate(common.lines(root, path), 1) if len(line) > COLUMNS)
             try:
                 ast.parse((root / path).read_text(encoding="utf-8"), str(path))
             except SyntaxError as error:

@@ -100,7 +100,8 @@ SAMPLES = {
          ({"run": "#!/usr/bin/env python3\nprint(\n"}, "run:2" if sys.version_info < (3, 10) else "run:"),
          ({"not_executable": "#!/bin/sh\ntrue\n"}, "cannot be executed"),
          ({"python/softgrain/a.py": "from .b import c\n", "python/softgrain/b.py": "def f():\n    from . import a\n"},
-          "python/softgrain/a.py: imports itself by way of python/softgrain/b.py")]),
+          "python/softgrain/a.py: imports itself by way of python/softgrain/b.py"),
+         ({"python/a.py": "a = 1\n# " + "word " * 20 + "\n"}, "python/a.py:2: 102 columns")]),
 }
 
 
