@@ -24,8 +24,8 @@ std::string text(const double value, const std::string &unit)
   return s.str();
 }
 
-/// Of the damping that is chosen for a wall under a pressure. Contacts of rigid disks stop it from swinging
-/// anyway, and while a packing is sheared all of it would hold up some percent of the pressure.
+/// Share of the damping that is chosen for a wall under a pressure. Contacts of rigid disks stop it from
+/// swinging anyway, and while a packing is sheared all of it would hold up some percent of the pressure.
 constexpr double share_of_damping = 0.2;
 
 /// What a step changes of an obstacle; formulas are dear to copy.

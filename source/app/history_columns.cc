@@ -11,7 +11,7 @@ namespace softgrain
 {
 namespace
 {
-/// As columns_of_work() calls them.
+/// Name of the column of a work, as columns_of_work() has it.
 std::string column_of_work(const std::string &name)
 {
   return name + "_work_J_per_m";

@@ -225,7 +225,7 @@ double Input::solid_area(const Crowd &bodies)
 
 namespace
 {
-/// While it lives, some parameters have other values.
+/// Gives some parameters other values while it lives.
 class WithValues
 {
 public:

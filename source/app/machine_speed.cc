@@ -12,7 +12,7 @@ namespace softgrain
 {
 namespace
 {
-/// On the machine that the constants of forecasts were fitted on [s].
+/// Seconds on the machine that the constants of forecasts were fitted on.
 namespace reference
 {
 constexpr double factorisation = 1.2e-3, scattered_sums = 0.58e-3;

@@ -27,9 +27,9 @@ namespace
 /// Every run leaves this one first of all, so it marks a folder as ours.
 const char *const mark = "parameters.prm";
 
-/// Of a folder or file, on every file system that matters.
+/// Longest name of a folder or file, on every file system that matters.
 constexpr std::size_t longest_name = 255;
-/// For the longest path in an output folder, of the checkpoint of a stage.
+/// Room for the longest path in an output folder, of the checkpoint of a stage.
 constexpr std::size_t room_for_files = 256;
 
 /// Beside series of pictures, snapshots and checkpoints.

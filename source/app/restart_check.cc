@@ -25,7 +25,7 @@ const char *const parameters_name = "driver/parameters", *const names_name = "dr
 /// More of them would hide the message.
 constexpr std::size_t max_changes_in_message = 4;
 
-/// Of those parameters that may change on the whole: the table that goes on has its columns.
+/// The one of the parameters that may change which has to stay: the table that goes on has its columns.
 const std::string has_columns = "Output/Forces on";
 
 const std::string not_there = "(not there)", stage_names = "Stages/Names", all_stages = "Stages/";

@@ -27,9 +27,9 @@ namespace
 {
 /// Part of the time of a trial that a formula may ask for: it may be wrong by as much.
 constexpr double share = 0.2;
-/// Of the way, below which nothing is known of the number of steps.
+/// Share of the way below which nothing is known of the number of steps.
 constexpr double least_fraction = 0.02;
-/// Of the way, from which on steps of the scene itself say more of it than a coarser one that went all of it.
+/// Share of the way from which on the scene itself says more than a coarser one that went all of it.
 constexpr double enough_of_way = 0.3;
 /// Time on the clock over that of the processor, at most.
 constexpr double patience = 3.;

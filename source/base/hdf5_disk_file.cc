@@ -104,7 +104,7 @@ herr_t close_disk(H5FD_t *const file)
   return 0;
 }
 
-/// As HDF5's driver for memory asks for, so that files are laid out as by that.
+/// Answers as HDF5's driver for memory does, so that files are laid out as by that.
 herr_t query_disk(const H5FD_t *, unsigned long *const features)
 {
   *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |

@@ -9,9 +9,9 @@ namespace softgrain
 {
 namespace
 {
-/// Before the first line: within a second of the start of the program, which takes its part of it.
+/// Time before the first line: within a second of the start of the program, which takes its part of it.
 constexpr std::chrono::milliseconds before_first(400);
-/// Between two lines; long preparations tell less often.
+/// Time between two lines; long preparations tell less often.
 constexpr std::chrono::seconds between(1);
 } // namespace
 

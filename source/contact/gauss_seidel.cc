@@ -138,8 +138,8 @@ double sweep(const Sweep<Operator> &on, ThreadTeam *team, std::vector<double> &o
   return largest;
 }
 
-/// After so many sweeps without a lower residual, momentum goes on with forward and backward sweeps, or, when
-/// it does so already, is given up.
+/// Sweeps without a lower residual after which momentum goes on with forward and backward sweeps, or, when it
+/// does so already, is given up.
 constexpr unsigned int patience_one_way = 50, patience_both_ways = 200;
 
 /**

@@ -17,7 +17,7 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// Contacts that part faster than this many times the speed of approach take part only when they close.
 constexpr double far = 3.;
 constexpr unsigned int warm_attempts = 2, few_exchanges = 500; ///< from impulses that are given
-/// From nothing: where impulses were given a shorter step is cheaper than a long path.
+/// Exchanges of a path from nothing: where impulses were given a shorter step is cheaper than a long path.
 constexpr unsigned int most_after_warm = 3000, most_exchanges = 30000;
 
 /// Contacts that take part: all that carry something or do not part fast, and later those that close too.

@@ -37,7 +37,7 @@ FreeWallStep free_step(const double mass,
   return step;
 }
 
-/// Of a wall that moves along its tangent at all.
+/// Whether a wall moves along its tangent at all.
 bool goes_along(const WallDescription<2> &wall)
 {
   return wall.drive->slides() || wall.drive->shears();

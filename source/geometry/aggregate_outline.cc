@@ -162,7 +162,7 @@ std::vector<Arc> uncovered_arcs(const std::vector<Disk> &disks)
   return arcs;
 }
 
-/// For every arc the one that goes on where it ends.
+/// The arc that goes on where an arc ends, for every arc.
 std::vector<unsigned int> linked(const std::vector<Arc> &arcs, const std::vector<Disk> &disks)
 {
   const unsigned int n = arcs.size();

@@ -98,7 +98,7 @@ void add_crossing(const Edge &edge, const Edge &other, std::vector<double> &shar
     shares.push_back(share);
 }
 
-/// Of the vertices of @p one in @p other.
+/// Intrusion of the vertices of @p one in @p other.
 Intrusion vertices_inside(const Outline &one, const Outline &other, const Shared &shared)
 {
   Intrusion deepest;
@@ -120,7 +120,7 @@ std::vector<Edge> edges_near(const Outline &outline, const Shared &shared)
   return edges;
 }
 
-/// Of what lies between two places where edges cross others, in the outline of the others.
+/// Intrusion of what lies between two places where edges cross others, in the outline of the others.
 Intrusion
 stretches_inside(const std::vector<Edge> &edges, const std::vector<Edge> &others, const Outline &outline)
 {

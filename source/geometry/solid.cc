@@ -144,7 +144,7 @@ std::pair<double, double> Sphere::distances_from_plane(const Place &point,
   return {middle - radius, middle + radius};
 }
 
-/// Between the place of the box that is nearest to the centre and the corner that is farthest from it.
+/// A place between that of the box nearest to the centre and the corner that is farthest from it.
 std::optional<Sphere::Place> Sphere::surface_in_box(const Place &lower, const Place &upper) const
 {
   Place near = center, far = lower;

@@ -19,7 +19,7 @@ namespace
 {
 using Cell = VtuFile::Cell;
 
-/// Of the names of files.
+/// Beginnings of the names of files.
 const std::vector<std::string> prefixes = {"points-", "outlines-", "contacts-", "walls-", "obstacles-"};
 const std::string suffix = ".vtu";
 

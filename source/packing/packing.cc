@@ -20,7 +20,7 @@ namespace
 {
 /// Share of area that disks thrown at random reach at once.
 constexpr double loose_fraction = 0.40;
-/// And where they jam, about: for what is told of progress alone.
+/// Fraction at which disks jam, about: for what is told of progress alone.
 constexpr double jammed_fraction = 0.84;
 /// Share that the length of the box loses in a step, and steps at rest, where it counts as jammed: when that
 /// is not wanted, and when it is.

@@ -20,7 +20,7 @@ constexpr double attempts = 3e7, fewest_rounds = 3e3, most_rounds = 3e4;
 constexpr double whole_way = 0.1;
 /// Part of all attempts in which two disks change places.
 constexpr double swaps = 0.2;
-/// So that rounding makes no overlap.
+/// Distance that is kept so that rounding makes no overlap.
 constexpr double slack = 1e-12;
 } // namespace
 

@@ -24,7 +24,7 @@ struct Includes
   bool lost = false;       ///< whether it is unknown what the rest means
 };
 
-/// Nothing that follows can be read; the mistake has been kept.
+/// What is thrown when nothing that follows can be read; the mistake has been kept.
 struct Lost
 {
 };
@@ -73,7 +73,7 @@ private:
     mistakes.add(where() + ": " + message, parameter_path(sections, ""));
   }
 
-  /// After this nobody knows what belongs to which section, or something is missing as a whole.
+  /// Gives up: nobody knows what belongs to which section, or something is missing as a whole.
   void lose(const std::string &message)
   {
     complain(message);

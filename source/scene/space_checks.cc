@@ -100,7 +100,7 @@ void check_section(const ParameterSection &section, std::vector<std::string> &pa
   }
 }
 
-/// By which two balls, the only shape there is, lie in each other [m].
+/// Depth by which two balls, the only shape there is, lie in each other [m].
 double overlap_of(const BodyDescription<3> &a, const BodyDescription<3> &b)
 {
   const std::vector<double> one = a.shape->numbers(), other = b.shape->numbers();

@@ -26,7 +26,7 @@ places(const Body<2> &body, const Eigen::VectorXd &displacement, dealii::Point<2
   return place;
 }
 
-/// Of every node: its mass times its arm about the centre of mass, turned by 90 degrees; and the rotary
+/// Mass of every node times its arm about the centre of mass, turned by 90 degrees; and the rotary
 /// @p inertia.
 Eigen::VectorXd moment_of_masses(const Body<2> &body, const Eigen::VectorXd &displacement, double &inertia)
 {

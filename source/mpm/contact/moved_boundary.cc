@@ -29,7 +29,7 @@ Vector at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
   return value;
 }
 
-/// Of a marker that goes on as its body does, for a time @p dt [m].
+/// Way of a marker that goes on as its body does, for a time @p dt [m].
 Vector way_of_marker(const Body<2> &body, const unsigned int marker, const double dt)
 {
   return body.velocity.size() > 0 ? dt * at_marker(body.field.marker_weights(marker), body.velocity)
@@ -43,7 +43,7 @@ double cubic(const double scale, const double t, const double begin, const doubl
   return scale * t * rest * (begin * rest - end * t);
 }
 
-/// Its slope, for a scale of 1.
+/// Slope of the cubic, for a scale of 1.
 double cubic_slope(const double t, const double begin, const double end)
 {
   return begin * (1. - t) * (1. - 3. * t) - end * t * (2. - 3. * t);

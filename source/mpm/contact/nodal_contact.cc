@@ -95,7 +95,7 @@ double steepness(const View &view, const double cell_size)
   return view.gradient.norm() * cell_size / view.mass;
 }
 
-/// From the body that shows @p other to the one that shows @p own, of length 0 to 2 (3.23).
+/// Vector from the body that shows @p other to the one that shows @p own, of length 0 to 2 (3.23).
 Vector apart(const View &own, const View &other, const double cell_size)
 {
   // A body that a blow has compressed is denser where the blow has come to, which is no surface. It is told

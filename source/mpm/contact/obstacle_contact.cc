@@ -14,7 +14,7 @@ using Point = dealii::Point<2>;
 using Vector = dealii::Tensor<1, 2>;
 using Row = ContactRow<2>;
 
-/// Of the angle between the normals of boundary and obstacle, beyond which they do not face each other.
+/// Cosine of the angle between the normals of boundary and obstacle beyond which they do not face each other.
 constexpr double least_facing = 0.2;
 /// How far beyond a piece that goes smoothly on its seekers may be, and how near to a tip they are left to it
 /// [cells].

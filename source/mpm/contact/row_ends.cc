@@ -7,7 +7,7 @@ namespace
 {
 using Vector = MovedBoundary::Vector;
 
-/// From the seeker's marker to the next, or from the one before to it.
+/// Edge from the seeker's marker to the next, or from the one before to it.
 Vector edge_at(const MovedBoundary &own, const unsigned int marker, const bool after)
 {
   return after ? own.marker(own.boundary().next(marker)) - own.marker(marker)

@@ -25,7 +25,7 @@ constexpr Measured widths[] = {
     {0.00, -0.77, 0.23}, {0.30, -0.73, 0.23}, {0.40, -0.67, 0.20}, {0.45, -0.59, 0.18}, {0.49, -0.615, 0.15}};
 constexpr double by_angle = 0.10;
 
-/// Between the measured Poisson's ratios; beyond them as at the last.
+/// Constants between the measured Poisson's ratios; beyond them those of the last.
 Measured measured(const double poisson_ratio)
 {
   const auto above = std::find_if(std::begin(widths), std::end(widths),

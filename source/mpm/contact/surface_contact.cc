@@ -24,7 +24,7 @@ using Vector = MovedBoundary::Vector;
 using Place = MovedBoundary::Place;
 using Row = ContactRow<2>;
 
-/// As the key of a partner: the low bits of its image take the place of the high ones of its number.
+/// Key of an image of a partner: its low bits take the place of the high ones of the number of the partner.
 unsigned int image_key(const Body<2> &partner, const PeriodicCell<2>::Image &image)
 {
   return (partner.index & 0x7ffff) | ((image[0] & 3) << 21) | ((image[1] & 3) << 19);
@@ -167,7 +167,7 @@ public:
   }
 
 private:
-  /// From the centre of a round body towards its partner.
+  /// Direction from the centre of a round body towards its partner.
   Vector direction() const
   {
     if (other.boundary().circular)
@@ -199,7 +199,7 @@ private:
     return best;
   }
 
-  /// From a place to the partner across; none when the partner is not there [m].
+  /// Gap from a place to the partner across; none when the partner is not there [m].
   double gap_beside(const Place &at) const
   {
     const Projection found = project(at);
@@ -211,7 +211,7 @@ private:
     return is_far_aside(gap, found.distance) ? none : gap;
   }
 
-  /// To the side of what it faces: the true nearest place looks the other way, and there is no contact.
+  /// Whether a place lies aside: the true nearest place looks the other way, and there is no contact.
   bool is_far_aside(const double gap, const double distance) const
   {
     return std::abs(gap) < 0.7 * distance && distance > 0.1 * scene.cell_size;

@@ -9,7 +9,7 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// To processor time and peak memory of runs of the shipped scenes on one thread.
+/// Constants fitted to processor time and peak memory of runs of the shipped scenes on one thread.
 namespace fitted
 {
 constexpr double boundary = 0.34;    ///< cells beside the boundary that get points

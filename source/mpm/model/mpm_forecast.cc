@@ -72,7 +72,7 @@ double n_iterations(const Settings &settings, const RunOutline &run, const doubl
   return n_bodies < 1.5 ? 2. : 2.6 + 0.6 * std::min(dt / cfl, 10.);
 }
 
-/// On the time of a step, for what is in contact.
+/// Factor on the time of a step, for what is in contact.
 double factor_of_contacts(const Settings &settings,
                           const RunOutline &run,
                           const bool slow,

@@ -40,7 +40,7 @@ std::vector<double> flat(const Eigen::VectorXd &v)
   return {v.data(), v.data() + v.size()};
 }
 
-/// Likewise.
+/// Reads a list back into a vector.
 void unflat(const StateReader &in, const std::string &name, Eigen::VectorXd &values)
 {
   const std::vector<double> numbers = in.read_doubles(name, values.size());

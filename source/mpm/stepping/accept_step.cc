@@ -53,7 +53,7 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
   }
 }
 
-/// Of @p gravity on a body whose nodes move at @p rate [W/m].
+/// Work of @p gravity on a body whose nodes move at @p rate [W/m].
 double gravity_work(const Body<2> &body, const dealii::Tensor<1, 2> &gravity, const Eigen::VectorXd &rate)
 {
   double sum = 0.;

@@ -25,7 +25,7 @@ constexpr double mixing_range = 0.15;
 /// corner lies in a dent that it has pressed, moves grow by 2 to 5: what mixing knows of them must not be
 /// forgotten just then. Where bodies are not nearly in balance it knows little.
 constexpr double mixing_growth = 5., mixing_growth_off_balance = 2., off_balance = 0.1;
-/// Of the way back to the last outcome, below which it is not worth an evaluation of the stress.
+/// Share of the way back to the last outcome below which it is not worth an evaluation of the stress.
 constexpr double least_share = 0.05;
 } // namespace
 

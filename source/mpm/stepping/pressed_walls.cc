@@ -22,8 +22,8 @@ double softest(const State &state)
   return modulus;
 }
 
-/// Without inertia: the wall is resisted by a spring that starts from nothing in every step, as bodies are,
-/// and goes no further than the settings allow.
+/// Resists a wall without inertia by a spring that starts from nothing in every step, as bodies are, and lets
+/// it go no further than the settings allow.
 void resist(
     const Problem &problem, const State &state, const StepPlan &plan, const double load, FreeWall<2> &free)
 {

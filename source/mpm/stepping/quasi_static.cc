@@ -32,7 +32,7 @@ void add(const StepOutcome &step, StepOutcome &sum)
   sum.max_penetration = step.max_penetration;
 }
 
-/// In held steps what is driven stands still, too; it goes on afterwards, however they end.
+/// What is driven stands still in held steps, too; it goes on afterwards, however they end.
 class DrivesAtRest
 {
 public:

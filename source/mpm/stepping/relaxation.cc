@@ -17,7 +17,7 @@ constexpr double rise_at_rest = 10., rise_with_free_walls = 3.;
 /// Held steps without a better balance, after which bodies that go back and forth are in a circle.
 constexpr unsigned int most_in_vain = 12;
 
-/// Of the nodes of all bodies [m].
+/// Displacements of the nodes of all bodies [m].
 std::vector<Eigen::VectorXd> displacements(const State &state)
 {
   std::vector<Eigen::VectorXd> all;

@@ -78,7 +78,7 @@ double time_of_way(const double way, const double speed, const double accelerati
   return 2. * way / (speed + std::sqrt(speed * speed + 2. * acceleration * way));
 }
 
-/// By which bodies fall [m/s²]; without inertia time only orders the steps.
+/// Acceleration by which bodies fall [m/s²]; without inertia time only orders the steps.
 double pull_of(const Problem &problem)
 {
   return problem.settings.scheme.inertia ? problem.scene.gravity.norm() : 0.;
@@ -174,7 +174,7 @@ double safe_from_obstacles(const Problem &problem,
   return step;
 }
 
-/// The same of bodies in a cell that repeats, where every body may be near any other.
+/// Safe step of bodies in a cell that repeats, where every body may be near any other.
 double safe_in_cell(const Problem &problem,
                     const State &state,
                     const std::vector<Flight> &flights,

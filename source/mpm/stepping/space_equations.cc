@@ -11,7 +11,7 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// In space factors fill so that a band is best up to some 1500 nodes.
+/// Widest band in space, where factors fill so that a band is best up to some 1500 nodes.
 constexpr unsigned int widest_band = 2000;
 constexpr double locked = 1e4; ///< of the torque that keeps a round body from turning, see StepEquations
 } // namespace
