@@ -72,6 +72,33 @@ double relax(Aggregate &aggregate,
   aggregate.position = dynamics.disks().position;
   return now / rest;
 }
+
+/// Overlap that stays, and error of the contact solution of the last steps [mean diameters, dimensionless].
+constexpr double last_overlap = 1e-10, last_tolerance = 1e-8;
+/// One is enough unless primaries turn about each other on their way.
+constexpr unsigned int most_last_steps = 10;
+
+/// Pushes out what primaries overlap and closes what is open. A run would else do the first against the
+/// attraction, so that contact would give energy.
+void touch(Aggregate &aggregate, const double density, const std::shared_ptr<const Attraction> &attraction)
+{
+  DynamicsSettings settings;
+  settings.solver.tolerance = last_tolerance;
+  settings.solver_penetration = 0.5 * last_overlap;
+  std::vector<Wall> no_walls;
+  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
+  dynamics.detect(no_walls);
+  const double a0 = dynamics.mean_diameter(),
+               dt = whole.step * attraction_time(a0, density, attraction->contact_force());
+  for (unsigned int step = 0; step < most_last_steps; ++step)
+  {
+    dynamics.step(dt, no_walls, {});
+    dynamics.disks().velocity.assign(aggregate.size(), {0., 0.});
+    if (dynamics.penetration() <= last_overlap * a0)
+      break;
+  }
+  aggregate.position = dynamics.disks().position;
+}
 } // namespace
 
 void settle(Aggregate &aggregate,
@@ -85,11 +112,14 @@ void settle(Aggregate &aggregate,
     relax(aggregate, density, attraction, rough);
     return;
   }
-  if (relax(aggregate, density, attraction, whole) <= 1.)
-    return;
-  const double left = relax(aggregate, density, attraction, careful);
+  double left = relax(aggregate, density, attraction, whole);
+  if (left > 1.)
+    left = relax(aggregate, density, attraction, careful);
   if (left <= 1.)
+  {
+    touch(aggregate, density, attraction);
     return;
+  }
   std::ostringstream message;
   message << "the primaries of body '" << name << "' do not come to rest: after " << careful.most
           << " steps their kinetic energy is " << left << " times that of rest";
