@@ -280,6 +280,8 @@ void FrameState<dim>::look(const FrameScene<dim> &scene,
     here.met = known && meet_ray(scene, displacement, wall_height, k);
     if (here.met && inertia())
       draw_on(k);
+    else if (here.met && here.first)
+      note_gap_at_start(wall_way, k);
   }
   if constexpr (dim == 2)
     if (begins && inertia())

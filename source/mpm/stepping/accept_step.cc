@@ -85,7 +85,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     state.balance.scheme_damping += taken;
   state.balance.regularisation_work += step.regularisation_work;
   state.resistance = step.resistance;
-  account_contacts(problem, state, work, dt, step.rate, motion);
+  account_contacts(problem, state, work, dt, step.rate, motion, step.kinks);
   if (state.adhesion.remembers())
   {
     if (!problem.settings.meets_by_rays()) // rays have memories of their own

@@ -3,14 +3,43 @@
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace softgrain::mpm
 {
+namespace
+{
+/// Work of something driven, and by how much it differs from that of the force at either end [J/m].
+struct DrivenWork
+{
+  double *work;
+  double most;
+};
+
+/// Gives to all that is driven what the mean of both ends lacks, in proportion to the change of its force:
+/// its work lies between those of the forces at both ends. @return the share that could be given
+double give_kinks(const ContactKinks &kinks, const std::vector<DrivenWork> &driven)
+{
+  double most = 0.;
+  for (const DrivenWork &one : driven)
+    most += one.most;
+  if (most == 0. || kinks.all() == 0.)
+    return 0.;
+  const double given = std::clamp(kinks.all(), -most, most);
+  for (const DrivenWork &one : driven)
+    *one.work += given * one.most / most;
+  return given / kinks.all();
+}
+} // namespace
+
 void account_contacts(const Problem &problem,
                       State &state,
                       const Workspace &work,
                       const double dt,
                       const std::vector<Eigen::VectorXd> &rate,
-                      const std::vector<WallMotion<2>> &motion)
+                      const std::vector<WallMotion<2>> &motion,
+                      const ContactKinks &kinks)
 {
   std::vector<dealii::Tensor<1, 2>> force_before;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
@@ -88,22 +117,32 @@ void account_contacts(const Problem &problem,
       if (wall.repeats())
         wall.work -= dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
   }
+  std::vector<DrivenWork> driven;
   for (unsigned int o = 0; balanced && o < state.obstacles.size(); ++o)
   {
     Obstacle &obstacle = state.obstacles[o];
     const ObstacleMotion &way = obstacle.way;
-    if (way.dt > 0.)
-      obstacle.work -= 0.5 * (felt_before[o].first + obstacle.force) * (way.end.shift - way.start.shift) +
-                       0.5 * (felt_before[o].second + obstacle.torque) * (way.end.angle - way.start.angle);
+    if (way.dt == 0.)
+      continue;
+    const dealii::Tensor<1, 2> shift = way.end.shift - way.start.shift;
+    const double angle = way.end.angle - way.start.angle;
+    obstacle.work -= 0.5 * (felt_before[o].first + obstacle.force) * shift +
+                     0.5 * (felt_before[o].second + obstacle.torque) * angle;
+    driven.push_back({&obstacle.work, 0.5 * std::abs((obstacle.force - felt_before[o].first) * shift +
+                                                     (obstacle.torque - felt_before[o].second) * angle)});
   }
   if (balanced)
     for (unsigned int w = 0; w < state.walls.size(); ++w)
     {
       Wall &wall = state.walls[w];
-      wall.work += 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+      double change = 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
       if (wall.slide_speed != 0.)
-        wall.work += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
+        change += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
+      wall.work += change;
+      driven.push_back({&wall.work, std::abs(change)});
     }
+  if (const double share = give_kinks(kinks, driven); share > 0.)
+    state.balance.contact_loss += share * kinks.of_slides;
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,
                       dt, problem.settings.scheme.implicit);

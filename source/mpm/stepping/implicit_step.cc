@@ -301,6 +301,7 @@ void ImplicitStep::accept(State &state_to_change)
                   equations.external,
                   std::vector<double>(trial.size(), 0.),
                   0.,
+                  {},
                   {}};
   for (unsigned int b = 0; b < trial.size(); ++b)
   {

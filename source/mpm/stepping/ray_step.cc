@@ -189,6 +189,7 @@ void RayStep::accept(State &state_to_change)
                                                          state.time + 0.5 * plan.dt), // for their work
                   std::vector<double>(way.size(), 0.),
                   0.,
+                  {},
                   {}};
   if (!inertia)
     state_to_change.held_back.resize(way.size());
@@ -204,6 +205,8 @@ void RayStep::accept(State &state_to_change)
     }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
+  for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
+    frames[f].add_kinks(force[f], rubbing[f], found.kinks);
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
     for (const unsigned int side : {0, 1})
       if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)

@@ -3,6 +3,7 @@
 #define softgrain_mpm_contact_frame_state_h
 
 #include <softgrain/mpm/contact/contact_frame.h>
+#include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/ray_here.h>
 
@@ -257,6 +258,10 @@ public:
     return result;
   }
 
+  /// Adds those of its rays, after a step without inertia.
+  void
+  add_kinks(const std::vector<double> &force, const std::vector<double> &rubbing, ContactKinks &kinks) const;
+
   /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
   ContactFrame<dim> after(const FrameScene<dim> &scene,
                           const std::vector<double> &force,
@@ -292,6 +297,7 @@ private:
         return line->way_of(place);
     return frame.partner == none ? wall_way : Vector();
   }
+  void note_gap_at_start(const Vector &wall_way, unsigned int k);
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
   /// By which a side stands away from where its nodes say.
   Vector away(const unsigned int side) const { return at * carried[side] + (side == 0 ? apart : Vector()); }

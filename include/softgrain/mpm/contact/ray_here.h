@@ -24,7 +24,7 @@ struct RayHere
   double gap = 0;      ///< [m]
   double path = 0;     ///< when it was last looked at
   Across by_motion;    ///< dg/dc
-  double at_start = 0; ///< gap at the start of the step, with inertia [m]
+  double at_start = 0; ///< gap at the start of the step [m]
   double beyond =
       0; ///< what its gap opens beside the way of the places that its row stands for, with inertia [m]
   double stays = 0;  ///< what the step leaves closed of an overlap with which it began [m]

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_accept_step_h
 #define softgrain_mpm_stepping_accept_step_h
 
+#include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/stepping/step.h>
 
 #include <vector>
@@ -21,6 +22,7 @@ struct FoundStep
   std::vector<double> scheme_damping;            ///< taken by theta > 1/2, by body [J/m]
   double regularisation_work = 0;                ///< taken by regularising forces [J/m]
   std::vector<dealii::Tensor<1, 2>> resistance;  ///< as State::resistance
+  ContactKinks kinks;                            ///< without inertia
 };
 
 /**

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a frame knows of forces that do not change evenly in a step.
+#include <softgrain/mpm/contact/frame_state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+template <int dim>
+void FrameState<dim>::note_gap_at_start(const Vector &wall_way, const unsigned int k)
+{
+  // Bodies are where the step begins, what carries them has gone its way.
+  RayHere &here = rays[k];
+  here.at_start =
+      here.gap - at * gap_by(k, {{carried[0] + way_of_partner(wall_way, here.side[0].place), carried[1]}});
+}
+
+template <int dim>
+void FrameState<dim>::add_kinks(const std::vector<double> &force,
+                                const std::vector<double> &rubbing,
+                                ContactKinks &kinks) const
+{
+  constexpr double near_bound = 1. - 1e-6; // of friction: solutions have tolerances
+  for (unsigned int k = 0; k < rays.size(); ++k)
+  {
+    const double before = frame.rays[k].force, now = force[k];
+    // Adhesion does work of its own on what is open.
+    if (!rays[k].met || rays[k].left || rays[k].pull > 0. || frame.rays[k].pull > 0.)
+      continue;
+    if (before == 0. && now > 0.)
+      kinks.of_gaps -= 0.5 * now * std::max(0., rays[k].at_start + dent_at_start);
+    else if (before > 0. && now == 0.)
+      kinks.of_gaps += 0.5 * before * std::max(0., free_gap(k));
+    if (!rubs(k) || now <= 0. || std::abs(rubbing[k]) < near_bound * most_friction(k, now))
+      continue;
+    const double mean = 0.5 * (frame.rays[k].friction + rubbing[k]),
+                 sliding = 0.5 * (before + now) / now * rubbing[k];
+    kinks.of_slides -= (sliding - mean) * (rays[k].slide - rays[k].known_slide);
+  }
+}
+
+template void FrameState<2>::note_gap_at_start(const FrameState<2>::Vector &, unsigned int);
+template void FrameState<3>::note_gap_at_start(const FrameState<3>::Vector &, unsigned int);
+template void
+FrameState<2>::add_kinks(const std::vector<double> &, const std::vector<double> &, ContactKinks &) const;
+template void
+FrameState<3>::add_kinks(const std::vector<double> &, const std::vector<double> &, ContactKinks &) const;
+} // namespace softgrain::mpm
