@@ -3,6 +3,7 @@
 #include <softgrain/base/mistakes.h>
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/parameters/parameter_file.h>
+#include <softgrain/parameters/parameter_home.h>
 #include <softgrain/parameters/parameter_tree.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -49,20 +50,6 @@ suggestion(const std::string &word, const std::vector<std::string> &names, const
   return text;
 }
 
-/// Path of a section below @p section that declares @p key, to tell the user where it belongs.
-std::string home_of(const ParameterSection &section, const std::string &key, const std::string &path)
-{
-  if (!path.empty() && section.entry(key) != nullptr)
-    return path;
-  for (const ParameterSection &child : section.sections)
-  {
-    const std::string found = home_of(child, key, path + (path.empty() ? "" : "/") + child.name);
-    if (!found.empty())
-      return found;
-  }
-  return "";
-}
-
 const ParameterSection &find_section(const ParameterSection &top, const ParameterAssignment &assignment)
 {
   const ParameterSection *here = &top;
@@ -105,7 +92,8 @@ std::string what_became_of(const std::string &path)
   return "";
 }
 
-const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAssignment &assignment)
+const ParameterEntry &
+find_entry(const ParameterSection &top, const ParameterAssignment &assignment, const ValueOfEntry &value)
 {
   const std::string path = parameter_path(assignment.sections, assignment.key);
   if (const std::string now = what_became_of(path); !now.empty())
@@ -117,10 +105,10 @@ const ParameterEntry &find_entry(const ParameterSection &top, const ParameterAss
     throw InputError(assignment.where + ": '" + path + "' is a section, not a parameter");
   const std::vector<std::string> names = section.entry_names();
   const std::string home =
-      nearest_name(assignment.key, names).empty() ? home_of(top, assignment.key, "") : "";
-  throw UnknownName(assignment.where + ": unknown parameter '" + path + "'" +
-                    (home.empty() ? suggestion(assignment.key, names, "parameters")
-                                  : "; it belongs in section '" + home + "'"));
+      nearest_name(assignment.key, names).empty() ? home_in_words(top, assignment, value) : "";
+  throw UnknownName(
+      assignment.where + ": unknown parameter '" + path + "'" +
+      (home.empty() ? suggestion(assignment.key, names, "parameters") : "; it belongs in " + home));
 }
 
 /// The first number of a value whose pattern asks for numbers that no double holds: 1e-308 loses digits,
@@ -317,9 +305,10 @@ namespace
 /// Sets one parameter. @throw InputError when it is not declared or its value is not allowed
 void apply_one(dealii::ParameterHandler &prm,
                const ParameterSection &top,
-               const ParameterAssignment &assignment)
+               const ParameterAssignment &assignment,
+               const ValueOfEntry &value)
 {
-  const ParameterEntry &entry = find_entry(top, assignment);
+  const ParameterEntry &entry = find_entry(top, assignment, value);
   const std::string is = assignment.where + ": '" + parameter_path(assignment.sections, assignment.key) +
                          "' = '" + assignment.value + "' is not allowed: ";
   const std::string bad_number = number_out_of_range(entry.pattern, assignment.value);
@@ -363,6 +352,8 @@ void ParameterFile::apply(dealii::ParameterHandler &prm,
                           std::vector<std::string> *const unknown) const
 {
   const ParameterSection top = parameter_tree(prm);
+  const ValueOfEntry value_of = [this](const std::vector<std::string> &sections, const ParameterEntry &entry)
+  { return value(sections, entry.name, entry.default_value); };
   std::vector<std::string> unknown_sections;
   for (const ParameterAssignment &assignment : assignments)
   {
@@ -378,7 +369,7 @@ void ParameterFile::apply(dealii::ParameterHandler &prm,
       if (of_section)
         find_section(top, assignment);
       else
-        apply_one(prm, top, assignment);
+        apply_one(prm, top, assignment, value_of);
     }
     catch (const UnknownName &error)
     {
