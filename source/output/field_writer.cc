@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/outline_loads.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/atomic_file.h>
 #include <softgrain/output/field_writer.h>
@@ -126,8 +127,11 @@ void fill_points(VtuFile &file, const PointStates<2> &points, const FieldOptions
       file.add_point_data(field.name, 1, floats(field.values, [](const double value) { return value; }));
 }
 
-void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
+void fill_outlines(VtuFile &file, const Snapshot<2> &snapshot)
 {
+  const std::vector<BodyState<2>> &bodies = snapshot.bodies;
+  const auto loads = loads_on_outlines(snapshot);
+  std::vector<float> contact_pressure, contact_traction;
   std::vector<std::int32_t> body, ring;
   std::vector<double> center, velocity, area, mass, pressure;
   std::vector<double> stress;
@@ -144,6 +148,12 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
       if (!filled)
         vertices.push_back(vertices.front());
       file.add_cell(filled ? Cell::polygon : Cell::poly_line, vertices);
+      for (std::size_t v = 0; v < vertices.size(); ++v)
+      {
+        const OutlineLoad &load = loads[b][r][v % loads[b][r].size()];
+        contact_pressure.push_back(static_cast<float>(load.pressure));
+        contact_traction.push_back(static_cast<float>(load.traction));
+      }
       body.push_back(static_cast<std::int32_t>(b));
       ring.push_back(static_cast<std::int32_t>(r));
       push(center, bodies[b].center);
@@ -162,6 +172,8 @@ void fill_outlines(VtuFile &file, const std::vector<BodyState<2>> &bodies)
   file.add_cell_data("mass_kg_per_m", 1, mass);
   file.add_cell_data("mean_stress_Pa", 9, stress);
   file.add_cell_data("mean_pressure_Pa", 1, pressure);
+  file.add_point_data("contact_pressure_Pa", 1, contact_pressure);
+  file.add_point_data("contact_traction_Pa", 1, contact_traction);
 }
 
 bool repeats(const Snapshot<2> &snapshot)
@@ -333,7 +345,7 @@ void FieldWriter::write(const Snapshot<2> &snapshot)
                 if (options.points)
                   put_part("points", [&](VtuFile &file) { fill_points(file, snapshot.points, options); });
                 if (options.outlines)
-                  put_part("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot.bodies); });
+                  put_part("outlines", [&](VtuFile &file) { fill_outlines(file, snapshot); });
                 if (options.contacts)
                   put_part("contacts", [&](VtuFile &file) { fill_contacts(file, snapshot); });
                 if (options.walls)

@@ -52,6 +52,8 @@ struct BodyState
   dealii::Tensor<1, dim> velocity; ///< of the centre of mass [m/s]
   double angular_momentum = 0;     ///< about the centre of mass [kg m/s]
   dealii::SymmetricTensor<2, dim> mean_stress; ///< volume mean of the Cauchy stress [Pa]
+  double curvature = 0;                        ///< 1/R at rest of a disk whose law is known; 0: none [1/m]
+  double compliance = 0; ///< (1-nu^2)/E of a disk whose law is known, 0 of a rigid one [1/Pa]
 };
 
 /// A force between two bodies, or a body and a wall, at one place.

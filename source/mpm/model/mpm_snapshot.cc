@@ -4,6 +4,7 @@
 #include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/polygon.h>
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/plane_compliance.h>
 #include <softgrain/mpm/model/mpm_model.h>
 
 #include <algorithm>
@@ -36,6 +37,11 @@ BodyState<2> MpmModel::body_state(const Body<2> &body, const std::array<double, 
   state.area = outline_area(body);
   state.reference_area = body.rest_area;
   state.mass = body.mass.sum();
+  if (body.boundary.circular)
+  {
+    state.curvature = std::sqrt(M_PI / body.rest_area);
+    state.compliance = plane_compliance(body);
+  }
   const auto place = [&](const unsigned int i)
   {
     dealii::Point<2> x = body.field.position(body.field.node_of_independent(i));
