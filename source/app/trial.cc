@@ -8,10 +8,8 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/geometry/shape.h>
-#include <softgrain/scene/contact_pairs.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -182,8 +180,8 @@ std::string Trial::in_words() const
   if (failure.empty() && fraction < 1.)
   {
     text << (!rest_of.empty() ? "what comes as with"
-             : may_jam        ? "corners that rub jam later, and steps then take up to twenty times as long"
-                              : "what comes may be another matter");
+             : has_corners ? "corners jam late: the last fifth of the way may take half of the time and more"
+                           : "what comes may be another matter");
     for (const auto &[name, value] : rest_of)
       text << " '" << name << "' = " << value;
   }
@@ -194,53 +192,25 @@ namespace
 {
 using Mark = Trial::Mark;
 
-/// The last mark before this share of the time so far.
-Mark before_share(const Trial &trial, const double part)
-{
-  const auto beyond = std::find_if(trial.marks.begin() + 1, trial.marks.end(),
-                                   [&](const Mark &mark) { return mark.seconds > part * trial.seconds; });
-  return *(beyond - 1);
-}
-
 /**
- * What the whole way takes, from the three thirds of the time so far.
+ * What the whole way takes: the rest of it goes as the last third of the way so far.
  *
- * Where bodies are pressed ever closer together, what comes is dearer than what was: steps go on as in the
- * last third. Where the price of the way rose from each third to the next it goes on rising by a straight
- * line, on average to the double of that of the last third at most, as bodies have some twice as many
- * contacts when no void is left as when they jam. Where steps look for balance, those in which bodies
- * jam are the dearest, before and after them they are cheaper: all goes on as it went so far.
+ * A shorter part would be one rearrangement or one jam, a longer one has steps in which nothing touched yet;
+ * doc/results/forecast.md compares them.
  */
 void expect_rest(Trial &trial)
 {
-  constexpr double most_rise = 2.;
+  constexpr double last_part = 1. / 3.;
   trial.all_steps = trial.steps;
   trial.all_seconds = trial.seconds;
   if (trial.marks.empty() || trial.fraction < least_fraction)
     return;
-  if (trial.dearest_at_jam)
-  {
-    trial.all_steps = trial.steps / trial.fraction;
-    trial.all_seconds = trial.seconds / trial.fraction;
-    return;
-  }
-  const std::array<Mark, 4> ends = {trial.marks.front(), before_share(trial, 1. / 3.),
-                                    before_share(trial, 2. / 3.),
-                                    Mark{trial.fraction, static_cast<double>(trial.steps), trial.seconds}};
-  // A part without any progress says nothing of the speed of the way.
-  std::array<double, 3> way, price;
-  for (unsigned int third = 0; third < 3; ++third)
-  {
-    way[third] = std::max(ends[third + 1].fraction - ends[third].fraction, 0.02 * trial.fraction);
-    price[third] = (ends[third + 1].seconds - ends[third].seconds) / way[third];
-  }
-  const double left = 1. - trial.fraction;
-  double of_rest = price[2];
-  if (price[0] < price[1] && price[1] < price[2])
-    of_rest = std::min(most_rise * price[2],
-                       price[2] + (price[2] - price[1]) / (0.5 * (way[1] + way[2])) * 0.5 * (left + way[2]));
-  trial.all_steps += left / way[2] * (ends[3].steps - ends[2].steps);
-  trial.all_seconds += left * of_rest;
+  const auto since =
+      std::find_if(trial.marks.rbegin(), trial.marks.rend(),
+                   [&](const Mark &mark) { return mark.fraction <= (1. - last_part) * trial.fraction; });
+  const double way = trial.fraction - since->fraction, parts_left = (1. - trial.fraction) / way;
+  trial.all_steps += parts_left * (trial.steps - since->steps);
+  trial.all_seconds += parts_left * (trial.seconds - since->seconds);
 }
 
 /// Steps of the scene with the changes of @p trial, until the end or until the time is up.
@@ -319,14 +289,13 @@ Trial try_out(Input &input,
   forecast = outline ? input.forecast(*outline) : std::nullopt;
   if (!forecast)
     throw InputError("'--try': what this scene takes cannot be judged");
-  trial.dearest_at_jam = forecast->dearest_at_jam;
   trial.coarser = choose(input, *outline, slowness_of_machine(), seconds);
   // Where other programs take their share of the processor, it may take longer.
   const Deadline deadline(patience * seconds);
   const std::vector<BodyDescription<2>> &bodies = input.scene().bodies;
-  trial.may_jam = bodies.size() > 1 && has_friction(input.scene()) &&
-                  std::any_of(bodies.begin(), bodies.end(),
-                              [](const BodyDescription<2> &body) { return !body.shape->round(); });
+  trial.has_corners =
+      bodies.size() > 1 && std::any_of(bodies.begin(), bodies.end(),
+                                       [](const BodyDescription<2> &body) { return !body.shape->round(); });
   make(trial, input, *outline, seconds);
   double duration = trial.fraction >= 1. ? trial.time : 0.;
   // One that came to its end has seen the whole way, the scene as it is knows what its steps take.
@@ -335,8 +304,7 @@ Trial try_out(Input &input,
   {
     Trial itself;
     itself.packing = trial.packing;
-    itself.dearest_at_jam = trial.dearest_at_jam;
-    itself.may_jam = trial.may_jam;
+    itself.has_corners = trial.has_corners;
     make(itself, input, *outline, left);
     if (itself.fraction >= 1. || !itself.failure.empty())
       trial = itself;

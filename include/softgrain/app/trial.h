@@ -26,20 +26,19 @@ struct Trial
     double fraction, steps, seconds;
   };
 
-  ParameterValues coarser;     ///< what is coarser in it; empty: nothing
-  unsigned int steps = 0;      ///< made
-  double seconds = 0.;         ///< of processor time in them
-  double preparation = 0.;     ///< of processor time before them, without the packing
-  double packing = 0.;         ///< of processor time
-  double fraction = 0.;        ///< of the way to the end of the run
-  double time = 0.;            ///< simulated [s]
-  double all_steps = 0.;       ///< that the whole way is expected to take, and
-  double all_seconds = 0.;     ///< their processor time: what is left goes on as the last part, or rises on
-  std::vector<Mark> marks;     ///< before each step
-  ParameterValues rest_of;     ///< what was coarser in a trial of which the rest of the way is known
-  bool dearest_at_jam = false; ///< see Forecast
-  bool may_jam = false;        ///< bodies with corners rub on each other
-  std::string failure;         ///< why it ended, unless at its end or because the time was up
+  ParameterValues coarser;  ///< what is coarser in it; empty: nothing
+  unsigned int steps = 0;   ///< made
+  double seconds = 0.;      ///< of processor time in them
+  double preparation = 0.;  ///< of processor time before them, without the packing
+  double packing = 0.;      ///< of processor time
+  double fraction = 0.;     ///< of the way to the end of the run
+  double time = 0.;         ///< simulated [s]
+  double all_steps = 0.;    ///< that the whole way is expected to take, and
+  double all_seconds = 0.;  ///< their processor time: what is left goes on as the last part of the way
+  std::vector<Mark> marks;  ///< before each step
+  ParameterValues rest_of;  ///< what was coarser in a trial of which the rest of the way is known
+  bool has_corners = false; ///< several bodies, some with corners
+  std::string failure;      ///< why it ended, unless at its end or because the time was up
 
   /// What was tried and how far it went, in words for the report.
   std::string in_words() const;

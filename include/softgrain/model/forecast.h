@@ -37,15 +37,13 @@ struct DividedParts
 /// What a run will take: judged by numbers, nothing is built.
 struct Forecast
 {
-  SizeReport sizes;         ///< what a model prints of it
-  double n_points = 0.;     ///< material points or primaries
-  double step = 0.;         ///< [s]
-  double n_steps = 0.;      ///< 0: unknown
-  double preparation = 0.;  ///< processor time before the first step [s]
-  double step_seconds = 0.; ///< processor time of a step, output included [s]
-  double memory = 0.;       ///< at its peak [bytes]
-  /// Steps look for balance: the dearest are those in which bodies jam, not those where no void is left.
-  bool dearest_at_jam = false;
+  SizeReport sizes;                  ///< what a model prints of it
+  double n_points = 0.;              ///< material points or primaries
+  double step = 0.;                  ///< [s]
+  double n_steps = 0.;               ///< 0: unknown
+  double preparation = 0.;           ///< processor time before the first step [s]
+  double step_seconds = 0.;          ///< processor time of a step, output included [s]
+  double memory = 0.;                ///< at its peak [bytes]
   DividedParts divided;              ///< with several ranks
   std::vector<std::string> warnings; ///< what the studies say is poor, what cannot be
 

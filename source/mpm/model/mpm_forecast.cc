@@ -250,7 +250,6 @@ Forecast forecast(const Scene<2> &scene,
   if (result.n_steps > 0.)
     seconds += run.n_pictures / result.n_steps * fitted::picture_seconds * points;
   result.step_seconds = seconds;
-  result.dearest_at_jam = slow && run.crowd.n_bodies() > 1.5;
   result.preparation = fitted::preparation_seconds * points +
                        (run.to_pack ? fitted::packing_seconds * run.crowd.n_bodies() : 0.);
   result.memory = memory;
