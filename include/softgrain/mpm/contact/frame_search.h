@@ -42,8 +42,8 @@ struct FrameScene
   const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
   const CellMotion *cell = nullptr;    ///< that repeats; null: nothing does
   double dt = 0.;                      ///< [s]
-  /// By which bodies move beside what their nodes do over the step, since they are driven or a cell takes
-  /// them along; empty: by nothing [m].
+  /// The way of bodies over the step beside what their nodes do, since they are driven or a cell takes
+  /// them along; empty: there is none [m].
   std::vector<dealii::Tensor<1, dim>> carried = {};
   /// Share of the step after which rays meet surfaces. 1: its end, where a step without inertia is in
   /// balance; 1/2: with inertia, so that forces between rest places do no work.
@@ -81,7 +81,7 @@ struct FrameScene
   /// Gaps that differ by less are the same [m].
   double same_gap() const { return 1e-6 * cell_size; }
   double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
-  /// Of a wall over the step; none of an obstacle [m].
+  /// The way of a wall over the step; an obstacle has none here [m].
   dealii::Tensor<1, dim> way_of_wall(const unsigned int w) const
   {
     if (w >= walls.size())
@@ -92,7 +92,7 @@ struct FrameScene
       return dt * walls[w].velocity * walls[w].normal;
   }
 
-  /// From the partner of a frame to the image of it that the body meets, at the start of the step [m].
+  /// The vector from the partner of a frame to the image of it that the body meets, as the step starts [m].
   dealii::Tensor<1, dim> apart(const ContactFrame<dim> &frame) const;
 };
 

@@ -54,9 +54,8 @@ public:
   {
     return rays[k].gap + dent_depth - (inertia() ? 0. : softness * frame.rays[k].force);
   }
-  /// By how much a unit force on a ray closes its gap beside all else [m^2/N]: so little that it shows
-  /// nowhere, but where there are more rays than the field of a body has shapes for them, it shares the force
-  /// out.
+  /// A unit force on a ray closes its gap by this beside all else [m^2/N]. It is so little that it shows
+  /// nowhere, but where a body's field has fewer shapes than there are rays it shares the force out.
   double ray_softness() const { return softness; }
   /// Young's modulus of the softer one, times the edge of a cell in space [N/m^2; N/m].
   double stiffness() const { return young; }
@@ -80,7 +79,7 @@ public:
   /// they have just been met.
   /// @param held the step seeks balance only: pulls go half-way there
   void find_pulls(const FrameScene<dim> &scene, bool held);
-  /// By how much what rays pull differs from what they would pull where they were last met [N/m].
+  /// The difference of what rays pull to what they would pull where they were last met [N/m].
   double pull_to_come(const FrameScene<dim> &scene) const;
 
   /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
@@ -142,12 +141,12 @@ public:
   const ObstacleLine *obstacle() const { return line; }
   /// The body of a side, 0 the partner and 1 the body; none for a wall.
   unsigned int body(const unsigned int side) const { return side == 0 ? frame.partner : frame.body; }
-  /// The same if its nodes are unknown; none for a body that is driven.
+  /// The body of a side if its nodes are unknown; none for a body that is driven.
   unsigned int unknown(const unsigned int side) const
   {
     return side == 0 && partner_is_driven ? none : body(side);
   }
-  /// From the partner to the image of it that the body meets, at the start of the step [m].
+  /// The vector from the partner to the image of it that the body meets, at the start of the step [m].
   const Vector &image_shift() const { return apart; }
   const ContactFrame<dim> &layout() const { return frame; }
   /// Whether its motion depends on unknowns: at a corner of an obstacle it does not.
@@ -164,7 +163,7 @@ public:
     for (unsigned int i = 0; i < here.function.node.size(); ++i)
       add(here.function.node[i], here.function.value[i] * along);
   }
-  /// The same for the derivative of a slide.
+  /// Adds the derivative of a slide by the nodes of a side.
   template <class F>
   void for_slide(const unsigned int k, const unsigned int side, const double factor, const F &add) const
   {
@@ -173,7 +172,7 @@ public:
     for (unsigned int i = 0; i < hold.node.size(); ++i)
       add(hold.node[i], hold.value[i] * along);
   }
-  /// The same for the derivative of component @p m of c.
+  /// Adds the derivative of component @p m of c by the nodes of a side.
   template <class F>
   void for_mean(const unsigned int side, const unsigned int m, const double factor, const F &add) const
   {
@@ -194,7 +193,7 @@ public:
   }
   /// Factor from second derivatives of heights to those of gaps.
   double bend() const { return met_at; }
-  /// The same for sum_k P_k d^2 g_k/du dv, where a side moves by @p v. @param force of all rays [N/m]
+  /// Adds sum_k P_k d^2 g_k/du dv, where a side moves by @p v. @param force of all rays [N/m]
   template <class F>
   void
   for_mixed(const unsigned int side, const std::vector<double> &force, const Vector &v, const F &add) const
@@ -269,7 +268,7 @@ public:
 
 private:
   bool inertia() const { return met_at < 1.; }
-  /// Of the mean motion, that a side has.
+  /// The share of the mean motion that a side has.
   double share(const unsigned int side) const
   {
     if (frame.corner != none)
@@ -285,7 +284,8 @@ private:
       return Vector();
     return sign(side) / change_of_slope() * (beside[0].side[side].normal - beside[1].side[side].normal);
   }
-  /// Of the gap across a contact that is followed, from half a spacing before it to half a spacing behind it.
+  /// The change of the gap's slope across a contact that is followed, from half a spacing before it to half a
+  /// spacing behind it.
   double change_of_slope() const { return beside[1].by_motion[0] - beside[0].by_motion[0]; }
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
@@ -299,7 +299,7 @@ private:
   }
   void note_gap_at_start(const Vector &wall_way, unsigned int k);
   static double sign(const unsigned int side) { return side == 0 ? -1. : 1.; }
-  /// By which a side stands away from where its nodes say.
+  /// The vector by which a side stands away from where its nodes say.
   Vector away(const unsigned int side) const { return at * carried[side] + (side == 0 ? apart : Vector()); }
   bool meet_side(const FrameScene<dim> &scene,
                  const std::vector<Eigen::VectorXd> &displacement,
@@ -334,7 +334,7 @@ private:
   void
   meet_corner(const FrameScene<dim> &scene, const std::vector<Eigen::VectorXd> &displacement, unsigned int k);
   double share_that_opens(const FrameScene<dim> &scene) const;
-  /// Of the length of outline that a ray stands for, to one side of it [m].
+  /// The length of outline that a ray stands for, to one side of it [m].
   struct HalfLength
   {
     double length = 0; ///< across the rays

@@ -76,7 +76,7 @@ public:
   /// exceeds its friction, and all that slip rub against their slide
   bool solve(double cell_size, unsigned int negative_of_bodies);
 
-  /// Of the last solve: negative pivots beyond those that constraints have, less those of bodies' factors: 0
+  /// Negative pivots of the last solve beyond those that constraints have, less those of bodies' factors: 0
   /// in a minimum.
   int wrong_inertia(unsigned int negative_of_bodies) const
   {
@@ -87,7 +87,7 @@ public:
   /// V z of a body of this rank: force on its nodes [N/m].
   Eigen::VectorXd force_on(unsigned int b) const;
 
-  /// Of every body, with the side of the frame that it is.
+  /// The frames of every body, with the side of the frame that it is.
   std::vector<std::vector<std::pair<unsigned int, unsigned int>>> frames_of;
 
   std::vector<FreeWay<dim>> ways; ///< of walls under loads; RayStep sets FreeWay::at
@@ -160,7 +160,7 @@ private:
   /// of the worst.
   /// @return whether there were none
   bool change_sides(const Eigen::VectorXd &here, double cell_size, double share);
-  /// On which side of their conditions all columns are.
+  /// The side of their conditions on which all columns are.
   std::vector<signed char> sides() const;
   /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction.
   int slips(const unsigned int i) const

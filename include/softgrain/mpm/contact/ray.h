@@ -75,7 +75,7 @@ struct RaySide
       }
   }
 
-  /// The same as a matrix over the nodes of the place, dim numbers each.
+  /// Second derivative as a matrix over the nodes of the place, dim numbers each.
   void second_derivative(Eigen::MatrixXd &matrix) const
   {
     const unsigned int n = function.node.size();
@@ -118,7 +118,7 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const Eigen::VectorXd &nodal,
                   const SurfacePlace<dim> &guess);
 
-/// The same of a rigid surface, as it is.
+/// The place where the ray meets a rigid surface, as it is.
 template <int dim>
 RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess);
 } // namespace softgrain::mpm

@@ -25,7 +25,7 @@ public:
 
   /// Adds all this to @p scene, which refers to it from now on.
   void complete(FrameScene<2> &scene) const;
-  /// The same after walls under loads have moved.
+  /// Tells @p scene where walls under loads are after they have moved.
   void renew(FrameScene<2> &scene);
   /// Largest way over the step of an obstacle or of a body that is driven [m].
   double largest_way() const;

@@ -74,8 +74,8 @@ protected:
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
   /// such a state
   bool evaluate(const Vectors &way);
-  /// After evaluate() has returned false: leaves out pressed rays whose surfaces have slid away from under
-  /// them. @return whether there are any, so that there may be such a state now
+  /// Leaves out pressed rays whose surfaces have slid away from under them, after evaluate() has returned
+  /// false. @return whether there are any, so that there may be such a state now
   bool leave_unmet_rays();
   /// Where rays meet the surfaces after nodes have moved by @p way. @return whether those that press do
   bool meet(const Vectors &way);

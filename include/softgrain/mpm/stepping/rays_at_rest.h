@@ -32,7 +32,7 @@ protected:
   virtual StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) = 0;
   /// What holds bodies back where they are, over the mean force of a contact.
   virtual double unbalanced() = 0;
-  /// After every held step that was accepted, with the sum of all so far.
+  /// Called after every held step that was accepted, with the sum of all so far.
   virtual void held(StepOutcome & /*sum*/) {}
   virtual double time() const = 0; ///< [s]
   /// What is furthest from balance, for messages.

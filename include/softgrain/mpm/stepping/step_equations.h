@@ -41,7 +41,7 @@ public:
   {
     const Vectors &x, &direction, &from;
   };
-  /// The same for @p v, which becomes the velocities @p fraction of the way along; bodies turn along circles.
+  /// Evaluates velocities @p fraction of the way along, which @p v becomes; bodies turn along circles.
   bool evaluate_on_way(const Way &way, double fraction, Vectors &v);
   /// Why the last evaluate() failed.
   std::string why_not() const override { return mpm::why_not(state.bodies[bad_body], trouble); }
@@ -57,7 +57,7 @@ public:
   /// Whether what is unbalanced of every body is no more than the rounding of what is summed for it: no
   /// search finds less. Costs a pass over the points. All ranks call it.
   bool at_rounding() const;
-  /// By what the unbalanced impulse of a body of this rank may be off by rounding, as last evaluated [N s/m].
+  /// What rounding may do to the unbalanced impulse of a body of this rank, as last evaluated [N s/m].
   /// @param contact norm of the impulses of contacts on its nodes
   double rounding(const Body<2> &body, double contact) const override;
   /// The body of which most is unbalanced, in words; for messages.
@@ -88,9 +88,9 @@ public:
   /// Work that regularising forces take from body @p b, of this rank, in the step as last evaluated: of
   /// quasi_static and against rotation of what is round [J/m].
   double regularisation_work(unsigned int b) const;
-  /// Of `quasi_static`: what resists the motion of such a body at the end of the step [N/m].
+  /// What resists the motion of such a body at the end of a step of `quasi_static` [N/m].
   dealii::Tensor<1, 2> resistance(unsigned int b) const;
-  /// As State::held_back.
+  /// What State::held_back will be of a body.
   double held_back(unsigned int b) const;
 
   /// Numbers that a step tells of a body.
@@ -128,14 +128,14 @@ private:
   void find_increment(const Body<2> &body, const Eigen::VectorXd &v);
   /// Mean of the internal forces at both ends of the step, as they act in it: turned with the body [N/m].
   Eigen::VectorXd acting_force(unsigned int b) const;
-  /// From the internal forces.
+  /// Finds the missing impulse from the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
-  /// By which nodes resist motion beside what inertia does: their masses, which functions and extensions that
-  /// are negative somewhere may make negative, taken as positive [kg/m].
+  /// What nodes resist motion by beside inertia: their masses, taken as positive where functions and
+  /// extensions that are negative somewhere make them negative [kg/m].
   static Eigen::VectorXd drag(const Body<2> &body) { return body.mass.cwiseAbs(); }
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
-  /// By how much loads [N] change the angular velocity of a body over the step [1/s].
+  /// The change of a body's angular velocity by loads [N] over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
   void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
   /// Mends x = A⁻¹ @p b of a body that turns by much in the step: A does not know that its forces are turned.
@@ -161,8 +161,8 @@ private:
   std::vector<double> half_turn;    ///< of every body over half the step, by which its forces are turned
   std::vector<double> spin;         ///< of such a body: its change by loads, with inertia [1/s]
   std::vector<double> holding;      ///< torque that holds a body's rotation, times the step [N s m/m]
-  /// Of every body as last evaluated: square and norm of what is unbalanced, its largest impulse, square of
-  /// the end velocities.
+  /// Four numbers of every body as last evaluated: square and norm of what is unbalanced, its largest
+  /// impulse, square of the end velocities.
   std::vector<std::array<double, 4>> measured;
   bool rows_known = false; ///< contact has the rows of this step
   unsigned int bad_body = 0;

@@ -41,7 +41,7 @@ FoundGaps true_gaps(const Problem &problem,
                     const std::vector<Eigen::VectorXd> &increment,
                     double share);
 
-/// The same of the rows of all ranks, on all of them.
+/// True gaps of the rows of all ranks, on all of them.
 GapsByRow true_gaps_of_all(const Problem &problem,
                            const State &state,
                            const Workspace &work,
