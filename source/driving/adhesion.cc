@@ -32,15 +32,6 @@ double Adhesion::share(const std::uint64_t key, const double gap) const
   return law->share(apart, law->remembers() ? memory_of(key, apart) : 0.);
 }
 
-double Adhesion::share(const std::uint64_t key, const double gap, const std::array<double, 2> &lift) const
-{
-  const double remembered = law->remembers() ? memory_of(key, gap) : 0.;
-  double sum = 0.;
-  for (const double change : lift)
-    sum += mean_share(remembered, gap, gap + change);
-  return 0.5 * sum;
-}
-
 double Adhesion::nearest(const double gap, const std::array<double, 2> &lift) const
 {
   return resolves_range() ? gap + std::min({0., lift[0], lift[1]}) : gap;

@@ -77,6 +77,7 @@ struct Former
 const std::vector<Former> &former_parameters()
 {
   static const std::vector<Former> list = {
+      {"Quasi-static/Held motion", "", "bodies are in balance when the forces on them are"},
       {"Contact/Position repair", "", "contact leaves no penetration that would have to be repaired"},
       {"Primaries/Solid fraction", "", "bodies are cut out of a dense packing of primaries"}};
   return list;

@@ -23,11 +23,7 @@ subsection Materials
 end
 """
 
-# Schemes from outside meet bodies by their surfaces.
 ELLIPSE = SCENE + """
-subsection Contact
-  set Geometry = surface
-end
 subsection Time
   set Time step = 1e-3
 end

@@ -48,7 +48,7 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
   settings.displacement_tolerance = 1e-9;
   settings.max_newton = 400;
   settings.contact_geometry = "nodes";
-  settings.contact_on_boundaries = false;
+  settings.by_rays = false;
   settings.coupling = coupling;
   settings.contact_solver.tolerance = 1e-10;
 

@@ -87,12 +87,19 @@ int main()
             << fading.mean_share(0., infinity, 0.) << '\n';
 
   // The middle is within range by 0.5e-4; the halves go up to their ends by what is named, or to nothing.
+  const auto of_halves =
+      [](const Adhesion &adhesion, const double gap, const double before, const double after)
+  {
+    const double memory = adhesion.first_memory(gap);
+    return 0.5 *
+           (adhesion.mean_share(memory, gap, gap + before) + adhesion.mean_share(memory, gap, gap + after));
+  };
   const Adhesion adhesion(law_named("cohesive"), strip);
-  std::cout << "row of two halves: " << adhesion.share(1, 1.5e-4, {{0., 1e-4}}) << ' '
-            << adhesion.share(1, 1.5e-4, {{2e-4, 1e-4}}) << ' '
-            << adhesion.share(1, 1.5e-4, {{-1e-4, infinity}}) << '\n';
+  std::cout << "row of two halves: " << of_halves(adhesion, 1.5e-4, 0., 1e-4) << ' '
+            << of_halves(adhesion, 1.5e-4, 2e-4, 1e-4) << ' ' << of_halves(adhesion, 1.5e-4, -1e-4, infinity)
+            << '\n';
   // A range that the model cannot tell from touching: the middle counts.
   const Adhesion coarse(law_named("cohesive"), 2. * range);
-  std::cout << "as a whole: " << coarse.share(1, 1.5 * range, {{1., 1.}}) << ' '
-            << coarse.share(1, 2.5 * range, {{-1., -1.}}) << '\n';
+  std::cout << "as a whole: " << of_halves(coarse, 1.5 * range, 1., 1.) << ' '
+            << of_halves(coarse, 2.5 * range, -1., -1.) << '\n';
 }

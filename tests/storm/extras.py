@@ -64,7 +64,7 @@ def add_outputs(dice, scene):
 def add_to_soft(dice, scene, sizes, scheme, family):
     """One of the things that few scenes of material points have."""
     plain = not scene.names("Obstacles") and "periodic" not in scene.values.values() and \
-        scene.get("Contact/Law", "coulomb") == "coulomb" and "Contact/Solver" not in scene.values and \
+        scene.get("Contact/Law", "coulomb") == "coulomb" and \
         not any(path.endswith(("Tangential velocity", "Shear stress", "Driven")) for path in scene.values)
     kind = dice.choice(["slab", "nodes", "refined", "way", "cfl", "sub-grid", "penetration", "distortion"])
     if kind == "slab" and plain and family in ("box", "floor") and scheme in ("moreau_jean", "newmark"):
@@ -74,6 +74,7 @@ def add_to_soft(dice, scene, sizes, scheme, family):
         scene.set("Material points/Grid update", "every step")
         scene.set("Contact/Geometry", "nodes")
         scene.set("Contact/Nodal gap", dice.choice([True, False]))
+        scene.set("Contact/Solver", dice.choice(["condensed", "lumped"]))
         for key in ("Marker spacing", "Algorithm"):
             scene.values.pop(f"Contact/{key}", None)
     elif kind == "refined" and plain and scheme in ("moreau_jean", "quasi_static") and len(scene.names("Bodies")) > 1 \

@@ -118,9 +118,6 @@ def add_numerics(dice, scene, sizes, scheme, rigid_friction):
             scene.set("Contact/Relaxation", 1.3)
     if dice.random() < 0.1:
         scene.set("Contact/Marker spacing", dice.choice([0.25, 0.4, 1.0]))
-    if scheme in ("moreau_jean", "newmark", "explicit") and dice.random() < 0.08 and not rigid_friction and \
-            "periodic" not in scene.values.values():  # whose rows must follow
-        scene.set("Contact/Solver", "lumped")
     if dice.random() < 0.1:
         scene.set("Fidelity", dice.choice(["draft", "reference"]))
 
@@ -134,7 +131,6 @@ def tighten(scene, scheme):
     if scheme == "quasi_static":
         scene.set("Newton/Residual tolerance", 1e-7)
         scene.set("Quasi-static/Unbalanced force", 1e-6)
-        scene.set("Quasi-static/Held motion", 1e-4)
         return
     scene.set("Newton/Displacement tolerance", 1e-9)
     scene.set("Newton/Residual tolerance", 1e-9)

@@ -45,11 +45,6 @@ public:
   /// @param gap at its start [m]
   double share(std::uint64_t key, double gap) const;
 
-  /// The part that still holds of a contact along a line, whose gap changes from its middle to its ends by
-  /// @p lift [m]: the mean over its length. Where nothing is held beyond what the model can tell from
-  /// touching it is that of the middle.
-  double share(std::uint64_t key, double gap, const std::array<double, 2> &lift) const;
-
   /// The gap of a contact along a line that counts for its memory: the smallest of its length [m].
   double nearest(double gap, const std::array<double, 2> &lift) const;
 

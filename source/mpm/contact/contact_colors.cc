@@ -58,7 +58,6 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
 {
   // Each pair gets the first colour that nothing it moves has yet: bodies, and free walls after them.
   problem.colors.clear();
-  pairs.clear();
   std::vector<std::vector<char>> taken(bodies.size() + free_walls.list.size());
   for (unsigned int first = 0, end; first < rows.size(); first = end)
   {
@@ -67,7 +66,6 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
            rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall &&
            rows[end].image == rows[first].image)
       ++end;
-    pairs.push_back({first, end});
     std::vector<unsigned int> pair;
     for (const unsigned int b : {rows[first].body, rows[first].partner})
       if (b != ContactRow<dim>::none && !bodies[b].driven)

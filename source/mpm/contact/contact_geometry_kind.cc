@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/contact/nodal_contact.h>
-#include <softgrain/mpm/contact/surface_contact.h>
 #include <softgrain/mpm/model/settings.h>
 
 SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::ContactGeometryKind)
@@ -10,20 +9,20 @@ namespace softgrain::mpm
 {
 namespace
 {
-class OnSurfaces final : public ContactGeometryKind
+class ByRays final : public ContactGeometryKind
 {
 public:
-  bool on_boundaries() const override { return true; }
+  bool by_rays() const override { return true; }
   std::unique_ptr<ContactGeometry<2>> create(const ShapeFunction &, const Settings &) const override
   {
-    return std::make_unique<SurfaceContact>();
+    return nullptr;
   }
 };
 
 class AtNodes final : public ContactGeometryKind
 {
 public:
-  bool on_boundaries() const override { return false; }
+  bool at_nodes() const override { return true; }
   std::unique_ptr<ContactGeometry<2>> create(const ShapeFunction &shape,
                                              const Settings &settings) const override
   {
@@ -33,13 +32,9 @@ public:
 
 [[maybe_unused]] const bool registered[] = {
     Registry<ContactGeometryKind>::instance().add(
-        "surface",
-        "markers on the boundaries look for contact with boundaries and walls",
-        [] { return std::make_unique<OnSurfaces>(); }),
-    Registry<ContactGeometryKind>::instance().add(
         "rays",
         "rays that stand in space during a step meet the surfaces, and Newton's method knows how",
-        [] { return std::make_unique<OnSurfaces>(); }),
+        [] { return std::make_unique<ByRays>(); }),
     Registry<ContactGeometryKind>::instance().add(
         "nodes",
         "contact at grid nodes that bodies share (the thesis; needs 'Grid update = every step')",

@@ -23,15 +23,9 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                                 const bool everywhere,
                                 const std::vector<Body<dim>> &bodies,
                                 const double dt,
-                                const ContactMemory<dim> *before)
+                                const ContactMemory<dim> &before)
 {
-  const bool again = before == nullptr;
-  const ContactMemory<dim> now = again ? memory(dt) : ContactMemory<dim>();
-  const std::vector<double> stop_impulses(
-      impulse.begin() + std::min<std::size_t>(impulse.size(), rows.size() * problem.n_components),
-      impulse.end());
-  const auto &first_guess = again ? now.impulses : before->impulses;
-  const double scale = again || before->step == 0. ? 1. : dt / before->step;
+  const double scale = before.step == 0. ? 1. : dt / before.step;
   rows = std::move(new_rows);
   const bool friction =
       std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
@@ -67,18 +61,15 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
                });
   impulse.assign((rows.size() + free_walls.n_stops()) * components, 0.);
   velocity.assign(impulse.size(), 0.);
-  if (again && stop_impulses.size() == free_walls.n_stops() * components)
-    std::copy(stop_impulses.begin(), stop_impulses.end(), impulse.begin() + rows.size() * components);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    const auto old = first_guess.find(rows[r].key);
-    if (old != first_guess.end())
+    const auto old = before.impulses.find(rows[r].key);
+    if (old != before.impulses.end())
       for (unsigned int c = 0; c < components; ++c)
         impulse[r * components + c] = scale * old->second[c];
   }
   free_walls.move(impulse);
   color_pairs(bodies);
-  place_dents(!again);
 }
 
 template <int dim>
@@ -166,10 +157,7 @@ void ContactSystem<dim>::keep_pushes()
 template <int dim>
 void ContactSystem<dim>::condense(const BodyShare &share,
                                   const std::vector<Body<dim>> &bodies,
-                                  std::vector<std::unique_ptr<RankOneSolver>> &solvers,
-                                  const SubgridCompliance &subgrid,
-                                  const double dt,
-                                  const double theta)
+                                  std::vector<std::unique_ptr<RankOneSolver>> &solvers)
 {
   contact::BlockDelassus W;
   if (delassus.use_count() == 1 && std::holds_alternative<contact::BlockDelassus>(delassus->kind))
@@ -201,99 +189,8 @@ void ContactSystem<dim>::condense(const BodyShare &share,
             message.add(b, W.block_values(block_of[b]),
                         std::size_t(body_components[b].size()) * body_components[b].size());
       });
-  if constexpr (dim == 2)
-    for (Pair &pair : pairs)
-    {
-      const ContactRow<dim> &row = rows[pair.first];
-      // What the grid misses at a curved partner or a tip is not known.
-      pair.compliance = !row.dented ? 0. : subgrid(dent(pair, bodies, subgrid), normal_force(pair, dt));
-      if (pair.compliance == 0.)
-        continue;
-      std::vector<unsigned int> normals;
-      for (unsigned int r = pair.first; r < pair.end; ++r)
-        normals.push_back(r * n_components());
-      W.add_block(normals, Eigen::MatrixXd::Constant(normals.size(), normals.size(),
-                                                     pair.compliance / (theta * dt * dt)));
-    }
   free_walls.add_blocks(W);
   delassus = std::make_shared<Operator>(Operator{std::move(W)});
-}
-
-template <int dim>
-double ContactSystem<dim>::normal_force(const Pair &pair, const double dt) const
-{
-  double sum = 0.;
-  for (unsigned int r = pair.first; r < pair.end; ++r)
-    sum += impulse[r * n_components()];
-  return sum / dt;
-}
-
-template <int dim>
-void ContactSystem<dim>::place_dents(const bool first_search)
-{
-  if (first_search && !held)
-    dent_places.clear();
-  if (std::none_of(rows.begin(), rows.end(),
-                   [](const auto &row)
-                   { return row.log_full_width[0] != 0. || row.log_full_width[1] != 0.; }))
-    return; // nothing is missed
-  for (Pair &pair : pairs)
-  {
-    const auto [known, is_new] = dent_places.try_emplace(pair_of(rows[pair.first].key), pair.log_full_width);
-    if (is_new)
-    {
-      // Where the force is; before there is one, where they are nearest.
-      const double force = normal_force(pair, 1.);
-      if (force > 0.)
-        for (unsigned int r = pair.first; r < pair.end; ++r)
-          for (unsigned int side = 0; side < 2; ++side)
-            known->second[side] += impulse[r * n_components()] / force * rows[r].log_full_width[side];
-      else
-        known->second = std::min_element(rows.begin() + pair.first, rows.begin() + pair.end,
-                                         [](const auto &a, const auto &b) { return a.gap < b.gap; })
-                            ->log_full_width;
-    }
-    pair.log_full_width = known->second;
-  }
-}
-
-template <int dim>
-SubgridCompliance::Dent ContactSystem<dim>::dent(const Pair &pair,
-                                                 const std::vector<Body<dim>> &bodies,
-                                                 const SubgridCompliance &subgrid) const
-{
-  const ContactRow<dim> &row = rows[pair.first];
-  return subgrid.dent(bodies[row.body], row.partner == ContactRow<dim>::none ? nullptr : &bodies[row.partner],
-                      pair.log_full_width);
-}
-
-template <int dim>
-std::vector<double> ContactSystem<dim>::subgrid_overlap(const double dt) const
-{
-  std::vector<double> overlap(rows.size(), 0.);
-  for (const Pair &pair : pairs)
-    std::fill(overlap.begin() + pair.first, overlap.begin() + pair.end,
-              pair.compliance * normal_force(pair, dt));
-  return overlap;
-}
-
-template <int dim>
-double ContactSystem<dim>::subgrid_energy(const std::vector<Body<dim>> &bodies,
-                                          const SubgridCompliance &subgrid,
-                                          const double dt) const
-{
-  double energy = 0.;
-  if constexpr (dim == 2)
-    for (const Pair &pair : pairs)
-    {
-      const ContactRow<dim> &row = rows[pair.first];
-      // Also of a contact that has grown wide, whose compliance is none.
-      if (row.dented)
-        energy += subgrid.energy(dent(pair, bodies, subgrid), normal_force(pair, dt));
-    }
-  else
-    (void) bodies, (void) subgrid, (void) dt;
-  return energy;
 }
 
 template <int dim>
@@ -318,7 +215,7 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies, const double
   std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)
   {
-    const LinearSolver::Rows of_body = body_rows[b].full();
+    const LinearSolver::Rows &of_body = body_rows[b].transposed();
     for (unsigned int k = 0; k < body_components[b].size(); ++k)
       for (LinearSolver::Rows::InnerIterator entry(of_body, k); entry; ++entry)
         list[body_components[b][k]].emplace_back(offset[b] + entry.row(), entry.value());

@@ -16,42 +16,33 @@ PeriodicCell<2>::Image opposite(const PeriodicCell<2>::Image &image)
   return {{-image[0], -image[1]}};
 }
 
-/// Who looks for contact with whom, by the body that looks. @param image of @p b, that @p a meets
-void share_out(const ContactScene<2> &scene,
+/// Adds the pair to the list of the one of both that looks: the first, unless it is driven.
+/// @param image of @p b, that @p a meets
+void share_out(const OutlineScene &scene,
                const unsigned int a,
                const unsigned int b,
                const PeriodicCell<2>::Image &image,
                std::vector<std::vector<ContactTask>> &tasks)
 {
-  const auto smooth = [&](const unsigned int i) { return scene.bodies[i].boundary.smooth; };
-  const auto add = [&](const unsigned int i, const unsigned int partner, const bool corners_only)
-  {
-    // What is driven needs no rows of its own.
-    if (!scene.bodies[i].driven)
-      tasks[i].push_back({partner, corners_only, i == a ? image : opposite(image)});
-  };
-  if (scene.bodies[a].driven && scene.bodies[b].driven)
-    return;
-  // A smooth body looks at one with corners, which looks back with these; else the first looks, unless it is
-  // driven.
-  const bool second = scene.bodies[a].driven || (!scene.bodies[b].driven && smooth(b) && !smooth(a));
-  const unsigned int looks = second ? b : a, other = second ? a : b;
-  add(looks, other, false);
-  if (!smooth(other))
-    add(other, looks, true);
+  if (!scene.bodies[a].driven)
+    tasks[a].push_back({b, image});
+  else if (!scene.bodies[b].driven)
+    tasks[b].push_back({a, opposite(image)});
 }
 } // namespace
 
-std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
-                                                 const ContactReach &reach,
+std::vector<std::vector<ContactTask>> find_tasks(const OutlineScene &scene,
                                                  const std::vector<MovedBoundary> &boundaries)
 {
-  // Grown by this each, boxes overlap whenever a row may be found.
+  // Grown by this each, boxes overlap whenever bodies may meet on their ways.
+  double walls_way = 0.;
+  for (const WallMotion<2> &wall : scene.walls)
+    walls_way = std::max(walls_way, scene.dt * wall.fastest);
   std::vector<dealii::BoundingBox<2>> boxes;
   for (const MovedBoundary &boundary : boundaries)
   {
     dealii::BoundingBox<2> box = boundary.box();
-    box.extend(0.5 * reach(2. * (boundary.travel.norm() + boundary.spread)));
+    box.extend(0.05 * scene.cell_size + 0.5 * walls_way + boundary.travel.norm() + boundary.spread);
     boxes.push_back(box);
   }
   const auto tree = dealii::pack_rtree_of_indices(boxes);
@@ -83,7 +74,7 @@ std::vector<std::vector<ContactTask>> find_tasks(const ContactScene<2> &scene,
 }
 
 MovedBoundary
-image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, const ContactScene<2> &scene)
+image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, const OutlineScene &scene)
 {
   const dealii::Tensor<1, 2> way = scene.cell->cell.shift(image);
   MovedBoundary moved = boundary;
@@ -92,7 +83,7 @@ image_of(const MovedBoundary &boundary, const PeriodicCell<2>::Image &image, con
 }
 
 /// Brings bodies into the cell. @return the copy of the cell each was in; empty when nothing repeats
-std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
+std::vector<PeriodicCell<2>::Image> fold_into_cell(const OutlineScene &scene,
                                                    std::vector<MovedBoundary> &boundaries)
 {
   std::vector<PeriodicCell<2>::Image> folds;
@@ -106,7 +97,7 @@ std::vector<PeriodicCell<2>::Image> fold_into_cell(const ContactScene<2> &scene,
   return folds;
 }
 
-void fold_back(const ContactScene<2> &scene, const PeriodicCell<2>::Image &fold, MovedBoundary &boundary)
+void fold_back(const OutlineScene &scene, const PeriodicCell<2>::Image &fold, MovedBoundary &boundary)
 {
   if (fold != PeriodicCell<2>::Image())
     boundary = image_of(boundary, opposite(fold), scene);

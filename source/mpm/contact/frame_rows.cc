@@ -55,8 +55,7 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
   row.length = layout.spacing * length; // of outline
   if (scene.cell != nullptr)
     place_in_cell(scene, frame, row);
-  row.log_full_width = layout.log_full_width;
-  // Rows of a frame have all but their place in common, see pair_of().
+  // Rows of a frame have all but their place in common.
   row.key = (layout.id << 40) + (static_cast<std::uint64_t>(layout.rays[k].index[0] & 0xffff) << 24);
   return row;
 }

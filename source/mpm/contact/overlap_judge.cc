@@ -42,7 +42,7 @@ struct OnTheWay
 class BodyJudge
 {
 public:
-  BodyJudge(const ContactScene<2> &scene, const MovedOutlines &moved, const unsigned int b)
+  BodyJudge(const OutlineScene &scene, const MovedOutlines &moved, const unsigned int b)
       : scene(scene), moved(moved), b(b), own(moved.boundaries[b]), outline(outline_of(own))
   {
   }
@@ -57,8 +57,7 @@ public:
       verdict.take(deepest_fold(outline, scene.cell_size), {Meeting::With::body, b, b});
     }
     for (const ContactTask &task : moved.tasks[b])
-      if (!task.corners_only) // such a pair stands in the list of the other, too
-        look_at_body(task, verdict);
+      look_at_body(task, verdict);
     return verdict;
   }
 
@@ -164,7 +163,7 @@ private:
       verdict.take_way(way / allowed, meeting);
   }
 
-  const ContactScene<2> &scene;
+  const OutlineScene &scene;
   const MovedOutlines &moved;
   const unsigned int b;
   const MovedBoundary &own;
@@ -240,7 +239,7 @@ Verdict Verdict::of(const Numbers &n)
   return {{n[0], Point(n[1], n[2])}, meeting(3), n[6], meeting(7)};
 }
 
-Verdict judge_outlines(const ContactScene<2> &scene, const MovedOutlines &moved)
+Verdict judge_outlines(const OutlineScene &scene, const MovedOutlines &moved)
 {
   std::vector<Verdict> of_body(scene.bodies.size());
   parallel_for(of_body.size(), 4,

@@ -70,8 +70,8 @@ std::vector<double> row_velocity(const State &state,
     if (cell)
     {
       // The cell takes the bodies along: what parts them so is known, or as fast as free sides move.
-      start -= at_start * rows[r].branch * rows[r].resultant(0);
-      end -= at_end * rows[r].branch * rows[r].resultant(0);
+      start -= at_start * rows[r].branch * rows[r].direction(0);
+      end -= at_end * rows[r].branch * rows[r].direction(0);
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] += at_end * rows[r].branch * rows[r].direction(c);
     }

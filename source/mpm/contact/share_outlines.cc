@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
-#include <softgrain/mpm/contact/obstacle_contact.h>
 #include <softgrain/mpm/contact/share_outlines.h>
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace
 using Sketches = std::vector<MovedBoundary::Sketch>;
 
 /// Moves the outlines of this rank's bodies and those that are driven; sketches of the others come here.
-std::vector<MovedBoundary> move_own(const BodyShare &share, const ContactScene<2> &scene, Sketches &sketches)
+std::vector<MovedBoundary> move_own(const BodyShare &share, const OutlineScene &scene, Sketches &sketches)
 {
   const std::vector<Body<2>> &bodies = scene.bodies;
   std::vector<MovedBoundary> boundaries(bodies.size());
@@ -47,7 +46,7 @@ struct Travellers
   std::vector<std::vector<unsigned int>> leave, come;
 };
 
-Travellers travellers(const BodyShare &share, const ContactScene<2> &scene, const MovedOutlines &moved)
+Travellers travellers(const BodyShare &share, const OutlineScene &scene, const MovedOutlines &moved)
 {
   Travellers found;
   found.leave.resize(share.ranks.number());
@@ -90,7 +89,7 @@ std::vector<Ranks::Message> messages(std::vector<std::vector<double>> &of_ranks)
 }
 } // namespace
 
-MovedOutlines move_outlines(const ContactScene<2> &scene)
+MovedOutlines move_outlines(const OutlineScene &scene)
 {
   MovedOutlines moved;
   moved.boundaries.resize(scene.bodies.size());
@@ -101,12 +100,11 @@ MovedOutlines move_outlines(const ContactScene<2> &scene)
                    moved.boundaries[b] = MovedBoundary(scene.bodies[b], scene);
                });
   moved.folds = fold_into_cell(scene, moved.boundaries);
-  moved.tasks =
-      find_tasks(scene, ContactReach(scene, ObstacleContact(scene).largest_way()), moved.boundaries);
+  moved.tasks = find_tasks(scene, moved.boundaries);
   return moved;
 }
 
-MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scene)
+MovedOutlines share_outlines(const BodyShare &share, const OutlineScene &scene)
 {
   const std::vector<Body<2>> &bodies = scene.bodies;
   Sketches sketches(bodies.size());
@@ -117,8 +115,7 @@ MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scen
   const std::vector<MovedBoundary> as_moved =
       scene.cell != nullptr ? moved.boundaries : std::vector<MovedBoundary>();
   moved.folds = fold_into_cell(scene, moved.boundaries);
-  moved.tasks =
-      find_tasks(scene, ContactReach(scene, ObstacleContact(scene).largest_way()), moved.boundaries);
+  moved.tasks = find_tasks(scene, moved.boundaries);
 
   const Travellers bodies_of = travellers(share, scene, moved);
   std::vector<std::vector<double>> leave = room_for(bodies_of.leave, bodies),

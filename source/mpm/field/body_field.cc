@@ -112,18 +112,6 @@ void BodyField<dim>::build(const Lattice<dim> &the_lattice,
 }
 
 template <int dim>
-void BodyField<dim>::take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers)
-{
-  *this = BodyField();
-  cell_point_start.assign(1, 0);
-  node_position = std::move(independent);
-  marker_rows = std::move(markers);
-  independent_node.resize(node_position.size());
-  std::iota(independent_node.begin(), independent_node.end(), 0u);
-  independent_number = independent_node;
-}
-
-template <int dim>
 void BodyField<dim>::collect_cells(const Places &places)
 {
   std::vector<Index> of_point, of_marker;

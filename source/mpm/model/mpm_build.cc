@@ -41,9 +41,6 @@ void choose_for_long_steps(Settings &settings)
 {
   if (settings.theta == 0.)
     settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
-  if (settings.contact_solver.algorithm == contact::Algorithm::automatic &&
-      settings.coupling == ContactCoupling::condensed)
-    settings.contact_solver.algorithm = contact::Algorithm::active_set;
 }
 
 /// Bodies that begin outside of the mesh: what the mesh would have to hold is said at once, of all of them.
@@ -126,7 +123,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     for (const Body<2> &body : state.bodies)
       prepare_solver(body);
   }
-  if (settings.scheme.inertia && settings.rows_follow() && wanted_step() > 20.5 * cfl_step())
+  if (settings.scheme.inertia && settings.scheme.implicit && settings.meets_by_rays() &&
+      wanted_step() > 20.5 * cfl_step())
     choose_for_long_steps(problem.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())

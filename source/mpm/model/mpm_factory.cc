@@ -7,7 +7,6 @@
 #include <softgrain/geometry/shape.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/body/refinement.h>
-#include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/model/space_model.h>
@@ -200,29 +199,24 @@ private:
   /// @throw InputError when a wall slides or a cell repeats and settings do not know that
   static void check_cell(const Scene<2> &scene, const Settings &settings)
   {
+    const std::string needs = " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'";
+    if (settings.meets_by_rays() && settings.scheme.implicit)
+      return;
     for (const WallDescription<2> &wall : scene.walls)
-      if ((wall.drive->slides() || wall.drive->shears()) && !settings.scheme.rows_follow)
+      if (wall.drive->slides() || wall.drive->shears())
         throw InputError("'Walls/" + wall.name +
-                         (wall.drive->shears() ? "/Shear stress" : "/Tangential velocity") +
-                         "' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static'");
-      else if (wall.type == WallDescription<2>::Type::periodic && !settings.rows_follow())
-        throw InputError("'Walls/" + wall.name +
-                         "/Type' = 'periodic' needs 'Time/Scheme' = 'moreau_jean' or 'quasi_static', "
-                         "'Contact/Geometry' = 'rays' or 'surface' and 'Contact/Solver' = 'condensed'");
+                         (wall.drive->shears() ? "/Shear stress'" : "/Tangential velocity'") + needs);
+      else if (wall.type == WallDescription<2>::Type::periodic)
+        throw InputError("'Walls/" + wall.name + "/Type' = 'periodic'" + needs);
   }
 
   /// @throw InputError when a scene with obstacles asks for what does not know them
   static void check_obstacles(const Scene<2> &scene, const Settings &settings)
   {
-    if (scene.obstacles.empty())
-      return;
-    const std::string scene_has = "the scene has 'Obstacles/" + scene.obstacles.front().name + "'";
-    if (!settings.contact_on_boundaries)
-      throw InputError("'Contact/Geometry' = '" + settings.contact_geometry + "' is not allowed where " +
-                       scene_has + ": it sees planes only");
-    if (settings.scheme.implicit && !settings.scheme.rows_follow)
-      throw InputError("'Time/Scheme' = '" + settings.scheme.name + "' is not allowed where " + scene_has +
-                       ", round whose corners its contact does not follow the bodies: choose 'moreau_jean'");
+    if (!scene.obstacles.empty() && !settings.meets_by_rays())
+      throw InputError("'Contact/Geometry' = '" + settings.contact_geometry +
+                       "' is not allowed where the scene has 'Obstacles/" + scene.obstacles.front().name +
+                       "': it sees planes only");
   }
 
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
@@ -237,8 +231,6 @@ private:
     check_start_at_rest(scene, settings);
     check_obstacles(scene, settings);
     check_cell(scene, settings);
-    if (settings.meets_by_rays())
-      check_rays(settings);
     // What a packing will put where is not known before it is made.
     if (settings.refine_near_contact > 0 && !scene.packing.method)
       check_refinement(scene, settings);

@@ -45,7 +45,7 @@ void MpmModel::renew_grids()
     }
   if (leaving.empty())
     return;
-  if (state.repeats() && !problem.outlines_everywhere())
+  if (state.repeats() && problem.settings.meets_by_rays())
   {
     BodyShare::Message message(work.share);
     for (const unsigned int b : leaving)

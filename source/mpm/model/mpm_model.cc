@@ -87,9 +87,9 @@ StepReport MpmModel::try_steps(const double dt_limit)
     held_steps += outcome.held_steps;
     if (outcome.held_steps > 0)
       settled_step = steps + 1;
-    last_unbalanced = !settings.scheme.inertia         ? outcome.unbalanced
-                      : settings.contact_on_boundaries ? unbalanced_force(problem, state, work, dt, work.load)
-                                                       : 0.;
+    last_unbalanced = !settings.scheme.inertia   ? outcome.unbalanced
+                      : settings.meets_by_rays() ? unbalanced_force(problem, state, work, dt, work.load)
+                                                 : 0.;
     // A law that has just asked for this length would refuse a longer one.
     return {true, "",
             !cut_by_law && outcome.newton_iterations <= (1 + outcome.held_steps) * settings.max_newton / 2};

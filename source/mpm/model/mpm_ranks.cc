@@ -11,17 +11,6 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-/// What steps ask of bodies of other ranks.
-ToldField told_field(const Problem &problem)
-{
-  return problem.settings.meets_by_rays() ? ToldField::everywhere
-         : problem.outlines_everywhere()  ? ToldField::at_outline
-                                          : ToldField::at_nodes;
-}
-} // namespace
-
 void MpmModel::share_out_bodies(const std::vector<BodyDescription<2>> &descriptions)
 {
   if (work.share.alone())
@@ -46,14 +35,13 @@ std::vector<char> MpmModel::held_here(const std::vector<unsigned int> &owners) c
   std::vector<char> held;
   for (const Body<2> &body : state.bodies)
     held.push_back(owners[body.index] == work.share.ranks.here() || body.driven ||
-                   !problem.settings.contact_on_boundaries);
+                   !problem.settings.meets_by_rays());
   return held;
 }
 
 void MpmModel::keep_outline(Body<2> &body)
 {
-  const ToldField told = told_field(problem);
-  take_grid(tell_grid(body, told), told, *problem.lattice, *problem.shape, body);
+  take_grid(tell_grid(body), *problem.lattice, *problem.shape, body);
 }
 
 std::vector<unsigned int> MpmModel::all_bodies() const
@@ -65,9 +53,8 @@ std::vector<unsigned int> MpmModel::all_bodies() const
 
 void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
 {
-  if (work.share.alone() || !problem.settings.contact_on_boundaries)
+  if (work.share.alone() || !problem.settings.meets_by_rays())
     return;
-  const ToldField of_field = told_field(problem);
   // Not all at once: what is sent takes memory on every rank.
   const std::size_t at_once = std::max<std::size_t>(16, of_bodies.size() / 64);
   for (std::size_t first = 0; first < of_bodies.size(); first += at_once)
@@ -80,12 +67,12 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
         {
           for (auto b = begin; b != end; ++b)
             if (work.share.mine(*b) && !state.bodies[*b].driven)
-              told[*b] = tell_grid(state.bodies[*b], of_field);
+              told[*b] = tell_grid(state.bodies[*b]);
         },
         told);
     for (auto b = begin; b != end; ++b)
       if (!work.share.holds(*b))
-        take_grid(told[*b], of_field, *problem.lattice, *problem.shape, state.bodies[*b]);
+        take_grid(told[*b], *problem.lattice, *problem.shape, state.bodies[*b]);
   }
 }
 
@@ -93,7 +80,7 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
 /// strain belong to that.
 void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
 {
-  if (problem.settings.contact_on_boundaries)
+  if (problem.settings.meets_by_rays())
     return;
   BodyShare::Message message(work.share);
   for (const unsigned int b : of_bodies)

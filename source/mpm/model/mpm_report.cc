@@ -22,7 +22,7 @@ constexpr double unresolved_strain = 1e-8;
 
 std::string scheme_in_words(const TimeScheme &scheme)
 {
-  if (!scheme.inertia || !scheme.rows_follow)
+  if (!scheme.inertia || !scheme.implicit)
     return scheme.name;
   std::ostringstream text;
   text << scheme.name << ", theta " << scheme.theta;

@@ -162,7 +162,7 @@ void MpmModel::add_contacts(Snapshot<2> &snapshot) const
     contact.length = rows[r].length;
     contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
-      contact.force += work.contact.impulses()[r * components + c] / last_dt * rows[r].resultant(c);
+      contact.force += work.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
     if (cell)
       cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
                  here(rows[r].image, rows[r].body, rows[r].partner));
@@ -245,7 +245,7 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
                    {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});
   if (laws_limit_step())
     columns.emplace_back("law_cuts", law_cuts);
-  if (problem.settings.contact_on_boundaries)
+  if (problem.settings.meets_by_rays())
     columns.emplace_back("unbalanced_force", last_unbalanced);
   if (problem.scene.bodies.size() != 1)
     return columns;

@@ -6,7 +6,6 @@
 #include <softgrain/linear/linear_solver_kind.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/field/shape_function.h>
-#include <softgrain/mpm/model/check_rays.h>
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/parameter_values.h>
@@ -163,15 +162,10 @@ void declare_quasi_static(dealii::ParameterHandler &prm)
         prm.declare_entry(
             "Regularisation", "0", Double(0., 1.),
             "Stiffness against the motion in a step, over Young's modulus. It takes the place of "
-            "inertia and holds grains that touch nothing. Its forces vanish in held steps. 0: 1e-4 with "
-            "'Contact/Geometry = rays', else 1e-3.");
+            "inertia and holds grains that touch nothing. Its forces vanish in held steps. 0: 1e-4.");
         prm.declare_entry("Unbalanced force", "1e-4", Double(1e-12, 1.),
                           "Bodies are in balance when the net force on each is at most this share of "
                           "the mean contact force.");
-        prm.declare_entry(
-            "Held motion", "1e-2", Double(1e-12, 10.),
-            "With surface: bodies are in balance when no contact marker moves farther than this in a "
-            "held step. Units: cells.");
         prm.declare_entry(
             "Held steps", "1000", Integer(0, 100000),
             "Largest number of steps with walls at rest before a state is written; without balance after "
@@ -191,29 +185,28 @@ void declare_contact(dealii::ParameterHandler &prm)
       prm, "Contact",
       [&]
       {
-        prm.declare_entry(
-            "Geometry", "automatic",
-            Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
-            "Where contact is looked for; automatic: rays, but surface with 'Solver' = 'lumped'; " +
-                Registry<ContactGeometryKind>::instance().choice_in_words());
+        prm.declare_entry("Geometry", "automatic",
+                          Selection("automatic|" + Registry<ContactGeometryKind>::instance().choice()),
+                          "Where contact is looked for; automatic: rays; " +
+                              Registry<ContactGeometryKind>::instance().choice_in_words());
         prm.declare_entry("Nodal gap", "true", Bool(),
                           "With 'Geometry = nodes'. true: bodies touch when the domains of their points "
                           "meet; false: as soon as they share a node.");
         prm.declare_entry(
             "Solver", "condensed", Selection("condensed|lumped"),
-            "condensed: contact is solved with the true compliance of the bodies, once per Newton iteration; "
-            "lumped: with nodal masses, iterated together with Newton's method (the thesis).");
+            "With 'Geometry = nodes'. condensed: contact is solved with the true compliance of the bodies, "
+            "once "
+            "per Newton iteration; lumped: with nodal masses, iterated together with Newton's method (the "
+            "thesis).");
         prm.declare_entry("Marker spacing", "0.5", Double(0.05, 4.),
-                          "Distance of the markers on a boundary that look for contact, with rays of those "
-                          "on which outlines "
-                          "are built: an outline has four vertices to each. Units: cells.");
+                          "Distance of the markers on which outlines are built: an outline has four vertices "
+                          "to each. Units: cells.");
         prm.declare_entry(
             "Largest penetration", "0.1", Double(1e-6, 1e6),
             "How deep bodies may lie in each other, in walls and in obstacles at the end of a step, told by "
             "their outlines. A step that ends deeper, and deeper than it began, is repeated with half its "
-            "length; below the smallest step the run ends. Where rows do not follow the bodies (Geometry = "
-            "surface with explicit, newmark, or Solver = lumped) no less than 0.5 is allowed, and 2 with "
-            "Geometry = nodes. "
+            "length; below the smallest step the run ends. With 'Geometry = nodes' no less than 2 is "
+            "allowed. "
             "Units: cells.");
         prm.declare_entry(
             "Sub-grid compliance", "true", Bool(),
@@ -222,9 +215,7 @@ void declare_contact(dealii::ParameterHandler &prm)
             "law measured against finite elements. With B-splines and scheme quasi_static only.");
         ContactSettings::declare_parameters(
             prm, "1e-7",
-            {{"automatic",
-              "active_set with quasi_static and where 'Time step' is longer than 20 CFL steps, otherwise "
-              "accelerated, and Newton when the sweeps do not converge"},
+            {{"automatic", "accelerated, and Newton when the sweeps do not converge"},
              {"accelerated", "sweeps with momentum and restart"},
              {"gauss_seidel", "plain sweeps"},
              {"active_set", "Newton on the active set"}});
@@ -261,9 +252,9 @@ void check_shape_function(const Settings &settings)
   if (!function->nowhere_negative() && settings.scheme.inertia)
     throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name + "'" + negative +
                      "'quasi_static', or another shape function");
-  if (!function->nowhere_negative() && !settings.contact_on_boundaries)
+  if (!function->nowhere_negative() && !settings.by_rays)
     throw InputError(name + " is not allowed with 'Contact/Geometry' = '" + settings.contact_geometry + "'" +
-                     negative + "'surface', or another shape function");
+                     negative + "'rays', or another shape function");
   if (settings.points_per_direction < function->least_points())
     throw InputError("'Material points/Points per direction' = '" +
                      std::to_string(settings.points_per_direction) +
@@ -364,7 +355,6 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
              {
                regularisation = prm.get_double("Regularisation");
                unbalanced_force = prm.get_double("Unbalanced force");
-               held_motion = prm.get_double("Held motion");
                max_held_steps = prm.get_integer("Held steps");
                wall_motion = prm.get_double("Wall motion");
              });
@@ -393,11 +383,11 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
         contact_geometry = prm.get("Geometry");
         coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
         if (contact_geometry == "automatic")
-          contact_geometry = rays_serve(*this) ? "rays" : "surface";
+          contact_geometry = "rays";
         if (regularisation == 0.)
-          regularisation = meets_by_rays() ? 1e-4 : 1e-3;
-        contact_on_boundaries =
-            Registry<ContactGeometryKind>::instance().create(contact_geometry)->on_boundaries();
+          regularisation = 1e-4;
+        const auto kind = Registry<ContactGeometryKind>::instance().create(contact_geometry);
+        by_rays = kind->by_rays();
         nodal_gap = prm.get_bool("Nodal gap");
         marker_spacing = prm.get_double("Marker spacing");
         largest_penetration = prm.get_double("Largest penetration");
@@ -408,18 +398,18 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
         contact_solver.max_sweeps = common.max_sweeps;
         contact_solver.relaxation = common.relaxation;
         contact_solver.algorithm = contact::algorithms().at(common.algorithm);
-        // Without inertia bodies answer an imbalance without bound, and sweeps find no balance.
-        if (contact_solver.algorithm == contact::Algorithm::automatic && !scheme.inertia)
-          contact_solver.algorithm = contact::Algorithm::active_set;
         failed_problem_directory = prm.get("Keep failed problems in");
-        if (!contact_on_boundaries && grid_update != GridUpdate::every_step)
+        if (kind->at_nodes() && grid_update != GridUpdate::every_step)
           throw InputError("'Contact/Geometry' = '" + contact_geometry +
                            "' needs 'Material points/Grid update' = 'every step': bodies share "
                            "nodes only where the grid lies under all of them now");
-        if (coupling == ContactCoupling::lumped && !scheme.inertia)
-          throw InputError(
-              "'Contact/Solver' = 'lumped' is not allowed with 'Time/Scheme' = 'quasi_static', which has no "
-              "masses: choose 'condensed'");
+        if (!by_rays && !scheme.inertia)
+          throw InputError("'Contact/Geometry' = '" + contact_geometry +
+                           "' is not allowed with 'Time/Scheme' = '" + scheme.name +
+                           "', which has no masses: it must be 'rays'");
+        if (by_rays && coupling == ContactCoupling::lumped && scheme.implicit)
+          throw InputError("'Contact/Solver' = 'lumped' needs 'Contact/Geometry' = 'nodes': rays are solved "
+                           "with the matrices of the bodies");
       });
   check_shape_function(*this);
   check_refinement(*this);

@@ -25,18 +25,15 @@ std::vector<std::string> unused_settings(const ParameterSection &all, const Sett
   const std::pair<std::string, std::vector<Readers>> list[] = {
       {by_scheme,
        {{scheme.name == "moreau_jean", "Time", {"Theta"}},
-        {!scheme.inertia,
-         "Quasi-static",
-         {"Regularisation", "Unbalanced force", "Held motion", "Held steps"}},
+        {!scheme.inertia, "Quasi-static", {"Regularisation", "Unbalanced force", "Held steps"}},
         {scheme.implicit, "Newton", {}},
         {scheme.implicit, "Linear solver", {}}}},
       {by_geometry,
-       {{!rays || scheme.inertia, "Quasi-static", {"Held motion"}},
-        {!rays, "Newton", {"Displacement tolerance", "Energy tolerance"}},
+       {{!rays, "Newton", {"Displacement tolerance", "Energy tolerance"}},
         {!rays || !scheme.implicit,
          "Contact",
          {"Tolerance", "Maximum sweeps", "Relaxation", "Algorithm", "Keep failed problems in"}},
-        {!settings.contact_on_boundaries, "Contact", {"Nodal gap"}}}}};
+        {!rays, "Contact", {"Nodal gap", "Solver"}}}}};
   std::vector<std::string> lines;
   for (const auto &[with, readers] : list)
     for (const Readers &of : readers)

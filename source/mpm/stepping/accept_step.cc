@@ -28,8 +28,7 @@ void note_contacts(State &state,
     const double closing = P[r * components] + dt * rows[r].pull;
     const bool slides = components > 1 && closing > 0. && rows[r].friction > 0. &&
                         std::abs(P[r * components + 1]) >= near_limit * rows[r].friction * closing;
-    state.adhesion.note(rows[r].key, rows[r].gap,
-                        {state.adhesion.nearest(gaps[r], rows[r].lift), closing > 0., slides, dt});
+    state.adhesion.note(rows[r].key, rows[r].gap, {gaps[r], closing > 0., slides, dt});
   }
 }
 
@@ -85,7 +84,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     state.balance.scheme_damping += taken;
   state.balance.regularisation_work += step.regularisation_work;
   state.resistance = step.resistance;
-  account_contacts(problem, state, work, dt, step.rate, motion, step.kinks);
+  account_contacts(problem, state, work, step, dt);
   if (state.adhesion.remembers())
   {
     if (!problem.settings.meets_by_rays()) // rays have memories of their own
@@ -150,7 +149,7 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
         message.add(law_loss);
         message.add(law_supply);
         for (Body<2> &body : state.bodies)
-          if (!body.driven && !problem.outlines_everywhere())
+          if (!body.driven && problem.settings.meets_by_rays())
             message.add_outline(body);
       });
   for (const double loss : law_loss)

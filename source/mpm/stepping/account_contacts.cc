@@ -33,14 +33,10 @@ double give_kinks(const ContactKinks &kinks, const std::vector<DrivenWork> &driv
 }
 } // namespace
 
-void account_contacts(const Problem &problem,
-                      State &state,
-                      const Workspace &work,
-                      const double dt,
-                      const std::vector<Eigen::VectorXd> &rate,
-                      const std::vector<WallMotion<2>> &motion,
-                      const ContactKinks &kinks)
+void account_contacts(
+    const Problem &problem, State &state, const Workspace &work, const FoundStep &step, const double dt)
 {
+  const std::vector<WallMotion<2>> &motion = step.motion;
   std::vector<dealii::Tensor<1, 2>> force_before;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
@@ -65,15 +61,11 @@ void account_contacts(const Problem &problem,
     state.balance.wall_impulse += given;
     wall.work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
-  // What the dents take is not lost.
-  const double dents = work.contact.subgrid_energy(state.bodies, problem.subgrid(), dt);
-  if (!balanced)
-    state.balance.contact_loss -= dents - state.balance.subgrid_energy;
-  state.balance.subgrid_energy = dents;
+  state.balance.subgrid_energy = step.dents;
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   const std::vector<double> &P = work.contact.impulses();
-  const ContactWork contact(problem, state, work, dt, rate, motion);
+  const ContactWork contact(problem, state, work, dt, step.rate, motion);
   for (unsigned int r = 0; r < rows.size(); ++r)
     for (unsigned int c = 0; c < components; ++c)
     {
@@ -97,7 +89,7 @@ void account_contacts(const Problem &problem,
         state.balance.driven_work += acting * (rows[r].direction(c) * work.drive[rows[r].partner]);
       }
       if (cell)
-        virial += impulse / dt * outer_product(rows[r].resultant(c), rows[r].branch);
+        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
       if (c == 0)
       {
         const double pulled = contact.adhesion_work(r);
@@ -141,8 +133,8 @@ void account_contacts(const Problem &problem,
       wall.work += change;
       driven.push_back({&wall.work, std::abs(change)});
     }
-  if (const double share = give_kinks(kinks, driven); share > 0.)
-    state.balance.contact_loss += share * kinks.of_slides;
+  if (const double share = give_kinks(step.kinks, driven); share > 0.)
+    state.balance.contact_loss += share * step.kinks.of_slides;
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,
                       dt, problem.settings.scheme.implicit);

@@ -10,7 +10,6 @@ namespace softgrain::mpm
 std::vector<WallMotion<2>>
 begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
-  work.contact.held = plan.held;
   press_walls(problem, state, work, plan);
   return wall_motion(state, work, plan);
 }

@@ -77,7 +77,7 @@ double ContactWork::parting(const unsigned int row, const unsigned int component
       speed -= moves.slide * (moves.tangent() * direction);
   }
   if (cell)
-    speed += cell->gradient * of_row.branch * of_row.resultant(component);
+    speed += cell->gradient * of_row.branch * of_row.direction(component);
   return speed;
 }
 
@@ -107,20 +107,13 @@ ContactWork::Gift ContactWork::gift() const
   return gift;
 }
 
-double ContactWork::released() const
-{
-  return state.balance.subgrid_energy - work.contact.subgrid_energy(state.bodies, problem.subgrid(), dt);
-}
-
 std::string why_contact_gives(const Problem &problem,
                               const State &state,
                               const Workspace &work,
                               const ContactWork &contact,
                               const std::vector<Eigen::VectorXd> &increment)
 {
-  ContactWork::Gift gift = contact.gift();
-  // What dents had stored and give back comes from nowhere else.
-  gift.energy -= contact.released();
+  const ContactWork::Gift gift = contact.gift();
   double kinetic = 0., floor = 0.;
   for (const Body<2> &body : state.bodies)
     if (!body.driven)

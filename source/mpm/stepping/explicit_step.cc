@@ -78,7 +78,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
     rays.emplace(problem, state, work, dt, motion).find();
   }
   else
-    find_rows(problem, state, work, motion, dt, nullptr, 0.5, false);
+    find_rows(problem, state, work, motion, dt);
   state.for_moving_bodies(
       [&](const Body<2> &body)
       {
@@ -148,7 +148,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   outcome.reason = why_contact_gives(problem, state, work, contact, increment);
   if (!outcome.reason.empty())
     return outcome;
-  FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0., {}, {}};
+  FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0., {}, {}, 0.};
   if (rays)
     state.frames = rays->frames_after();
   accept_step(problem, state, work, found);

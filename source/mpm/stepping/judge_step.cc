@@ -23,16 +23,13 @@ std::string partner_of(const Meeting &meeting, const State &state)
   }
 }
 
-/// Depth up to which bodies may lie in each other at the end of a step [cells]. Rows by `surface` that do not
-/// follow the bodies are as far off as these go in a step; contact at nodes cannot tell places in a cell from
-/// each other.
+/// Depth up to which bodies may lie in each other at the end of a step [cells]. Rows that are found once in a
+/// step, at nodes, cannot tell places in a cell from each other.
 double allowed_depth(const Settings &settings)
 {
-  constexpr double of_rows_that_stay = 0.5, of_nodes = 2.;
-  return settings.rows_follow() || settings.meets_by_rays()
-             ? settings.largest_penetration
-             : std::max(settings.largest_penetration,
-                        settings.contact_on_boundaries ? of_rows_that_stay : of_nodes);
+  constexpr double of_nodes = 2.;
+  return settings.meets_by_rays() ? settings.largest_penetration
+                                  : std::max(settings.largest_penetration, of_nodes);
 }
 
 std::string names(const Meeting &meeting, const State &state)

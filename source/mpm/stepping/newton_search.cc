@@ -25,8 +25,6 @@ bool NewtonSearch::converged() const
   const bool rounded = stands_still && equations.at_rounding();
   if (residual > settings.residual_tolerance && !rounded)
     return false;
-  if (!settings.scheme.inertia)
-    return true;
   // Lumped contact is an iteration of its own: the bulk may be balanced while the contact velocities are
   // not yet right.
   if (!work.contact.empty() && settings.coupling == ContactCoupling::lumped)
@@ -70,7 +68,7 @@ std::string NewtonSearch::go(Vectors &trial,
     const double now = equations.unbalanced_norm();
     best = std::min(best, now);
     if (now <= (1. - 1e-4 * alpha) * slope.merit ||
-        equations.residual() <= problem.settings.residual_tolerance || still_goes_down(direction, slope.work))
+        equations.residual() <= problem.settings.residual_tolerance)
     {
       // Factors that leave so little of the imbalance once do so again, for a fraction of the work. With
       // lumped contact iterations go on long after the bulk is balanced.
@@ -95,21 +93,5 @@ std::string NewtonSearch::end_of_search(Vectors &trial, const Vectors &direction
     return "";
   return "the line search found no residual below " + short_number(least * equations.residual()) +
          ", and 'Newton/Residual tolerance' is " + short_number(problem.settings.residual_tolerance);
-}
-
-/// Without inertia a step looks for least energy. With pressure that follows, the matrix is not the
-/// derivative and the imbalance may grow on the way down: good is what does not go far uphill again.
-/// @param work_at_start of the imbalance along the direction
-bool NewtonSearch::still_goes_down(const Vectors &direction, const double work_at_start) const
-{
-  if (problem.settings.scheme.inertia || !equations.pressure_follows() || work_at_start <= 0.)
-    return false;
-  const auto of_bodies = work.share.numbers<1>(
-      state.bodies, [&](const Body<2> &body)
-      { return std::array<double, 1>{direction[body.index].dot(equations.unbalanced(body.index))}; });
-  double at_end = 0.;
-  for (const auto &of_body : of_bodies)
-    at_end += of_body[0];
-  return at_end >= -0.5 * work_at_start;
 }
 } // namespace softgrain::mpm

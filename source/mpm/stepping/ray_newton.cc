@@ -238,7 +238,6 @@ bool RayNewton<dim>::begin()
 template <int dim>
 std::string RayNewton<dim>::converge()
 {
-  outcome.unsolved = true;
   lay();
   keep_dents();
   if (!begin() && !(leave_unmet_rays() && evaluate(way)))
@@ -256,7 +255,6 @@ std::string RayNewton<dim>::converge()
       return trouble;
   }
   outcome.newton_residual = residual;
-  outcome.unsolved = false;
   outcome.max_penetration = deepest;
   outcome.contact_sweeps = system.passes;
   return "";

@@ -75,7 +75,7 @@ void RayRows::find()
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
       add_row(f, k, rows);
-  work.contact.reinit(std::move(rows), work.share, true, state.bodies, dt, &state.memory);
+  work.contact.reinit(std::move(rows), work.share, true, state.bodies, dt, state.memory);
 }
 
 void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<ContactRow<2>> &rows)

@@ -140,10 +140,7 @@ std::string RayStep::find()
   const std::string given =
       inertia ? why_contact_gives(problem, state, work, plan.dt, motion, equations.increment) : "";
   if (!given.empty())
-  {
-    outcome.gives_energy = true;
     return given;
-  }
   return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
 }
 
@@ -153,8 +150,7 @@ void RayStep::hand_over_rows()
   ContactMemory<2> memory;
   memory.step = plan.dt;
   std::vector<ContactRow<2>> rows = rows_of_frames(scene, frames, force, rubbing, memory);
-  work.contact.held = false; // dents are those of the frames
-  work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, &memory);
+  work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, memory);
 }
 
 void RayStep::accept(State &state_to_change)
@@ -190,7 +186,8 @@ void RayStep::accept(State &state_to_change)
                   std::vector<double>(way.size(), 0.),
                   0.,
                   {},
-                  {}};
+                  {},
+                  0.};
   if (!inertia)
     state_to_change.held_back.resize(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
@@ -206,7 +203,10 @@ void RayStep::accept(State &state_to_change)
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
+  {
     frames[f].add_kinks(force[f], rubbing[f], found.kinks);
+    found.dents += frames[f].dent_energy(force[f]);
+  }
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
     for (const unsigned int side : {0, 1})
       if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)

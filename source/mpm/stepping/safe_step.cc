@@ -203,9 +203,9 @@ double safe_in_cell(const Problem &problem,
 
 double safe_step(const Problem &problem, const State &state, const Workspace &work, const double dt)
 {
-  // Rows that follow the bodies see all that they come to meet, and an overlap that is left repeats the step;
-  // others are those of the start or the middle of the step.
-  const bool follow = problem.settings.rows_follow();
+  // Rays of an implicit step see all that bodies come to meet, and an overlap that is left repeats the step;
+  // rows are those of its start or its middle.
+  const bool follow = problem.settings.meets_by_rays() && problem.settings.scheme.implicit;
   if (follow && state.bodies.size() < 2 && state.obstacles.empty())
     return dt;
   const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();

@@ -8,14 +8,6 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-/// Of a contact problem in an iteration that is not the last, relative to the speed of approach.
-constexpr double passable_residual = 0.1;
-constexpr double finest_tolerance = 1e-7;    ///< of a contact problem, to which Newton brings it
-constexpr unsigned int rough_iterations = 8; ///< in which that will do
-} // namespace
-
 StepContact::StepContact(const Problem &problem,
                          const State &state,
                          Workspace &work,
@@ -33,14 +25,10 @@ StepContact::StepContact(const Problem &problem,
 {
 }
 
-void StepContact::condense(const bool new_factors)
+void StepContact::condense()
 {
-  if (!new_factors && !condensed_is_old)
-    return;
   dealii::TimerOutput::Scope section(*work.timer, "condensation");
-  work.contact.condense(work.share, state.bodies, work.solvers, problem.subgrid(), plan.dt,
-                        problem.settings.scheme.theta);
-  condensed_is_old = false;
+  work.contact.condense(work.share, state.bodies, work.solvers);
 }
 
 std::string StepContact::solve_condensed(const Vectors &trial, const Vectors &direction)
@@ -67,33 +55,16 @@ std::string StepContact::solve_lumped(const Vectors &trial)
   return solve(v, true);
 }
 
-// Without inertia nothing gets a velocity.
-Opening StepContact::opening() const
-{
-  const Settings &settings = problem.settings;
-  return {settings.scheme.theta == 1. || settings.rows_follow(),
-          settings.scheme.inertia ? problem.lattice->cell_size() : 0.};
-}
-
 std::string StepContact::solve(const Vectors &v, const bool relative)
 {
   dealii::TimerOutput::Scope section(*work.timer, "contact solve");
   const double theta = problem.settings.scheme.theta;
-  contact::SolverSettings settings = problem.settings.contact_solver;
-  // The iterations that come bring other rows and other problems; the last one must be solved.
-  if (problem.settings.rows_follow() && outcome.newton_iterations < rough_iterations)
-    settings.passable = passable_residual;
-  const double allowed = 100. * problem.settings.contact_solver.tolerance;
-  if (problem.settings.rows_follow() && problem.settings.scheme.inertia)
-  {
-    settings.passable_mean = allowed;
-    // Every iteration has other rows: what one leaves open, the next does not mend.
-    if (outcome.newton_iterations > 0)
-      settings.tolerance =
-          std::min(settings.tolerance, std::max(finest_tolerance, 0.1 * outcome.newton_residual));
-  }
+  const contact::SolverSettings &settings = problem.settings.contact_solver;
+  const double allowed = 100. * settings.tolerance;
+  // Where theta is 1 a closed gap opens, else it stays as it is.
+  const Opening opening{theta == 1., problem.lattice->cell_size()};
   const contact::SolverReport report = work.contact.solve(
-      row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt, opening(), relative),
+      row_velocity(state, work, v, motion, equations.start_relative, theta, plan.dt, opening, relative),
       settings, relative);
   outcome.contact_sweeps += report.sweeps;
   outcome.contact_residual = report.residual;
@@ -103,7 +74,7 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   // neither sticks nor slides.
   is_converged =
       report.converged || report.limited_by_rounding || report.came_back || report.residual <= allowed;
-  if (is_converged || report.residual <= settings.passable)
+  if (is_converged)
     return "";
   if (!problem.settings.failed_problem_directory.empty())
   {

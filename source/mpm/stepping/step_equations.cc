@@ -34,7 +34,6 @@ StepEquations::StepEquations(const Problem &problem,
     , shift(state.bodies.size(), 0.)
     , rotation_weight(state.bodies.size(), 0.)
     , round_and_smooth(state.bodies.size(), 0)
-    , turns_easily(state.bodies.size(), 0.)
     , half_turn(state.bodies.size(), 0.)
     , spin(state.bodies.size(), 0.)
     , holding(state.bodies.size(), 0.)
@@ -135,7 +134,7 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
       },
       [&](BodyShare::Message &message)
       {
-        if (!problem.geometry->looks_by_body())
+        if (!problem.settings.meets_by_rays())
           message.add(state.bodies, increment);
         for (unsigned int b = 0; b < measured.size(); ++b)
           message.add(b, measured[b].data(), measured[b].size());
@@ -167,7 +166,7 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
   P = dt * acting_force(b);
   if (external[b].size() > 0)
     P += dt * external[b];
-  const Eigen::VectorXd resisted = scheme.inertia ? v - body.velocity : v - free_way(b);
+  const Eigen::VectorXd resisted = scheme.inertia ? v - body.velocity : v;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     if (scheme.inertia)
       P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
@@ -189,12 +188,9 @@ Eigen::VectorXd StepEquations::acting_force(const unsigned int b) const
   if (half == 0.)
     return (1. - scheme.theta) * old_force[b] + scheme.theta * internal[b];
   // Forces at the end and at the start have a torque (2 θ - 1) p A φ about where a body is halfway, which
-  // would spin it up. With rays what damps is the change of forces but for a turn.
-  if (problem.settings.meets_by_rays())
-    return 0.5 * (old_force[b] + internal[b]) +
-           (scheme.theta - 0.5) * (internal[b] - turned(old_force[b], 2. * half));
-  // Rows of surfaces do without that torque if both are turned to where the body is halfway.
-  return (1. - scheme.theta) * turned(old_force[b], half) + scheme.theta * turned(internal[b], -half);
+  // would spin it up: what damps is the change of forces but for a turn.
+  return 0.5 * (old_force[b] + internal[b]) +
+         (scheme.theta - 0.5) * (internal[b] - turned(old_force[b], 2. * half));
 }
 
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
@@ -269,14 +265,13 @@ double StepEquations::regularisation_work(const unsigned int b) const
     return holding[b] * rotation[b].dot(increment[b]) / dt;
   // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
   const Body<2> &body = state.bodies[b];
-  const Eigen::VectorXd beyond = resisted_way(b);
   const double mass = body.mass.sum();
   double work = 0.;
   dealii::Tensor<1, 2> way; // of the centre of mass
   for (unsigned int i = 0; i < body.mass.size(); ++i)
   {
-    work += 0.5 * shift[b] / (dt * dt) * std::abs(body.mass[i]) *
-            increment[b].segment<2>(2 * i).dot(beyond.segment<2>(2 * i));
+    work +=
+        0.5 * shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b].segment<2>(2 * i).squaredNorm();
     for (unsigned int d = 0; d < 2; ++d)
       way[d] += body.mass[i] / mass * increment[b][2 * i + d];
   }
@@ -291,20 +286,18 @@ dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
   if (scheme.inertia)
     return force;
   const Body<2> &body = state.bodies[b];
-  const Eigen::VectorXd beyond = resisted_way(b);
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
-      force[d] += shift[b] / (dt * dt) * std::abs(body.mass[i]) * beyond[2 * i + d];
+      force[d] += shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b][2 * i + d];
   return force;
 }
 
 double StepEquations::held_back(const unsigned int b) const
 {
   const Body<2> &body = state.bodies[b];
-  const Eigen::VectorXd beyond = resisted_way(b);
   double sum = 0.;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += shift[b] / (dt * dt) * std::abs(body.mass[i]) * beyond.segment<2>(2 * i).norm();
+    sum += shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b].segment<2>(2 * i).norm();
   return sum;
 }
 
@@ -314,32 +307,6 @@ void StepEquations::tell(std::vector<Told> &told, BodyShare::Message &message)
   message.add(state.bodies, increment);
   for (unsigned int b = 0; b < told.size(); ++b)
     message.add(b, told[b].data(), told[b].size());
-}
-
-Eigen::VectorXd StepEquations::resisted_way(const unsigned int b) const
-{
-  return increment[b] - dt * free_way(b);
-}
-
-Eigen::VectorXd StepEquations::free_way(const unsigned int b) const
-{
-  if (plan.ahead == 0. || plan.guess == nullptr)
-    return Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs());
-  return plan.ahead / dt * (*plan.guess)[b];
-}
-
-bool StepEquations::rotation_chases_rows() const
-{
-  return !rotation_is_gauge() &&
-         std::find(turns_easily.begin(), turns_easily.end(), 1.) != turns_easily.end();
-}
-
-bool StepEquations::rotation_is_gauge() const
-{
-  for (const Body<2> &body : state.bodies)
-    if (moves(body.index) && !round_and_smooth[body.index])
-      return false;
-  return true;
 }
 
 Eigen::VectorXd StepEquations::go(const unsigned int b, const Way &way, const double fraction) const

@@ -70,18 +70,6 @@ void add_dilatation_terms(const Body<dim> &body,
           add(i, d, j, e, -pressure_sum * mean[i][d] * mean[j][e]);
 }
 
-/// ∫ p (div a div b - grad a : gradᵀ b) of one point for @p pressure times its volume.
-template <int dim>
-void add_following_pressure(const double pressure, const CellSlopes<dim> &slopes, Eigen::MatrixXd &local)
-{
-  for (unsigned int i = 0; i < slopes.size(); ++i)
-    for (unsigned int j = 0; j < slopes.size(); ++j)
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          local(dim * i + d, dim * j + e) +=
-              pressure * (slopes[i][d] * slopes[j][e] - slopes[i][e] * slopes[j][d]);
-}
-
 /// Calls work(cell) for all cells; those at the same time share no node.
 template <int dim, class Work>
 void for_cells(const Body<dim> &body, const Work &work)
@@ -109,7 +97,6 @@ template <int dim>
 void cell_stiffness(const Body<dim> &body,
                     const StepState<dim> &s,
                     const unsigned int cell,
-                    const bool pressure_follows,
                     Eigen::MatrixXd &local)
 {
   constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
@@ -153,8 +140,6 @@ void cell_stiffness(const Body<dim> &body,
             local(dim * i + d, dim * j + d) += g;
         }
       }
-    if (pressure_follows && !body.small_strain())
-      add_following_pressure(-v * trace(tau) / dim, slopes, local);
   }
   if (body.averaged > 0. && !body.small_strain())
     add_dilatation_terms(body, s, cell, mean, total, local);
@@ -188,7 +173,6 @@ public:
            const StepState<2> &s,
            const unsigned int cell,
            const double factor,
-           const bool pressure_follows,
            SystemMatrix &matrix)
   {
     const unsigned int first = body.field.first_point(cell);
@@ -210,11 +194,10 @@ public:
       const auto C = [&](const unsigned int a, const unsigned int b)
       { return v * s.tangent[first + q].access_raw_entry(3 * a + b); };
       double *const with_gx = response.at(0, 2 * q), *const with_gy = response.at(0, 2 * q + 1);
-      const double p = pressure_follows ? -0.5 * (txx + tyy) : 0.;
       combine(m, gx, C(0, 0) + txx, gy, C(0, 2) + txy, with_gx);
       combine(m, gx, C(2, 0) + txy, gy, C(2, 2) + tyy, with_gy);
-      combine(m, gx, C(0, 2), gy, C(0, 1) + p, with_gx + m);
-      combine(m, gx, C(2, 2) - p, gy, C(2, 1), with_gy + m);
+      combine(m, gx, C(0, 2), gy, C(0, 1), with_gx + m);
+      combine(m, gx, C(2, 2), gy, C(2, 1), with_gy + m);
       combine(m, gx, C(2, 2) + txx, gy, C(2, 1) + txy, with_gx + 2 * m);
       combine(m, gx, C(1, 2) + txy, gy, C(1, 1) + tyy, with_gy + 2 * m);
       std::fill(with_gx + 3 * m, with_gx + n_columns, 0.);
@@ -240,14 +223,13 @@ private:
 void add_plane_stiffness(const Body<2> &body,
                          const StepState<2> &s,
                          const double factor,
-                         const bool pressure_follows,
                          SystemMatrix &matrix)
 {
   const auto work = [&](const unsigned int c)
   {
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local PlaneCell plane;
-    plane.add(body, s, c, factor, pressure_follows, matrix);
+    plane.add(body, s, c, factor, matrix);
   };
   for_cells(body, work);
 }
@@ -272,7 +254,6 @@ template <int dim>
 void add_general_stiffness(const Body<dim> &body,
                            const StepState<dim> &s,
                            const double factor,
-                           const bool pressure_follows,
                            SystemMatrix &matrix)
 {
   const auto add = [&](const unsigned int cell, const auto &of_cell)
@@ -288,7 +269,7 @@ void add_general_stiffness(const Body<dim> &body,
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local Eigen::MatrixXd local;
     static thread_local Buffer of_wide, of_product, of_reduced;
-    cell_stiffness(body, s, c, pressure_follows, local);
+    cell_stiffness(body, s, c, local);
     const Eigen::MatrixXd &extension = body.field.cell_extension(c);
     if (extension.size() == 0)
     {
@@ -331,23 +312,18 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, const 
 }
 
 template <int dim>
-void add_stiffness(const Body<dim> &body,
-                   const StepState<dim> &s,
-                   const double factor,
-                   SystemMatrix &matrix,
-                   const bool pressure_follows)
+void add_stiffness(const Body<dim> &body, const StepState<dim> &s, const double factor, SystemMatrix &matrix)
 {
-  if constexpr (dim == 2)
-    if (body.averaged == 0.)
-      return add_plane_stiffness(body, s, factor, pressure_follows, matrix);
-  if constexpr (dim == 3)
-    if (body.averaged == 0. && !pressure_follows)
-      return add_space_stiffness(body, s, factor, matrix);
-  add_general_stiffness(body, s, factor, pressure_follows, matrix);
+  if (body.averaged > 0.)
+    add_general_stiffness(body, s, factor, matrix);
+  else if constexpr (dim == 2)
+    add_plane_stiffness(body, s, factor, matrix);
+  else
+    add_space_stiffness(body, s, factor, matrix);
 }
 
 template void lay_out_stiffness<2>(const BodyField<2> &, SystemMatrix &, bool);
 template void lay_out_stiffness<3>(const BodyField<3> &, SystemMatrix &, bool);
-template void add_stiffness<2>(const Body<2> &, const StepState<2> &, double, SystemMatrix &, bool);
-template void add_stiffness<3>(const Body<3> &, const StepState<3> &, double, SystemMatrix &, bool);
+template void add_stiffness<2>(const Body<2> &, const StepState<2> &, double, SystemMatrix &);
+template void add_stiffness<3>(const Body<3> &, const StepState<3> &, double, SystemMatrix &);
 } // namespace softgrain::mpm

@@ -42,7 +42,7 @@ public:
 class MoreauJean final : public ImplicitWithInertia
 {
 public:
-  TimeScheme terms(const double theta) const override { return {"", theta, true, true, 0.5, true}; }
+  TimeScheme terms(const double theta) const override { return {"", theta, true, true}; }
 };
 
 class Newmark final : public ImplicitWithInertia
@@ -65,7 +65,7 @@ public:
 class QuasiStatic final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 1., false, true, 1., true}; }
+  TimeScheme terms(double) const override { return {"", 1., false, true}; }
   StepOutcome step(const Problem &problem,
                    State &state,
                    Workspace &work,

@@ -16,7 +16,6 @@ public:
 class NoContact final : public mpm::ContactGeometryKind
 {
 public:
-  bool on_boundaries() const override { return true; }
   std::unique_ptr<mpm::ContactGeometry<2>> create(const mpm::ShapeFunction &,
                                                   const mpm::Settings &) const override
   {

@@ -12,7 +12,6 @@ public:
   {
     mpm::TimeScheme scheme;
     scheme.theta = 1.;
-    scheme.rows_follow = true;
     return scheme;
   }
 

@@ -8,20 +8,11 @@
 
 namespace softgrain::mpm
 {
-/// Where ranks without the points of a body know its field.
-enum class ToldField
-{
-  at_nodes,   ///< where its independent nodes are
-  at_outline, ///< and what they do to the markers of its outline
-  everywhere  ///< and at any place of the body
-};
-
 /// What ranks without the points of a body are to know of its grid, number by number.
-std::vector<double> tell_grid(const Body<2> &body, ToldField told);
+std::vector<double> tell_grid(const Body<2> &body);
 
 /// Gives @p body what tell_grid() has told, as lay_grid() would have done.
 void take_grid(const std::vector<double> &numbers,
-               ToldField told,
                const Lattice<2> &lattice,
                const ShapeFunction &shape,
                Body<2> &body);

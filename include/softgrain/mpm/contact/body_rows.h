@@ -12,13 +12,7 @@
 
 namespace softgrain::mpm
 {
-/**
- * @brief Hᵀ of one body: what a unit impulse in each of its contact components does to its nodes.
- *
- * A row whose place slides along the outline pushes at the nodes near its place, and at the body as a whole:
- * the second part is a direction times the masses of all nodes, so it is kept as that direction, and Hᵀ stays
- * sparse.
- */
+/// Hᵀ of one body: what a unit impulse in each of its contact components does to its nodes.
 template <int dim>
 class BodyRows
 {
@@ -29,21 +23,17 @@ public:
               const std::vector<unsigned int> &of_body,
               unsigned int n_components);
 
-  unsigned int n_dofs() const { return local.rows(); }
+  unsigned int n_dofs() const { return matrix.rows(); }
   /// H v.
-  Eigen::VectorXd velocities(const Eigen::VectorXd &nodal) const;
+  Eigen::VectorXd velocities(const Eigen::VectorXd &nodal) const { return matrix.transpose() * nodal; }
   /// Adds Hᵀ P to @p nodal.
-  void add_impulses(const Eigen::VectorXd &P, Eigen::VectorXd &nodal) const;
+  void add_impulses(const Eigen::VectorXd &P, Eigen::VectorXd &nodal) const { nodal += matrix * P; }
   /// W = H A⁻¹ Hᵀ with the matrix that @p solver has factorised.
-  void condense(RankOneSolver &solver, Eigen::MatrixXd &W) const;
-  /// Hᵀ with all its entries.
-  LinearSolver::Rows full() const;
+  void condense(RankOneSolver &solver, Eigen::MatrixXd &W) const { solver.condense(matrix, W); }
+  const LinearSolver::Rows &transposed() const { return matrix; }
 
 private:
-  LinearSolver::Rows local; ///< Hᵀ near the places; two columns more when any row pushes at the whole body
-  unsigned int n_rows = 0;
-  Eigen::VectorXd mass_share; ///< of every node; empty when no row pushes at the whole body
-  Eigen::Matrix<double, dim, Eigen::Dynamic> whole; ///< one column per row
+  LinearSolver::Rows matrix; ///< Hᵀ
 };
 } // namespace softgrain::mpm
 

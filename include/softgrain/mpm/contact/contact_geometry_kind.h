@@ -20,11 +20,14 @@ class ContactGeometryKind
 public:
   virtual ~ContactGeometryKind() = default;
 
-  /// Whether it looks at the boundaries of the bodies, so that rows can be found again while a step is being
-  /// solved; else it needs a grid that lies under the present points ('Grid update = every step').
-  virtual bool on_boundaries() const = 0;
+  /// Whether rays meet the surfaces of the bodies (ContactFrame); else rows are found once in a step.
+  virtual bool by_rays() const { return false; }
+
+  /// Whether it needs a grid that lies under the present points ('Grid update = every step').
+  virtual bool at_nodes() const { return false; }
 
   /// @param shape of the nodal fields, which outlives the geometry
+  /// @return what finds the rows; null with rays, which have none
   virtual std::unique_ptr<ContactGeometry<2>> create(const ShapeFunction &shape,
                                                      const Settings &settings) const = 0;
 };

@@ -3,7 +3,6 @@
 #define softgrain_mpm_contact_contact_rows_h
 
 #include <softgrain/geometry/periodic_cell.h>
-#include <softgrain/mpm/contact/place_slide.h>
 #include <softgrain/mpm/field/body_field.h>
 
 #include <deal.II/base/point.h>
@@ -12,7 +11,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -33,31 +31,19 @@ struct ContactRow
   /// What nodes have to do with its places; none of a partner that is driven or a wall, nor of bodies whose
   /// weights are not known here. Apart, since rows are many and go from hand to hand.
   std::shared_ptr<const NodeWeights> body_weights, partner_weights;
-  /// Where on the outline of the partner it is, from a marker to the next.
-  unsigned int partner_marker = 0;
-  double partner_share = 0;
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
   double gap = 0;                ///< at the start of the step [m]
-  double gap_where_found = 0;    ///< where in the step it was looked for [m]
   double length = 0;             ///< of the boundary it stands for [m]
   double friction = 0;
   double adhesion = 0; ///< strength of the pair [N/m^2]
-  /// Width of the grid at the places on the body and on the partner, see SubgridCompliance::log_full_width().
-  std::array<double, 2> log_full_width = {{0., 0.}};
-  bool dented = true; ///< whether the law of dents that the grid misses holds for it
-  /// Change of the gap from where the row is to the ends of its length, where it adheres [m].
-  std::array<double, 2> lift = {{0., 0.}};
   /// How much a change of its force in a step closes its gap and lets its places slide, beside what the
   /// bodies yield [m^2/N].
   double softness = 0;
   double work_beyond = 0; ///< its work beside that of its impulse on the way by which its places part [J/m]
   double pull = 0;        ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
-  std::shared_ptr<const PlaceSlide<dim>>
-      slide;             ///< of the places of the pair; null where they stay on the body
-  double slope = 0;      ///< of the gap along the outline, per marker [m]
-  std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
+  std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
   /// Branch in a cell that repeats: to the centre of the body from that of the image it meets, or from the
   /// wall, at the start of the step; the cell moves them apart at gradient * branch [m].
   dealii::Tensor<1, dim> branch;
@@ -66,14 +52,6 @@ struct ContactRow
   /// Copy of the cell that the body would be in, as if no body had been brought into the cell: `place` is
   /// where it is in the cell itself.
   typename PeriodicCell<dim>::Image fold{};
-
-  /// Direction of all that an impulse in this component does to the body; the partner feels the opposite.
-  dealii::Tensor<1, dim> resultant(const unsigned int component) const
-  {
-    if (component == 0 && slide != nullptr)
-      return normal - slope * slide->of_centre;
-    return direction(component);
-  }
 
   /// Tangent of a 2D row: the normal turned by -90 degrees.
   dealii::Tensor<1, dim> direction(const unsigned int component) const
@@ -99,15 +77,6 @@ struct ContactRow
     return t;
   }
 };
-
-/// What the keys of the rows of one pair have in common: all but the place that looks, see row_key().
-inline std::uint64_t pair_of(const std::uint64_t key)
-{
-  return key & ~(std::uint64_t{0xffff} << 24);
-}
-
-/// Gap of rows by their key [m].
-using GapsByRow = std::unordered_map<std::uint64_t, double>;
 
 /// Where a wall stands and moves during one step.
 template <int dim>

@@ -10,16 +10,13 @@
 #include <softgrain/mpm/contact/contact_memory.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/free_walls.h>
-#include <softgrain/mpm/contact/subgrid_compliance.h>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace softgrain::mpm
@@ -35,17 +32,14 @@ class ContactSystem
 {
 public:
   /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
-  /// step @p before or, when that is null, the impulses that such rows have now. What rows do to the nodes of
-  /// a body is known on its rank, or @p everywhere.
+  /// step @p before. What rows do to the nodes of a body is known on its rank, or @p everywhere.
   void reinit(std::vector<ContactRow<dim>> rows,
               const BodyShare &share,
               bool everywhere,
               const std::vector<Body<dim>> &bodies,
               double dt,
-              const ContactMemory<dim> *before);
+              const ContactMemory<dim> &before);
 
-  /// Whether what the next rows belong to is a held step, see place_dents().
-  bool held = false;
   /// Walls that are unknowns of the step; to be set before reinit().
   FreeWalls<dim> free_walls;
 
@@ -85,26 +79,13 @@ public:
   void add_impulses(unsigned int b, Eigen::VectorXd &nodal) const;
 
   /**
-   * @brief W from the bodies' factorised matrices, and from the sub-grid compliance of every pair under the
-   * present impulses.
-   * @param share   whose body is whose: its matrix is there
-   * @param subgrid what the grid misses
-   * @param dt      of the step [s]
-   * @param theta   of the time scheme: a compliance C [m^2/N] adds C / (theta dt^2) to W
+   * @brief W from the bodies' factorised matrices.
+   * @param share whose body is whose: its matrix is there
    */
   void condense(const BodyShare &share,
                 const std::vector<Body<dim>> &bodies,
-                std::vector<std::unique_ptr<RankOneSolver>> &solvers,
-                const SubgridCompliance &subgrid,
-                double dt,
-                double theta);
+                std::vector<std::unique_ptr<RankOneSolver>> &solvers);
 
-  /// Overlap of every row that stands for a dent which the grid misses, under the present impulses of a step
-  /// of length @p dt; as last condensed [m].
-  std::vector<double> subgrid_overlap(double dt) const;
-  /// Energy in these dents [J/m].
-  double
-  subgrid_energy(const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid, double dt) const;
   /// W from nodal masses, H M^-1 H^T, plus the softness of rows in a step of length @p dt [s].
   void lump(const std::vector<Body<dim>> &bodies, double dt);
   /// Rows yield to the change of their force only: subtracts from @p free_velocity [m/s] what softness makes
@@ -134,36 +115,15 @@ public:
 private:
   struct Operator;
 
-  /// Rows of one pair of bodies, or of a body and a wall: they follow each other.
-  struct Pair
-  {
-    unsigned int first, end;
-    double compliance = 0;                             ///< sub-grid, as last condensed [m^2/N]
-    std::array<double, 2> log_full_width = {{0., 0.}}; ///< of body and partner, see SubgridCompliance
-  };
-
   void list_components(const std::vector<Body<dim>> &bodies);
   void keep_pushes();
   bool knows_rows_of(unsigned int b) const { return rows_here[b] && !body_components[b].empty(); }
-  double normal_force(const Pair &pair, double dt) const;
-  /**
-   * Finds where on their outlines the pairs touch. It is asked at the first search of a step that moves and
-   * kept for all that follow, those of its held steps among them: a compliance that changes with the place
-   * gives forces that no energy belongs to, and with them some packings go round for ever.
-   */
-  void place_dents(bool first_search);
-  /// What the grid misses of the contact of a pair.
-  SubgridCompliance::Dent
-  dent(const Pair &pair, const std::vector<Body<dim>> &bodies, const SubgridCompliance &subgrid) const;
-
   void color_pairs(const std::vector<Body<dim>> &bodies);
   void color(const std::vector<unsigned int> &taking,
              contact::Problem::Range range,
              std::vector<std::vector<char>> &taken);
 
   std::vector<ContactRow<dim>> rows;
-  std::vector<Pair> pairs;
-  std::unordered_map<std::uint64_t, std::array<double, 2>> dent_places; ///< log_full_width by pair_of(row)
   contact::Problem problem; ///< as last given to solve(); its colours are of pairs that share no body
   std::vector<std::vector<unsigned int>> body_components; ///< components that body b takes part in
   std::vector<unsigned int> component_start;              ///< of body b among all bodies', and the end

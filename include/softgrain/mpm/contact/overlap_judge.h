@@ -58,7 +58,7 @@ struct Verdict
  * @param scene at the end of the step
  * @param moved the outlines there, and the pairs that may have met on the way
  */
-Verdict judge_outlines(const ContactScene<2> &scene, const MovedOutlines &moved);
+Verdict judge_outlines(const OutlineScene &scene, const MovedOutlines &moved);
 } // namespace softgrain::mpm
 
 #endif

@@ -13,10 +13,10 @@ namespace softgrain::mpm
  * Of a body of another rank the sketch is known, and where a body of this rank looks at it, the outline: a
  * rank does not know by which weights nodes of other ranks' bodies move their markers.
  */
-MovedOutlines share_outlines(const BodyShare &share, const ContactScene<2> &scene);
+MovedOutlines share_outlines(const BodyShare &share, const OutlineScene &scene);
 
 /// Moves outlines where there is one rank, or where each has all that it needs.
-MovedOutlines move_outlines(const ContactScene<2> &scene);
+MovedOutlines move_outlines(const OutlineScene &scene);
 } // namespace softgrain::mpm
 
 #endif

@@ -22,8 +22,7 @@ namespace softgrain::mpm
  * width of about a cell. How wide, k, depends on Poisson's ratio, on the angle between the outline and the
  * lines of the grid, and on where between two of them the contact is; it is measured
  * (doc/results/rim.md), like the constants of a law of the wall for turbulence. It belongs to quadratic
- * B-splines and to round bodies that touch as soon as their outlines do (Problem::places_are_free()); other
- * bodies have none. Along the contact nothing is added.
+ * B-splines and to round bodies; other bodies have none. Along the contact nothing is added.
  */
 struct SubgridCompliance
 {

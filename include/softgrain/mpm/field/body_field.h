@@ -63,14 +63,6 @@ public:
   void
   build(const Lattice<dim> &lattice, const ShapeFunction &shape, const Places &places, double fill_limit);
 
-  /**
-   * @brief Makes it the field of a body whose points lie with another rank: what the nodal values do to the
-   * body's outline may be known, what they do to its points is not.
-   * @param independent places of the independent nodes [m]
-   * @param markers     weights of the boundary markers; none where only its owner need know them
-   */
-  void take_outline(std::vector<dealii::Point<dim>> independent, WeightsOfPlaces markers);
-
   /// Adds to @p numbers all that a rank without the points needs to know the field at any place.
   void tell(std::vector<double> &numbers) const;
   /**

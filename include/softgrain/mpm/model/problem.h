@@ -21,26 +21,14 @@ struct Problem
   Settings settings;
   std::unique_ptr<Lattice<2>> lattice;
   std::unique_ptr<ShapeFunction> shape;
-  std::unique_ptr<ContactGeometry<2>> geometry;
-  ContactPairs pairs; ///< what bodies and walls do to each other
+  std::unique_ptr<ContactGeometry<2>> geometry; ///< null with rays
+  ContactPairs pairs;                           ///< what bodies and walls do to each other
 
   /// What the grid misses of light contacts.
   SubgridCompliance subgrid() const;
 
-  /// Whether places that look for contact stand in space, so that round bodies touch where their outlines do:
-  /// without friction, and without inertia, where a step holds what is at a place now to what was opposite.
-  bool places_are_free() const;
-
-  /// Whether contact rows count that such places slide along outlines. Not without inertia: there forces of
-  /// rows denser than the grid go from one to the other, slopes with them, and balance is never reached.
-  bool places_slide() const;
-
   /// Whether nothing holds material to material where bodies meet: no friction, no contact with a memory.
   bool slippery() const;
-
-  /// Whether every rank must know how nodes of all bodies move their outlines; else owners of bodies do, and
-  /// tell where outlines are.
-  bool outlines_everywhere() const;
 
   /// Whether contacts remember what has become of them.
   bool contacts_remember() const;

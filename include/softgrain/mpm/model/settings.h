@@ -66,20 +66,18 @@ struct Settings
 
   LinearSolverSettings linear_solver;
 
-  std::string contact_geometry = "surface"; ///< member of ContactGeometryKind
-  bool contact_on_boundaries = true;        ///< else at nodes, see ContactGeometryKind
+  std::string contact_geometry = "rays"; ///< member of ContactGeometryKind
+  bool by_rays = true;                   ///< what that says
   ContactCoupling coupling = ContactCoupling::condensed;
   bool nodal_gap = true;
   double marker_spacing = 0.5;      ///< [cells]
   double largest_penetration = 0.1; ///< at the end of a step [cells]
   bool subgrid = true;              ///< see SubgridCompliance
-  unsigned int max_searches = 8;    ///< for contact rows within a step
   contact::SolverSettings contact_solver;
   std::string failed_problem_directory; ///< where contact problems that do not converge are kept
 
-  double regularisation = 1e-3;      ///< of quasi_static, see StepPlan
+  double regularisation = 1e-4;      ///< of quasi_static, see StepPlan
   double unbalanced_force = 1e-4;    ///< net force on a body over the mean contact force, in balance
-  double held_motion = 1e-2;         ///< of a held step, in balance [cells]
   unsigned int max_held_steps = 200; ///< after one that moves
   double wall_motion = 0.3;          ///< of a wall under pressure, in a step or a held step at most [cells]
 
@@ -102,22 +100,13 @@ struct Settings
   }
 
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
-  bool subgrid_compliance() const
-  {
-    return subgrid && !scheme.inertia && rows_follow() && shape == "bspline";
-  }
+  bool subgrid_compliance() const { return subgrid && !scheme.inertia && shape == "bspline"; }
 
   /// Whether contact is solved with what the matrices of bodies say of their rows, else with nodal masses.
   bool condenses() const { return scheme.implicit && coupling == ContactCoupling::condensed; }
 
-  /// Whether contact rows are found again as Newton goes.
-  bool rows_follow() const
-  {
-    return scheme.rows_follow && contact_on_boundaries && coupling == ContactCoupling::condensed;
-  }
-
   /// Whether surfaces are met by rays, see ContactFrame.
-  bool meets_by_rays() const { return contact_geometry == "rays"; }
+  bool meets_by_rays() const { return by_rays; }
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);

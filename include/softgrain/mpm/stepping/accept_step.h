@@ -23,6 +23,7 @@ struct FoundStep
   double regularisation_work = 0;                ///< taken by regularising forces [J/m]
   std::vector<dealii::Tensor<1, 2>> resistance;  ///< as State::resistance
   ContactKinks kinks;                            ///< without inertia
+  double dents = 0;                              ///< energy in what the grid misses of them [J/m]
 };
 
 /**

@@ -42,8 +42,6 @@ public:
     unsigned int row = 0; ///< the one that gives most
   };
   Gift gift() const;
-  /// What dents that the grid misses have given back in this step [J/m].
-  double released() const;
 
 private:
   const Problem &problem;

@@ -29,7 +29,6 @@ public:
   bool factors_serve = false;
 
 private:
-  bool still_goes_down(const Vectors &direction, double work_at_start) const;
   /// Goes back to where the search began when no way along @p direction leaves less. @return why the search
   /// ends there, empty when what is left is rounding
   std::string end_of_search(Vectors &trial, const Vectors &direction, double least);

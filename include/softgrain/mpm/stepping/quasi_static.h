@@ -31,9 +31,6 @@ double unbalanced_force(const Problem &problem,
                         const Workspace &work,
                         double dt,
                         const std::vector<dealii::Tensor<1, 2>> &loads);
-
-/// The unbalanced force with rows found again where the bodies are.
-double unbalanced_force_here(const Problem &problem, State &state, Workspace &work, double dt);
 } // namespace softgrain::mpm
 
 #endif

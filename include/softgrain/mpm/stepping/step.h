@@ -19,9 +19,6 @@ struct StepPlan
   double dt = 0;             ///< [s]
   bool held = false;         ///< walls and loads stand still and no time passes: the bodies come to balance
   double regularisation = 0; ///< of quasi_static: stiffness against motion per body, over Young's modulus
-  /// First guess for the displacements over the step of a scheme without inertia [m]; null: none.
-  const std::vector<Eigen::VectorXd> *guess = nullptr;
-  double ahead = 0; ///< share of the guess up to which regularising forces let bodies go
 
   /// Time that passes for laws; none while bodies come to balance [s].
   double law_dt() const { return held ? 0. : dt; }
@@ -31,14 +28,11 @@ struct StepPlan
 struct StepOutcome
 {
   bool accepted = false;
-  std::string reason;        ///< why not: names body, place and what happened
-  double share = 0.5;        ///< of the step with which it is to be tried again when it is not accepted
-  bool law_asks = false;     ///< it is not accepted only because a law asks for a shorter one
-  bool unsolved = false;     ///< it is not accepted because its equations were not solved
-  bool gives_energy = false; ///< it is not accepted because contact gives energy, see GivenEnergy
+  std::string reason;    ///< why not: names body, place and what happened
+  double share = 0.5;    ///< of the step with which it is to be tried again when it is not accepted
+  bool law_asks = false; ///< it is not accepted only because a law asks for a shorter one
   unsigned int newton_iterations = 0, contact_sweeps = 0;
   double newton_residual = 0, contact_residual = 0, max_penetration = 0;
-  bool rows_follow = true;     ///< the contact rows are those of the step as it came out, or nearly
   double largest_move = 0;     ///< of a node over the step [m]
   unsigned int held_steps = 0; ///< of quasi_static, after the step itself
   double raised = 1;           ///< factor by which bodies had to resist motion more

@@ -31,11 +31,8 @@ public:
               const StepEquations &equations,
               StepOutcome &outcome);
 
-  /// New rows have been found: W of those before is of no use.
-  void rows_changed() { condensed_is_old = true; }
-
-  /// W = H A⁻¹ Hᵀ of the present rows, if it is not there. @param new_factors of A
-  void condense(bool new_factors);
+  /// W = H A⁻¹ Hᵀ with the present factors of A.
+  void condense();
 
   /// Impulses for the end velocities @p trial and the direction @p direction that leads to balance without
   /// contact [m/s]. @return why there are none, empty when it went well
@@ -49,8 +46,6 @@ public:
 
 private:
   std::string solve(const Vectors &v, bool relative);
-  /// What becomes of closed gaps in a step.
-  Opening opening() const;
 
   const Problem &problem;
   const State &state;
@@ -61,7 +56,6 @@ private:
   StepOutcome &outcome;
   /// End velocities without contact, of the bodies of this rank; kept, for fresh memory is dear [m/s].
   Vectors free;
-  bool condensed_is_old = false;
   bool is_converged = true;
 };
 } // namespace softgrain::mpm

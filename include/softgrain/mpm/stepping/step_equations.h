@@ -71,16 +71,6 @@ public:
   /// @return why not, empty when it went well
   std::string factorise();
 
-  /// Whether all bodies are kept from turning, because turned they would be the same.
-  bool rotation_is_gauge() const;
-
-  /// Whether a body may turn while rows stay, until its pressure, which does not follow it then, turns it on
-  /// and on.
-  bool rotation_chases_rows() const;
-
-  /// Whether factorise() needed a tangent in which pressure follows the bodies.
-  bool pressure_follows() const { return has_followed; }
-
   /// What the scheme itself takes from body @p b in a step to the velocities @p v, to second order in the
   /// step; 0 for schemes that are not a choice of theta alone [J/m].
   double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
@@ -137,13 +127,6 @@ private:
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
   /// The change of a body's angular velocity by loads [N] over the step [1/s].
   double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
-  void assemble(const Body<2> &body, double shift_of_body, bool pressure_follows);
-  /// Mends x = A⁻¹ @p b of a body that turns by much in the step: A does not know that its forces are turned.
-  void heed_turn(const Body<2> &body, const Eigen::VectorXd &b, Eigen::VectorXd &x) const;
-  /// Mean velocity of the nodes of body @p b that regularising forces do not resist [m/s].
-  Eigen::VectorXd free_way(unsigned int b) const;
-  /// The part of the increment of a body that is resisted: what goes beyond the free way [m].
-  Eigen::VectorXd resisted_way(unsigned int b) const;
 
   const Problem &problem;
   const State &state;
@@ -154,13 +137,11 @@ private:
   Vectors old_force, missing_impulse, rotation;
   Vectors lever; ///< of the torque that holds a body's rotation, where it is halfway; none where nothing does
   std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
-  bool has_followed = false;           ///< some matrix of the step was made with pressure that follows
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
-  std::vector<double> turns_easily; ///< 1 for bodies whose pressure turns them sooner than inertia holds them
-  std::vector<double> half_turn;    ///< of every body over half the step, by which its forces are turned
-  std::vector<double> spin;         ///< of such a body: its change by loads, with inertia [1/s]
-  std::vector<double> holding;      ///< torque that holds a body's rotation, times the step [N s m/m]
+  std::vector<double> half_turn;       ///< of every body over half the step, by which its forces are turned
+  std::vector<double> spin;            ///< of such a body: its change by loads, with inertia [1/s]
+  std::vector<double> holding;         ///< torque that holds a body's rotation, times the step [N s m/m]
   /// Four numbers of every body as last evaluated: square and norm of what is unbalanced, its largest
   /// impulse, square of the end velocities.
   std::vector<std::array<double, 4>> measured;

@@ -9,46 +9,12 @@
 
 namespace softgrain::mpm
 {
-/// Finds the contact rows of a step.
-/// @param increment displacement of the nodes over the step as far as it is known, null: by their
-/// velocities
-/// @param share     where in the step places and normals are taken
-/// @param again     whether rows of this step are replaced; they hand their impulses on
-/// @param start_gaps true_gaps().here at the start, null: gaps are drawn back from where rows are taken
+/// Finds the contact rows of a step, where bodies are at its start.
 void find_rows(const Problem &problem,
                const State &state,
                Workspace &work,
                const std::vector<WallMotion<2>> &motion,
-               double dt,
-               const std::vector<Eigen::VectorXd> *increment,
-               double share,
-               bool again,
-               const GapsByRow *start_gaps = nullptr);
-
-/// What true_gaps() finds.
-struct FoundGaps
-{
-  GapsByRow here;     ///< of the rows that this rank finds, those of its bodies
-  double deepest = 0; ///< overlap of any row of all ranks [m]
-};
-
-/// Gaps of rows at the start of a step with displacements @p increment (@p share = 0), or at its end (1).
-FoundGaps true_gaps(const Problem &problem,
-                    const State &state,
-                    const Workspace &work,
-                    const std::vector<WallMotion<2>> &motion,
-                    double dt,
-                    const std::vector<Eigen::VectorXd> &increment,
-                    double share);
-
-/// True gaps of the rows of all ranks, on all of them.
-GapsByRow true_gaps_of_all(const Problem &problem,
-                           const State &state,
-                           const Workspace &work,
-                           const std::vector<WallMotion<2>> &motion,
-                           double dt,
-                           const std::vector<Eigen::VectorXd> &increment,
-                           double share);
+               double dt);
 
 /// What outlines say of a step with displacements @p increment: of the bodies of all ranks, on all of them.
 /// @param share 1: where bodies end, 0: where they begin

@@ -22,18 +22,9 @@ void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, bool a
  * added.
  * A compressed free body has a negative stiffness against rotation: what holds it are its contacts, which
  * this matrix does not know; see RankOneSolver.
- *
- * @param pressure_follows adds what makes the pressure p = -tr(τ)/2 of every point act like a load that
- * follows the body, as contacts do: ∫ p (div a div b - grad a : gradᵀ b). With it no shape of the body is
- * unstable because of its pressure. Where the pressure is the same everywhere this is the stiffness of a body
- * in a liquid.
  */
 template <int dim>
-void add_stiffness(const Body<dim> &body,
-                   const StepState<dim> &s,
-                   double factor,
-                   SystemMatrix &matrix,
-                   bool pressure_follows = false);
+void add_stiffness(const Body<dim> &body, const StepState<dim> &s, double factor, SystemMatrix &matrix);
 } // namespace softgrain::mpm
 
 #endif

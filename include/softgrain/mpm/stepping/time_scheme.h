@@ -24,11 +24,6 @@ struct TimeScheme
   double theta = 0.55;
   bool inertia = true;
   bool implicit = true;
-  /// Where in the step the contact rows are taken, 0 its start, 1 its end: in the middle contact does no work
-  /// of its own, at the end the step ends in balance.
-  double row_share = 0.5;
-  /// Whether rows are found again as Newton goes, so that they are those of the step as it comes out.
-  bool rows_follow = false;
 
   /// The terms of a TimeIntegrator. @throw InputError when the name is unknown or theta is outside of [1/2,
   /// 1]
