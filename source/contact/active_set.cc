@@ -114,32 +114,6 @@ double newton_active_set(const Eigen::SparseMatrix<double, Eigen::RowMajor> &W,
   return newton(W, problem, compliance, settings, true, impulses, report);
 }
 
-namespace
-{
-/// Whether Newton's method, which has come to @p impulses, repeats its iterates there and they are good
-/// enough in the mean. It goes on until that is known.
-bool comes_back(const Matrix &W,
-                const Problem &problem,
-                const std::vector<double> &compliance,
-                const SolverSettings &settings,
-                std::vector<double> &impulses,
-                double &residual,
-                SolverReport &report)
-{
-  const auto passes = [&]
-  {
-    return mean_natural_residual(problem, compliance, impulses, velocities(W, problem, impulses)) <=
-           settings.passable_mean;
-  };
-  if (settings.passable_mean == 0. || !passes())
-    return false;
-  if (report.came_back)
-    return true;
-  residual = newton_active_set(W, problem, compliance, settings, impulses, report);
-  return report.came_back && residual > settings.tolerance && passes();
-}
-} // namespace
-
 /// Sweeps between two rounds of Newton, doubled when a round did not help, after which Algorithm::active_set
 /// gives up: where Newton fails so often, more sweeps do not help.
 constexpr unsigned int most_between_rounds = 200;
@@ -214,11 +188,8 @@ SolverReport solve(Operator &op,
           std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
     double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
     const bool plane = problem.n_components == 2;
-    const double good = std::max(settings.tolerance, settings.passable);
-    const bool came_back =
-        plane && after > good && comes_back(W, problem, compliance, settings, trial, after, newton);
     // In the plane at once: sweeps would lead away from impulses that may be close.
-    if (after > good && problem.n_components > 1 && !came_back && !started_again &&
+    if (after > settings.tolerance && problem.n_components > 1 && !started_again &&
         (plane || rounds > 0 || !warm))
     {
       started_again = true; // a second time would end the same
@@ -240,11 +211,10 @@ SolverReport solve(Operator &op,
       evaluate();
       remember();
     }
-    report.came_back = came_back;
+    report.came_back = newton.came_back;
     const bool again = newton.came_back && rounds > 0 && after <= 1.001 * lowest_before;
-    if (report.converged || report.limited_by_rounding || came_back || report.sweeps >= settings.max_sweeps ||
-        (settings.algorithm == Algorithm::active_set &&
-         (chunk > most_between_rounds || again || report.residual <= settings.passable)))
+    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps ||
+        (settings.algorithm == Algorithm::active_set && (chunk > most_between_rounds || again)))
       break;
     // Sweeps may lead away from an iterate that Newton then finds again: progress is a better best residual.
     if (!(lowest < 0.1 * lowest_before) && rounds > 0)

@@ -112,22 +112,6 @@ double natural_residual(const Problem &problem,
   return relative(worst, problem, compliance);
 }
 
-double mean_natural_residual(const Problem &problem,
-                             const std::vector<double> &compliance,
-                             const std::vector<double> &impulses,
-                             const std::vector<double> &velocities)
-{
-  double sum = 0.;
-  std::size_t n_carry = 0;
-  visit_natural_maps(problem, compliance, impulses, velocities,
-                     [&](const std::size_t i, const double here)
-                     {
-                       sum += here * here; // of open contacts, too: they may overlap
-                       n_carry += impulses[i * problem.n_components] > 0.;
-                     });
-  return relative(std::sqrt(sum / std::max<std::size_t>(n_carry, 1)), problem, compliance);
-}
-
 double siconos_residual(const Problem &problem,
                         const std::vector<double> &impulses,
                         const std::vector<double> &velocities)

@@ -45,15 +45,6 @@ struct SolverSettings
   /// Newton iterations at most in one call of solve().
   unsigned int max_newton_iterations = 100;
 
-  /// A residual above the tolerance with which the caller can go on: where Algorithm::active_set comes down
-  /// to it, it tries nothing dearer.
-  double passable = 0.;
-
-  /// Largest mean_natural_residual() in the plane with which the caller can go on where Newton's method
-  /// repeats its iterates, since one or two contacts neither stick nor slide as the others are: nothing
-  /// dearer is tried then. 0: never.
-  double passable_mean = 0.;
-
   /// @throw InputError when a value is out of range.
   void check() const;
 };
@@ -70,8 +61,7 @@ struct SolverReport
   bool limited_by_rounding = false;
   /// Momentum was given up and plain sweeps went on.
   bool fell_back = false;
-  /// Not converged, but Newton repeats its iterates, and the mean_natural_residual() of the one returned is
-  /// within SolverSettings::passable_mean.
+  /// Newton's method has repeated its iterates: one contact neither sticks nor slides as the others are.
   bool came_back = false;
   /// Newton was used, and gave the solution that is returned or polished.
   bool accelerated = false;

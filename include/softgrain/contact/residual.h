@@ -97,13 +97,6 @@ double natural_residual(const Problem &problem,
                         const std::vector<double> &impulses,
                         const std::vector<double> &velocities);
 
-/// Root mean square of natural_map() over the contacts that carry something, over approach_speed()
-/// (dimensionless); arguments as natural_residual().
-double mean_natural_residual(const Problem &problem,
-                             const std::vector<double> &compliance,
-                             const std::vector<double> &impulses,
-                             const std::vector<double> &velocities);
-
 /**
  * @brief The residual that Siconos reports for the problems of its test data: ρ = 1,
  * ‖P - proj_K(P - (w_n + mu |w_t|, w_t))‖ / max(‖P‖, ‖w‖, ‖q‖) with Euclidean norms over all contacts.

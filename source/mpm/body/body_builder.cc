@@ -82,11 +82,11 @@ bool is_circle(const Polygon &loop)
 
 void make_boundary(Body<2> &body, const BodyDescription<2> &description, const BuildContext &context)
 {
-  // Four pieces of polyline between two places that look for contact: their sagitta is then a sixteenth.
+  // Four pieces of polyline between two samples: their sagitta is then a sixteenth.
   constexpr unsigned int pieces = 4;
   const double step = context.settings.marker_spacing * context.lattice.cell_size();
   Boundary<2> &boundary = body.boundary;
-  boundary.contact_stride = pieces;
+  boundary.stride = pieces;
   boundary.spacing = step;
   boundary.loop_start.assign(1, 0);
   for (const Polygon &coarse : description.shape->outline(step))
@@ -105,10 +105,9 @@ void make_boundary(Body<2> &body, const BodyDescription<2> &description, const B
   }
   boundary.position = boundary.grid_position;
   find_corners(boundary);
-  boundary.smooth = description.shape->round() && !boundary.corner.empty() &&
-                    std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0;
-  // A hole must look for contact, too, which places that stand in space do not do for it.
-  boundary.circular = boundary.smooth && boundary.n_loops() == 1 && is_circle(boundary.position);
+  boundary.circular = description.shape->round() && !boundary.corner.empty() &&
+                      std::count(boundary.corner.begin(), boundary.corner.end(), 1) == 0 &&
+                      boundary.n_loops() == 1 && is_circle(boundary.position);
 }
 } // namespace
 

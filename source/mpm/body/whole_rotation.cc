@@ -107,11 +107,6 @@ double pressure_area(const Body<2> &body, const StepState<2> &s)
   return sum;
 }
 
-double rotation_stiffness(const Body<2> &body, const StepState<2> &s)
-{
-  return 2.5 * std::max(0., pressure_area(body, s));
-}
-
 void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity)
 {
   dealii::Tensor<1, 2> sum;

@@ -257,7 +257,6 @@ contact::SolverReport ContactSystem<dim>::solve(std::vector<double> free_velocit
   free_walls.add_stops(free_velocity);
   const double factor = free_walls.tolerance_factor(free_velocity);
   settings.tolerance *= factor;
-  settings.passable *= factor;
   return std::visit(
       [&](auto &W)
       {

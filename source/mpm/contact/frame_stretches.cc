@@ -20,7 +20,7 @@ SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outl
 {
   SampledSurface<2> surface;
   const Boundary<2> &boundary = body.boundary;
-  const unsigned int stride = std::max(1u, boundary.contact_stride);
+  const unsigned int stride = std::max(1u, boundary.stride);
   for (unsigned int l = 0; l < boundary.n_loops(); ++l)
   {
     const unsigned int begin = boundary.loop_start[l], end = boundary.loop_start[l + 1],

@@ -25,7 +25,7 @@ Vector at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
 double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
 {
   double way = 0.;
-  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.contact_stride)
+  for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.stride)
     way = std::max(way, at_marker(body.field.marker_weights(m), displacement).norm());
   return way;
 }
@@ -46,7 +46,7 @@ MovedBoundary::MovedBoundary(const Body<2> &body, const OutlineScene &scene)
       upper[d] = std::max(upper[d], position[m][d]);
     }
     // Not of the nodes: those on the rim may be fast and move nothing.
-    if (m % body.boundary.contact_stride == 0)
+    if (m % body.boundary.stride == 0)
       spread = std::max(spread, (displacement[m] - travel).norm());
   }
 }

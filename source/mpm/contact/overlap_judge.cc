@@ -79,7 +79,7 @@ private:
   {
     if (scene.obstacles == nullptr)
       return;
-    const double spacing = own.boundary().spacing / own.boundary().contact_stride;
+    const double spacing = own.boundary().spacing / own.boundary().stride;
     for (unsigned int o = 0; o < scene.obstacles->size(); ++o)
     {
       const Obstacle &obstacle = (*scene.obstacles)[o];

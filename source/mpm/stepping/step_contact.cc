@@ -72,8 +72,7 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   // little above the tolerance: the step is then right to five digits, its residual is reported, and
   // cutting it would not help. Likewise where all contacts are right to five digits in the mean, but one
   // neither sticks nor slides.
-  is_converged =
-      report.converged || report.limited_by_rounding || report.came_back || report.residual <= allowed;
+  is_converged = report.converged || report.limited_by_rounding || report.residual <= allowed;
   if (is_converged)
     return "";
   if (!problem.settings.failed_problem_directory.empty())

@@ -24,9 +24,8 @@ namespace softgrain::mpm
 /**
  * @brief The boundary of a body: closed polylines of markers that move with the field.
  *
- * Every `contact_stride`-th marker is a place where contact is looked for; those between make the polyline
- * smooth, so that what touches this body meets its true shape. They look, too, where the outline is
- * stretched.
+ * Every `stride`-th marker is a sample of the outline where the search for contact looks; those between make
+ * it smooth.
  */
 template <int dim>
 struct Boundary
@@ -34,12 +33,10 @@ struct Boundary
   std::vector<dealii::Point<dim>> grid_position; ///< in the configuration of the grid [m]
   std::vector<dealii::Point<dim>> position;      ///< now [m]
   std::vector<unsigned int> loop_start;          ///< first marker of every closed loop, and the end
-  unsigned int contact_stride = 1;
-  double spacing = 0.;      ///< of places that look for contact, at rest [m]
+  unsigned int stride = 1;
+  double spacing = 0.;      ///< of samples, at rest [m]
   std::vector<char> corner; ///< of every marker: whether the outline at rest has a corner there
-  bool smooth = false;      ///< no corners, holes excepted
-  bool circular =
-      false; ///< smooth, and a circle at rest: rows may stand anywhere on it, and turning it changes nothing
+  bool circular = false;    ///< a circle at rest, without a hole: turning it changes nothing
 
   unsigned int n_loops() const { return loop_start.empty() ? 0 : loop_start.size() - 1; }
   /// Marker after @p m in its loop.

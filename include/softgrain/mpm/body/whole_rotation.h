@@ -27,17 +27,6 @@ Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
 double pressure_area(const Body<2> &body, const StepState<2> &s);
 
 /**
- * @brief Stiffness against rotation of a whole body that the matrix of Newton's method gets beside that of
- * its material [N m/m].
- *
- * Linearised, a body under forces that keep their place and direction has -2 p A, with p the mean pressure
- * and A the area: rows are frozen within an iteration of Newton's method. They are found again in the next,
- * and then a round body turns at no cost. 2.5 p A in the matrix stands for that. It is not part of the
- * equations, so nothing resists.
- */
-double rotation_stiffness(const Body<2> &body, const StepState<2> &s);
-
-/**
  * @brief Makes the rotation of a whole body in a step of Newton's method a true one.
  *
  * A step u that turns a body by φ = r·u moves its nodes along tangents, which stretches it by φ²/2: more than

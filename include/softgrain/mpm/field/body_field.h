@@ -126,7 +126,6 @@ public:
   /// The field at marker @p m in terms of independent nodes.
   NodeWeightsView marker_weights(const unsigned int m) const { return marker_rows[m]; }
   bool knows_markers() const { return marker_rows.size() > 0; }
-  const WeightsOfPlaces &all_marker_weights() const { return marker_rows; }
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
   /// it.
   NodeWeights weights_at(const dealii::Point<dim> &x) const;
