@@ -57,7 +57,7 @@ template <class Solver>
 void check(const std::string &name)
 {
   Squeezed at;
-  const double k = mpm::rotation_stiffness(at.body, at.points);
+  const double k = 2.5 * mpm::pressure_area(at.body, at.points);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> bare(at.dense(0.)), held(at.dense(k));
   RankOneSolver solver(std::make_unique<Solver>());
   solver.set_update(at.rotation, k);

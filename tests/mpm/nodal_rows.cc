@@ -64,9 +64,8 @@ public:
   std::vector<ContactRow<2>> find(const bool gap) const
   {
     std::vector<ContactRow<2>> rows;
-    const std::vector<dealii::Tensor<1, 2>> drive(bodies.size());
     const ContactPairs between = pairs();
-    NodalContact(*shape, gap).find({bodies, drive, walls, between, 1e-6, 0.1}, rows);
+    NodalContact(*shape, gap).find({bodies, walls, between, 1e-6, 0.1}, rows);
     return rows;
   }
 
