@@ -139,6 +139,30 @@ void read_cell(const Hdf5File &file, const std::string &group, Snapshot<2> &snap
       [](auto &contact) -> auto & { return contact.image; });
 }
 
+/// What the width of a contact of round bodies is made of.
+template <typename Action>
+void for_each_width_array(const Action &action)
+{
+  action(
+      "bodies/curvature_per_m", [](auto &body) -> auto & { return body.curvature; });
+  action(
+      "bodies/compliance_per_Pa", [](auto &body) -> auto & { return body.compliance; });
+}
+
+void write_widths(const Hdf5Group &file, const std::vector<BodyState<2>> &bodies)
+{
+  if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) { return body.curvature > 0.; }))
+    for_each_width_array([&](const std::string &name, const auto &member)
+                         { write_rows(file, name, bodies, member); });
+}
+
+void read_widths(const Hdf5File &file, const std::string &group, std::vector<BodyState<2>> &bodies)
+{
+  if (file.contains(group + "bodies/curvature_per_m"))
+    for_each_width_array([&](const std::string &name, const auto &member)
+                         { read_rows(file, group + name, bodies, member); });
+}
+
 template <typename Action>
 void for_each_obstacle_array(const Action &action)
 {
@@ -277,6 +301,7 @@ void write_snapshot(Hdf5File &whole_file,
   file.write("bodies/name", names_of(snapshot.bodies));
   for_each_body_array([&](const std::string &name, const auto &member)
                       { write_rows(file, name, snapshot.bodies, member); });
+  write_widths(file, snapshot.bodies);
   write_outlines(file, snapshot.bodies);
   for_each_contact_array([&](const std::string &name, const auto &member)
                          { write_rows(file, name, snapshot.contacts, member); });
@@ -317,6 +342,7 @@ Snapshot<2> read_snapshot_group(const Hdf5File &file, const std::string &group)
     return [&](const std::string &name, const auto &member) { read_rows(file, group + name, items, member); };
   };
   for_each_body_array(read_into(snapshot.bodies));
+  read_widths(file, group, snapshot.bodies);
   read_outlines(file, group, snapshot.bodies);
   for_each_contact_array(read_into(snapshot.contacts));
   for_each_contact_index([&](const std::string &name, const auto &member)

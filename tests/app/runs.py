@@ -216,7 +216,7 @@ class Signals(Runs):
     def test_terminate_mpm(self):
         self.check("mpm", signal.SIGTERM, [signal.SIGTERM])
         # As if never stopped.
-        allowed = ["Contact/Geometry=surface", "Mesh/Cell size=1.8e-4", "Time/CFL multiple=20", "Output/Number of field outputs=0"]
+        allowed = LONG_STEPS["mpm"]
         self.run_scene("mpm", "--restart", settings=allowed)
         resumed = (self.folder / "history.csv").read_text()
         self.run_scene("mpm", "--overwrite", settings=allowed)
@@ -226,7 +226,7 @@ class Signals(Runs):
         self.check("bpm", signal.SIGTERM)
 
     def test_held(self):
-        """Without inertia a step goes on with its walls at rest until the bodies are in balance: here never."""
+        """Without inertia a step goes on with its walls at rest until the bodies are in balance."""
         self.check("held", signal.SIGTERM, seconds=2)
 
     def test_as_if_never_stopped_held(self):

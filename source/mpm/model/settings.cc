@@ -252,9 +252,6 @@ void check_shape_function(const Settings &settings)
   if (!function->nowhere_negative() && settings.scheme.inertia)
     throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name + "'" + negative +
                      "'quasi_static', or another shape function");
-  if (!function->nowhere_negative() && !settings.by_rays)
-    throw InputError(name + " is not allowed with 'Contact/Geometry' = '" + settings.contact_geometry + "'" +
-                     negative + "'rays', or another shape function");
   if (settings.points_per_direction < function->least_points())
     throw InputError("'Material points/Points per direction' = '" +
                      std::to_string(settings.points_per_direction) +
