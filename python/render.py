@@ -15,7 +15,7 @@ with packages_of("render"):
     from softgrain import InputError, Run
     from softgrain.command import Parser, run_tool
     from softgrain import film
-    from softgrain.colouring import columns_of
+    from softgrain.colouring import ALONG_CONTACTS, columns_of
     from softgrain.options import add_shared, between
     from softgrain.picture import Options, picture_of
 
@@ -208,6 +208,8 @@ def print_list(run):
     for part, text in (("points", "fields"), ("bodies", "fields of whole bodies")):
         if names := columns_of(last, part):
             print(f"{text}: " + ", ".join(sorted(names)))
+    if last.has("contacts"):
+        print("fields along contacts: " + ", ".join(ALONG_CONTACTS))
 
 
 def main():

@@ -35,6 +35,19 @@ def near_names(name, known):
     return " or ".join(dict.fromkeys(short.get(one, one) for one in found))
 
 
+def told_instead(name, known):
+    """
+    What is said of a name that does not exist: near ones, or all.
+
+    >>> told_instead("presure", ["pressure_Pa"]), told_instead("x", ["time_s", "step"])
+    ('did you mean pressure_Pa?', 'there are time_s, step')
+    """
+    near = near_names(name, known)
+    if near:
+        return f"did you mean {near}?"
+    return f"there are {', '.join(map(str, known)) or 'none'}"
+
+
 def need(package, error):
     """The error for a missing Python package, naming Debian's."""
     return InputError(f"Debian's package {package} is needed: apt install {package} ({error})")

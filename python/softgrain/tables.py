@@ -9,8 +9,8 @@ from typing import Any, List
 
 import numpy as np
 
-from .errors import InputError, MissingName, near_names
-from .units import UNITS, split_unit
+from .errors import InputError, MissingName, told_instead
+from .units import full_name, split_unit
 
 WORDS = ("material", "name", "shape")  # columns of tables that are no numbers
 COMPONENTS = {2: ("x", "y"), 3: ("xx", "yy", "xy"), 4: ("xx", "xy", "yx", "yy")}
@@ -45,15 +45,7 @@ class Table:
         full = self.resolve(name)
         if full is None:
             where = f"{self._title} of {self._path}" if self._path else self._title
-            near = near_names(name, self._columns)
-            raise MissingName(
-                f"there is no '{name}' in {where}; "
-                + (
-                    f"did you mean {near}?"
-                    if near
-                    else f"there are {', '.join(self._columns) or 'none'}"
-                )
-            )
+            raise MissingName(f"there is no '{name}' in {where}; {told_instead(name, self)}")
         value = self._columns[full]
         if callable(value):
             value = self._columns[full] = value()
@@ -99,10 +91,7 @@ class Table:
 
     def resolve(self, name):
         """The full name of a column, with its unit; None when there is no such column."""
-        if name in self._columns:
-            return name
-        full = [name + suffix for suffix in UNITS if name + suffix in self._columns]
-        return full[0] if len(full) == 1 else None
+        return full_name(name, self._columns)
 
     def keys(self):
         return self._columns.keys()
@@ -181,15 +170,20 @@ class Table:
         return path
 
     def to_pandas(self):
-        """A pandas.DataFrame; ``attrs["units"]`` holds the units."""
+        """
+        A pandas.DataFrame that finds columns as this table does; ``attrs["units"]`` holds the
+        units.
+        """
         try:
-            import pandas
+            import pandas  # noqa: F401
+
+            from .frame import Frame
         except ImportError as error:
             from .errors import need
 
             raise need("python3-pandas", error) from error
         flat = self.flat()
-        frame = pandas.DataFrame(flat)
+        frame = Frame(flat)
         frame.attrs["units"] = {name: split_unit(name)[1] for name in flat}
         return frame
 

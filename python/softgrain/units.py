@@ -80,6 +80,19 @@ def split_unit(name):
     return name, ""
 
 
+def full_name(name, columns):
+    """
+    The name among @p columns that is meant, its unit left out or not; None where it is not clear.
+
+    >>> full_name("force", ["force_N"]), full_name("force", ["force_N", "force_N_per_m"])
+    ('force_N', None)
+    """
+    if name in columns:
+        return name
+    full = [name + suffix for suffix in UNITS if name + suffix in columns]
+    return full[0] if len(full) == 1 else None
+
+
 def scaled_unit(unit, largest):
     """
     A prefix that leaves numbers of a few digits: (divisor, unit).

@@ -3,6 +3,7 @@
 
 import csv
 import os
+import pickle
 import shutil
 import sys
 import unittest
@@ -166,6 +167,19 @@ class States(unittest.TestCase):
         write("".join(lines[:9]) + lines[9].rstrip("\n")[:-1], 3)  # the last number may not be whole
         self.assertEqual((len(run.history_table), len(run), run[-1].number), (8, 3, 2))
         self.assertEqual(run[-1].time, self.run_.times[2])
+
+    def test_names_in_pandas(self):
+        """A table of pandas finds columns as one of numpy does, also one that was cut, sorted or pickled."""
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        table = self.run_.history
+        self.assertIsInstance(table, pandas.DataFrame)
+        for one in (table, table[table.step > 1], table.sort_values("dt_s"), pickle.loads(pickle.dumps(table))):
+            self.assertTrue(one["top_force"].equals(one["top_force_N_per_m"]))
+        with self.assertRaisesRegex(KeyError, "no 'top_forc' in this table; did you mean top_force_N_per_m"):
+            table["top_forc"]
 
     def test_without_pandas(self):
         with mock.patch.dict(sys.modules, {"pandas": None}):
