@@ -17,7 +17,7 @@ from .picture import Options, Picture
 from .report import add_parameters
 from .report_curves import thinned
 from .report_entry import Entry, in_words
-from .study_picture import COST_TEXTS, groups_of, standard_errors, usable
+from .study_picture import COST_TEXTS, bars_of, groups_of, usable
 from .study_quantities import curve_of, exact_curve
 from .study_text import (
     about_places,
@@ -203,7 +203,7 @@ def add_trade(page, findings):
                     + f"{text} %{{x:.3g}} {unit}<extra></extra>"
                 ),
             }
-            if (bars := standard_errors(points, quantity)) is not None:
+            if (bars := bars_of(points, quantity)) is not None:
                 trace["error_y"] = {"type": "data", "visible": True, "thickness": 1, "array": bars}
             traces.append(trace)
         section.traces(
@@ -221,8 +221,9 @@ def add_trade(page, findings):
         )
     section.text(
         ("Numbers beside the points are values of " + many.name + ". " if many else "")
-        + "The dashed line joins the points that no other beats in both. A bar is the standard"
-        " error of a mean over runs."
+        + "The dashed line joins the points that no other beats in both. A bar is what an error may"
+        " be off by: the standard error of a mean over runs, and of one packing four times what"
+        " leaving out places changes."
     )
 
 

@@ -37,14 +37,11 @@ def usable(findings, quantity):
     )
 
 
-def standard_errors(results, quantity):
-    """Standard error of the mean of every point; None where no mean over runs is compared."""
-    found = [
-        one.differences[quantity.name].scatter
-        / np.sqrt(max(1, sum(run is not None for run in one.runs)))
-        for one in results
-    ]
-    return found if quantity.average == "means" and np.isfinite(found).all() else None
+def bars_of(results, quantity):
+    """What the error of every point may be off by; None where nothing is random."""
+    found = np.array([one.uncertainty[quantity.name] for one in results])
+    found[~np.isfinite(found)] = 0.0
+    return found.tolist() if found.any() else None
 
 
 def groups_of(findings):
@@ -142,7 +139,7 @@ def draw_panel(axes, findings, quantity, many, groups):
             continue
         x, y = zip(*(shown[id(one)] for one in points))
         colour = COLOURS[number % len(COLOURS)]
-        if (bars := standard_errors(points, quantity)) is not None:
+        if (bars := bars_of(points, quantity)) is not None:
             # On a logarithmic axis a bar may not reach 0.
             axes.errorbar(
                 x,
@@ -184,7 +181,7 @@ def draw_panel(axes, findings, quantity, many, groups):
         axes.set_xlim(min(costs) / 1.3, max(costs) * 1.6)
         plain_numbers(axes.xaxis, costs)
     else:
-        axes.set_xlim(left=0)
+        axes.set_xlim(0, 1.25 * max(costs))
     for level in findings.study.levels:
         if axes.get_ylim()[0] < level < axes.get_ylim()[1]:
             axes.axhline(level, color="#b9c2cb", linewidth=0.8, zorder=1)

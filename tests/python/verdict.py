@@ -16,6 +16,7 @@ import numpy as np
 from softgrain.runner import write_record
 from softgrain.study import Session
 from softgrain.study_page import study_page
+from softgrain.study_picture import bars_of
 
 PLACES = (0.82, 0.86, 0.90, 0.94)
 STUDY = """set Scene     = scene.prm
@@ -74,6 +75,8 @@ class Verdicts(unittest.TestCase):
             findings = session.findings()
             from softgrain.study_text import print_findings
             print_findings(findings)
+        quantity = findings.study.quantities[0]
+        self.bars = bars_of([one for one in findings.results if not one.point.is_reference], quantity)
         with open(f"{name}_output/study.json", encoding="utf-8") as file:
             return printed.getvalue().splitlines(), json.load(file), study_page(findings, False).html()
 
@@ -84,6 +87,9 @@ class Verdicts(unittest.TestCase):
         """One rearrangement at .82 makes the finer cells the worse ones: nothing is called best."""
         lines, data, page = self.told({"4": [[0.015, 0.011, -0.012, 0.010]], "2": [[0.052, 0.004, -0.003, 0.004]]})
         self.assertTrue(self.line(lines, "stress within 2 %: one packing cannot decide (it would say: cell = 4, 1.2 %"), lines)
+        # The picture has what the table has.
+        told = [next(line for line in lines if line.startswith(name)).split("±")[1].split("%")[0] for name in ("cell = 4", "cell = 2")]
+        self.assertEqual([f"{100 * bar:.2g}" for bar in self.bars], [text.strip() for text in told])
         self.assertTrue(any(line.startswith("cell = 4") and "(*)" in line for line in lines), lines)
         self.assertFalse(any(line.endswith("  *") or "  *  " in line for line in lines), lines)
         self.assertEqual([line.split()[:1] for line in lines if line.startswith("stress at packing_fraction = ")], [["stress"]])
