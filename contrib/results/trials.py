@@ -102,6 +102,12 @@ SCENES = {
     "bonded, with preparation": (BONDED, ["Walls/top/Velocity=3"]),
     "bonded, 40 grains, to .80": (BONDED, ["Walls/top/Velocity=3", "Packing/Number=40", "Packing/Upper=14e-3, 14e-3", "Stop/Packing fraction=0.8",
                                           "Walls/top/Point=0, 14e-3", "Walls/right/Point=14e-3, 0"]),
+    # From here on, scenes that the rule of trials was not chosen with either.
+    "new: friction .3, .1 m/s": (SOFT, ["Contact/Friction=0.3", "Packing/Seed=11", "Walls/top/Velocity=0.1", "Time/Wall way=0.2"]),
+    "new: hard and soft, friction .5": (SOFT, MIXED + ROUGH + ["Packing/Seed=8"]),
+    "new: Maxwell": (SOFT, ["Packing/Seed=6", "Materials/gel/Law=maxwell"]),
+    "new: without inertia, hard and soft": (SOFT, STILL + MIXED + ["Packing/Seed=9"]),
+    "new: polygons without inertia, friction .3": (SOFT, POLYGONS + STILL + ["Contact/Friction=0.3", "Packing/Seed=7"]),
 }
 UNITS = {"s": 1, "min": 60, "h": 3600, "MB": 1, "GB": 1e3}
 

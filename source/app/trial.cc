@@ -23,8 +23,10 @@ namespace softgrain
 {
 namespace
 {
-/// Part of the time of a trial that a formula may ask for: it may be wrong by as much.
-constexpr double share = 0.2;
+/// Part of the time of a trial that a formula may ask for: it is often wrong by two.
+constexpr double share = 0.5;
+/// Part of the time of a trial that must be left for the scene itself, after a coarser one.
+constexpr double least_left = 0.2;
 /// Share of the way below which nothing is known of the number of steps.
 constexpr double least_fraction = 0.02;
 /// Share of the way from which on the scene itself says more than a coarser one that went all of it.
@@ -300,7 +302,7 @@ Trial try_out(Input &input,
   double duration = trial.fraction >= 1. ? trial.time : 0.;
   // One that came to its end has seen the whole way, the scene as it is knows what its steps take.
   if (const double left = seconds - trial.seconds;
-      !trial.coarser.empty() && trial.fraction >= 1. && left > share * seconds)
+      !trial.coarser.empty() && trial.fraction >= 1. && left > least_left * seconds)
   {
     Trial itself;
     itself.packing = trial.packing;

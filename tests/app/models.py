@@ -49,9 +49,9 @@ class OtherSettings(Runs):
             "Bodies/left/Radius=4.9e-3": "'Bodies/left/Radius' was '5e-3' and is '4.9e-3'",
         })
         # The same number in other words is no change.
-        self.logged("mpm", ["Stop/End time=4e-4", "Contact/Tolerance=1e-6", "Materials/gel/Density=9.9e2"],
-                    ["'Contact/Tolerance': 1e-7 -> 1e-6", "'Stop/End time': 3e-4 -> 4e-4"])
-        self.base = ["Stop/End time=4e-4", "Contact/Tolerance=1e-6"]
+        self.logged("mpm", ["Stop/End time=4e-4", "Contact/Tolerance=1e-6", "Contact/Largest penetration=0.2", "Materials/gel/Density=9.9e2"],
+                    ["'Contact/Tolerance': 1e-7 -> 1e-6", "'Contact/Largest penetration': 0.1 -> 0.2", "'Stop/End time': 3e-4 -> 4e-4"])
+        self.base = ["Stop/End time=4e-4", "Contact/Tolerance=1e-6", "Contact/Largest penetration=0.2"]
         said, _ = self.run_scene("mpm", "--restart", settings=self.base)
         self.assertNotIn("changed", said)
 

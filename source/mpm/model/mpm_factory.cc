@@ -32,9 +32,9 @@ public:
   std::vector<std::string> changeable_on_restart() const override
   {
     std::vector<std::string> names = ContactSettings::names();
-    names.insert(names.end(),
-                 {"Time/Time step", "Time/CFL multiple", "Time/Wall way", "Time/Smallest step", "Newton/",
-                  "Quasi-static/", "Linear solver/", "Contact/Keep failed problems in"});
+    names.insert(names.end(), {"Time/Time step", "Time/CFL multiple", "Time/Wall way", "Time/Smallest step",
+                               "Newton/", "Quasi-static/", "Linear solver/",
+                               "Contact/Keep failed problems in", "Contact/Largest penetration"});
     return names;
   }
 

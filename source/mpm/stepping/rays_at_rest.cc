@@ -178,7 +178,9 @@ StepOutcome RaysAtRest::settle(const double dt)
       careful = true;
       least = std::min(highest, rise * least);
       if (resistance > most_resistance)
-        throw ComputationError("no balance is found with the walls at rest: " + outcome.reason);
+        throw ComputationError("no balance is found with the walls at rest: " + outcome.reason +
+                               "; 'Time/Scheme' = 'moreau_jean' has inertia, which carries bodies on where "
+                               "balance is lost");
       continue;
     }
     careful = false;
