@@ -255,6 +255,7 @@ def rows_along(state, body, partner):
             ("rubbed", rubbed),
             ("length_m", length),
             ("place_m", place),
+            ("tangent", tangent),
         )
     }
 
@@ -335,9 +336,9 @@ def of_moments(rows, resolution, hertz):
 
 
 def direction_of(rows):
-    """From the first place to the last; of a single one there is none that matters."""
+    """From the first place to the last; of a single one along its tangent."""
     way = rows["place_m"][-1] - rows["place_m"][0]
-    return way / np.hypot(*way) if np.hypot(*way) > 0 else np.zeros(2)
+    return way / np.hypot(*way) if np.hypot(*way) > 0 else rows["tangent"][0]
 
 
 def series(places, forces, terms, x):

@@ -151,7 +151,7 @@ std::vector<double> series(const std::vector<Place> &places,
 dealii::Point<2> point_at(const std::vector<Place> &places, const double along)
 {
   const Vector whole = places.back().point - places.front().point;
-  const Vector way = whole.norm() > 0. ? whole / whole.norm() : Vector();
+  const Vector way = whole.norm() > 0. ? whole / whole.norm() : places.front().tangent;
   if (along <= places.front().along || places.size() == 1)
     return places.front().point + (along - places.front().along) * way;
   if (along >= places.back().along)

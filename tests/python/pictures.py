@@ -198,12 +198,15 @@ class Pictures(unittest.TestCase):
         state.__dict__.pop("pairs"), state.__dict__.pop("contact_pressures")
         np.testing.assert_allclose(state.contact_pressures.contact_pressure_Pa, 6.)
         rows = {"along_m": np.array([-1., 0., 1.]), "pressed": np.ones(3), "rubbed": np.zeros(3), "length_m": np.ones(3),
-                "place_m": np.zeros((3, 2))}
+                "place_m": np.zeros((3, 2)), "tangent": np.tile([0., 1.], (3, 1))}
         with self.assertRaisesRegex(softgrain.InputError, "bears its force at 3 places alone, which tells no width"):
             of_moments(rows, 2., None)
         by_law = of_moments(rows, 2., 1.5)
         self.assertEqual((by_law.half_width_m, by_law.width_from), (1.5, "Hertz's law"))
         self.assertAlmostEqual(float(by_law.pressure_Pa @ by_law.length_m), 3.)
+        # The force of a single place is spread along its tangent: else a narrow contact would not be seen.
+        single = of_moments({name: values[1:2] for name, values in rows.items()}, 2., 1.5)
+        np.testing.assert_allclose(single.place_m, np.stack([0 * single.along_m, single.along_m], axis=1), atol=1e-12)
 
     def test_titles_of_a_series(self):
         """One unit of time, as many digits in all, and what the scene goes by: the strain that ends it, or the packing fraction."""
