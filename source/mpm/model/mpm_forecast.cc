@@ -259,19 +259,20 @@ Forecast forecast(const Scene<2> &scene,
                         : 0.,
                     fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
   result.warnings = warnings(scene, settings, run, result.step, cfl);
-  const double nx = std::ceil((settings.mesh_upper[0] - settings.mesh_lower[0]) / settings.finest_cell() *
-                              (1. - 1e-9)),
-               ny = std::ceil((settings.mesh_upper[1] - settings.mesh_lower[1]) / settings.finest_cell() *
-                              (1. - 1e-9));
-  result.sizes = {
-      {"material points", "about " + count_in_words(points)},
-      {"background mesh", text(nx, " x ") + text(ny, " cells of ") + text(settings.finest_cell(), " m")},
-      {"unknowns", "about " + count_in_words(unknowns)},
-      {"shape functions", settings.shape},
-      {"time scheme", settings.scheme.name},
-      {"contact", settings.contact_geometry},
-      {"CFL step", text(cfl, " s")},
-      {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
+  const auto cells_along = [&settings](const unsigned int d)
+  {
+    const double length = settings.mesh_upper[d] - settings.mesh_lower[d];
+    return std::to_string(std::llround(std::ceil(length / settings.finest_cell() * (1. - 1e-9))));
+  };
+  result.sizes = {{"material points", "about " + count_in_words(points)},
+                  {"background mesh", cells_along(0) + " x " + cells_along(1) + " cells of " +
+                                          text(settings.finest_cell(), " m")},
+                  {"unknowns", "about " + count_in_words(unknowns)},
+                  {"shape functions", settings.shape},
+                  {"time scheme", settings.scheme.name},
+                  {"contact", settings.contact_geometry},
+                  {"CFL step", text(cfl, " s")},
+                  {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
   return result;
 }
 } // namespace softgrain::mpm
