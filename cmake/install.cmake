@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 include(GNUInstallDirs)
 install(TARGETS softgrain LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+set(softgrain_search_path "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+if(SOFTGRAIN_STAND_INS_DIR)
+  install(DIRECTORY ${SOFTGRAIN_STAND_INS_DIR} DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_PERMISSIONS OWNER_READ OWNER_WRITE
+    GROUP_READ WORLD_READ)
+  list(APPEND softgrain_search_path "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/softgrain-stand-ins")
+endif()
 if(TARGET softgrain_executable)
   set_target_properties(softgrain_executable PROPERTIES
-    INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+    INSTALL_RPATH "${softgrain_search_path}")
   install(TARGETS softgrain_executable RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 if(TARGET softgrain_law_tester)
   set_target_properties(softgrain_law_tester PROPERTIES
-    INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+    INSTALL_RPATH "${softgrain_search_path}")
   install(TARGETS softgrain_law_tester RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY include/softgrain bpm/include/softgrain ${PROJECT_BINARY_DIR}/include/softgrain

@@ -39,8 +39,11 @@ function(softgrain_setup_target target)
   target_link_libraries(${target} softgrain_options)
   # Programs are compiled as the precompiled headers are, or GCC does not take these. deal.II 9.4 sees to that itself.
   get_target_property(type ${target} TYPE)
-  if(type STREQUAL "EXECUTABLE" AND NOT DEAL_II_CXX_FLAGS MATCHES "-fPIC")
-    target_compile_options(${target} PRIVATE -fPIC)
+  if(type STREQUAL "EXECUTABLE")
+    if(NOT DEAL_II_CXX_FLAGS MATCHES "-fPIC")
+      target_compile_options(${target} PRIVATE -fPIC)
+    endif()
+    softgrain_use_stand_ins(${target})
   endif()
 endfunction()
 

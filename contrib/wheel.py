@@ -30,12 +30,13 @@ setup(cmdclass={{"bdist_wheel": OfMachine}})
 
 
 def copy_program(prefix, target):
-    """Program and library of an installation."""
+    """Program and library of an installation, and the libraries that stand in for those it does not need."""
     libraries = sorted(prefix.glob("lib*/libsoftgrain*")) + sorted(prefix.glob("lib*/*/libsoftgrain*"))
     program = prefix / "bin/softgrain"
     if not program.is_file() or not libraries:
         sys.exit(f"wheel: {prefix} is no installation of softgrain: cmake --install build/release --prefix {prefix}")
-    for path in (program, *libraries):
+    stand_ins = sorted(prefix.glob("lib*/softgrain-stand-ins/*")) + sorted(prefix.glob("lib*/*/softgrain-stand-ins/*"))
+    for path in (program, *libraries, *stand_ins):
         place = target / path.relative_to(prefix)
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, place)

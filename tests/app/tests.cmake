@@ -61,6 +61,13 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
   set_tests_properties(app/careful_inputs PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 endif()
 
+if(SOFTGRAIN_STAND_INS_DIR)
+  add_test(NAME app/stand_ins
+    COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/stand_ins.py $<TARGET_FILE:softgrain_executable>
+      ${SOFTGRAIN_STAND_INS_DIR})
+  set_tests_properties(app/stand_ins PROPERTIES LABELS "quick;app" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
+endif()
+
 # Kills and refused writes at every call need a library that is loaded before the C library.
 add_library(test_app_stop_at_call MODULE ${CMAKE_CURRENT_SOURCE_DIR}/app/preload/stop_at_call.c)
 set_target_properties(test_app_stop_at_call PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/app)
