@@ -5,7 +5,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # tests need not be built for a packag
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME softgrain)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The softgrain developers <softgrain@localhost>")
+set(CPACK_PACKAGE_CONTACT "The softgrain developers <softgrain@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mechanics of packings of soft particles")
 set(CPACK_PACKAGE_DESCRIPTION
   "softgrain computes how packings of soft particles deform, by the material point method or by bonded particles, with contact and friction. It comes with a Python package, headers for constitutive laws of your own, scenes and the manual.")
