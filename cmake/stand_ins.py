@@ -20,7 +20,7 @@ def output(*command):
 
 
 class Library:
-    """What a library defines (name: kind and size), what it wants, and the libraries that it names."""
+    """What a library defines (name: kind and size), what it wants, the libraries that it names, and whether it says where they are."""
 
     def __init__(self, path):
         self.defined, self.wanted = {}, set()
@@ -30,7 +30,9 @@ class Library:
                 self.wanted.add(name)
             elif kind not in "wv":
                 self.defined[name] = kind, int(numbers[1], 16) if len(numbers) == 2 else 0
-        self.needed = re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "--dynamic", "--wide", path))
+        dynamic = output("readelf", "--dynamic", "--wide", path)
+        self.needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
+        self.has_path = re.search(r"\((RPATH|RUNPATH)\)", dynamic) is not None
 
 
 def loaded(library):
@@ -56,8 +58,11 @@ def stand_ins(deal_ii):
     paths = loaded(deal_ii)
     kept, direct, waiting = {deal_ii.name: Library(deal_ii)}, set(), [deal_ii.name]
     while waiting:
-        for name in kept[waiting.pop()].needed:
+        user = kept[waiting.pop()]
+        for name in user.needed:
             if NEVER_CALLED.match(name):
+                if user.has_path:
+                    sys.exit("no stand-ins, since what uses Gmsh or OpenCASCADE has a search path of its own, which comes first")
                 direct.add(name)
             elif name not in kept:
                 kept[name] = Library(paths[name])
