@@ -57,6 +57,12 @@ def main():
                  "softgrain/third-party/plotly-basic.min.js", "softgrain/parameters/gallery/two_disks.prm"):
         assert os.path.isfile(os.path.join(share, path)), path
     version = call(program, "--version").split()[1]
+    made = os.path.join(build, "lib/softgrain-stand-ins")
+    if os.path.isdir(made) and os.listdir(made):
+        for line in call("ldd", program).splitlines():
+            if line.split()[0] in os.listdir(made):
+                place = os.path.realpath(line.split()[2])
+                assert place.startswith(os.path.realpath(prefix) + "/") and "/softgrain-stand-ins/" in place, line
 
     # The example as a user copies it; another version or another build type is refused.
     shutil.copytree(os.path.join(share, "softgrain/examples/custom_law"), "law")
