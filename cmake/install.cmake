@@ -5,7 +5,7 @@ set(softgrain_search_path "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 if(SOFTGRAIN_STAND_INS_DIR)
   install(DIRECTORY ${SOFTGRAIN_STAND_INS_DIR} DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_PERMISSIONS OWNER_READ OWNER_WRITE
     GROUP_READ WORLD_READ)
-  list(APPEND softgrain_search_path "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/softgrain-stand-ins")
+  list(PREPEND softgrain_search_path "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/softgrain-stand-ins") # below /usr the real ones are beside
 endif()
 if(TARGET softgrain_executable)
   set_target_properties(softgrain_executable PROPERTIES
