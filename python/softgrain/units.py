@@ -12,6 +12,7 @@ UNITS = {  # longest first: the end of a name says its unit
     "_m_per_s2": "m/s²",
     "_kg_per_m": "kg/m",
     "_per_rad": "1/rad",
+    "_per_Pa": "1/Pa",
     "_N_per_m": "N/m",
     "_J_per_m": "J/m",
     "_m_per_s": "m/s",

@@ -10,7 +10,7 @@ namespace softgrain
 namespace
 {
 /// Longest first: `_m_per_s` ends with `_s`.
-constexpr std::array<std::pair<const char *, const char *>, 22> units = {{{"_kg_m_per_s", "kg m/s"},
+constexpr std::array<std::pair<const char *, const char *>, 23> units = {{{"_kg_m_per_s", "kg m/s"},
                                                                           {"_kg_per_m3", "kg/m^3"},
                                                                           {"_rad_per_s", "rad/s"},
                                                                           {"_J_per_m3", "J/m^3"},
@@ -18,6 +18,7 @@ constexpr std::array<std::pair<const char *, const char *>, 22> units = {{{"_kg_
                                                                           {"_m_per_s2", "m/s^2"},
                                                                           {"_kg_per_m", "kg/m"},
                                                                           {"_per_rad", "1/rad"},
+                                                                          {"_per_Pa", "1/Pa"},
                                                                           {"_N_per_m", "N/m"},
                                                                           {"_J_per_m", "J/m"},
                                                                           {"_m_per_s", "m/s"},

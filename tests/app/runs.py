@@ -216,7 +216,7 @@ class Signals(Runs):
     def test_terminate_mpm(self):
         self.check("mpm", signal.SIGTERM, [signal.SIGTERM])
         # As if never stopped.
-        allowed = LONG_STEPS["mpm"]
+        allowed = [*LONG_STEPS["mpm"], "Stop/End time=3e-4"]
         self.run_scene("mpm", "--restart", settings=allowed)
         resumed = (self.folder / "history.csv").read_text()
         self.run_scene("mpm", "--overwrite", settings=allowed)

@@ -18,12 +18,11 @@ SCENES = {"mpm": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3"],
                    "Mesh/Cell size=6.4e-4", "Walls/top/Velocity=5", "Output/Fields every=0", "Output/Snapshots every=0",
                    "Stop/End time=6.4e-4"]}
 # Steps that take seconds, by their mesh, or minutes, by sweeps towards a tolerance that rounding forbids.
-LONG_STEPS = {"mpm": ["Mesh/Cell size=1.8e-4", "Time/CFL multiple=1000", "Stop/End time=3e-4",
-                      "Output/Number of field outputs=0"],
+LONG_STEPS = {"mpm": ["Mesh/Cell size=1.3e-4", "Time/CFL multiple=1000", "Output/Number of field outputs=0"],
               "bpm": ["Walls/Names=bottom, top, left, right", "Walls/left/Point=-2.1e-3, 0",
                       "Walls/right/Point=2.1e-3, 0", "Walls/top/Velocity=20", "Contact/Algorithm=gauss_seidel",
                       "Contact/Tolerance=1e-14", "Contact/Wall tolerance=1e-14", "Contact/Maximum sweeps=2000000000"],
-              "held": ["Mesh/Cell size=1.6e-4", "Quasi-static/Unbalanced force=1e-12", "Quasi-static/Held steps=100000"]}
+              "held": ["Mesh/Cell size=1.3e-4", "Quasi-static/Unbalanced force=1e-12", "Quasi-static/Held steps=100000"]}
 MANY_STEPS = ["Time/CFL multiple=1e-4", "Output/Number of field outputs=0"]
 
 
