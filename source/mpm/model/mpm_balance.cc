@@ -70,6 +70,7 @@ struct NodalVectors
       : displacement(body.displacement)
       , velocity(body.velocity)
       , velocity_of_points(body.velocity_of_points)
+      , rate(body.rate)
       , internal_force(body.internal_force)
   {
   }
@@ -78,9 +79,10 @@ struct NodalVectors
     body.displacement = displacement;
     body.velocity = velocity;
     body.velocity_of_points = velocity_of_points;
+    body.rate = rate;
     body.internal_force = internal_force;
   }
-  Eigen::VectorXd displacement, velocity, velocity_of_points, internal_force;
+  Eigen::VectorXd displacement, velocity, velocity_of_points, rate, internal_force;
 };
 } // namespace
 

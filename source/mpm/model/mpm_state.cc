@@ -108,6 +108,8 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     out.write(at + "nodes/velocity", flat(body.velocity));
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
+    if (body.rate.size() > 0)
+      out.write(at + "nodes/rate", flat(body.rate));
     if (state.repeats())
       out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
   }
@@ -181,6 +183,9 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
     body.internal_force.resize(body.field.n_dofs());
     unflat(in, at + "nodes/internal_force", body.internal_force);
+    body.rate.resize(in.contains(at + "nodes/rate") ? body.field.n_dofs() : 0);
+    if (body.rate.size() > 0)
+      unflat(in, at + "nodes/rate", body.rate);
     if (state.repeats())
     {
       const std::vector<double> home = in.read_doubles(at + "home", 2);

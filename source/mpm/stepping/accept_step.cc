@@ -125,6 +125,8 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
         Eigen::VectorXd &v = step.velocity[body.index];
         std::swap(body.internal_force, step.internal_force[body.index]);
         body.displacement += step.increment[body.index];
+        if (!problem.settings.scheme.inertia && !step.plan.held)
+          body.rate = step.rate[body.index];
         if (cell && cell->deforms())
           body.translate(dt * cell->velocity(centers[body.index]));
         if (body.velocity.size() > 0)

@@ -69,8 +69,8 @@ typename RayEquations<dim>::Vectors RayEquations<dim>::free_way() const
 {
   Vectors ways = at_rest;
   for (const Body<dim> &body : world.bodies)
-    if (inertia && !body.driven)
-      ways[body.index] = plan.dt * body.velocity;
+    if (const Eigen::VectorXd &rate = inertia ? body.velocity : body.rate; !body.driven && rate.size() > 0)
+      ways[body.index] = plan.dt * rate;
   return ways;
 }
 

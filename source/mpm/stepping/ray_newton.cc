@@ -213,25 +213,30 @@ void RayNewton<dim>::begin_to_pull()
   take_forces_of_start();
 }
 
-/// Goes where bodies go by themselves; what turns inside out there sets out from rest.
+/// Goes where bodies go by themselves, or without inertia where the last step went; what turns inside out
+/// there sets out from rest. Held steps begin at rest. Rays know first where they are when the step begins.
 template <int dim>
 bool RayNewton<dim>::begin()
 {
   const bool adheres = scene.adhesion != nullptr;
-  if (inertia || adheres)
+  const bool goes_on =
+      inertia || (!plan.held && std::any_of(world.bodies.begin(), world.bodies.end(),
+                                            [](const Body<dim> &body) { return body.rate.size() > 0; }));
+  if (goes_on || adheres)
     if (!meet(way))
       leave_unmet_rays();
   if (adheres)
     begin_to_pull();
-  if (!inertia)
-    return evaluate(way);
-  way = free_way();
-  for (const Eigen::VectorXd &of_body : way)
-    path = std::max(path, h + of_body.template lpNorm<Eigen::Infinity>());
-  if (evaluate(way))
-    return true;
-  path += path;
-  way = at_rest;
+  if (goes_on)
+  {
+    way = free_way();
+    for (const Eigen::VectorXd &of_body : way)
+      path = std::max(path, h + of_body.template lpNorm<Eigen::Infinity>());
+    if (evaluate(way))
+      return true;
+    path += path;
+    way = at_rest;
+  }
   return evaluate(way);
 }
 

@@ -91,7 +91,10 @@ struct Body
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
   Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
   Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]; likewise
-  Eigen::VectorXd internal_force;     ///< end of the last step [N]
+  /// Mean over the last step that was not held, without inertia, from which the next sets out [m/s]; empty:
+  /// there was none on this grid.
+  Eigen::VectorXd rate;
+  Eigen::VectorXd internal_force; ///< end of the last step [N]
 
   /// Copy of the cell that repeats from which it has been brought to where it is.
   typename PeriodicCell<dim>::Image home{};

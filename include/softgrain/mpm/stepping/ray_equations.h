@@ -69,7 +69,7 @@ protected:
   void lay();
   /// Rays carry what they carried when the step began.
   void take_forces_of_start();
-  /// The way of bodies that go on as they do; none without inertia [m].
+  /// The way of bodies that go on as they do [m].
   Vectors free_way() const;
   /// Stress, and where rays meet the surfaces, after nodes have moved by @p way. @return whether there is
   /// such a state
