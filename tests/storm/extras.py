@@ -74,7 +74,7 @@ def add_to_soft(dice, scene, sizes, scheme, family):
         scene.set("Material points/Grid update", "every step")
         scene.set("Contact/Geometry", "nodes")
         scene.set("Contact/Nodal gap", dice.choice([True, False]))
-        scene.set("Contact/Solver", "lumped" if scene.get("Contact/Nodal gap") else "condensed")
+        scene.set("Contact/Solver", "lumped" if scene.get("Contact/Nodal gap") == "true" else "condensed")
         for key in ("Marker spacing", "Algorithm"):
             scene.values.pop(f"Contact/{key}", None)
     elif kind == "refined" and plain and scheme in ("moreau_jean", "quasi_static") and len(scene.names("Bodies")) > 1 \

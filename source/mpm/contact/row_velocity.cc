@@ -27,21 +27,6 @@ std::vector<double> row_velocity(const State &state,
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   std::vector<double> q = work.contact.relative_velocity(work.share, state.bodies, work.drive, v);
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
-  dealii::Tensor<2, 2> at_start, at_end;
-  if (cell)
-  {
-    CellMotion first = *cell, last = *cell;
-    for (const FreeWall<2> &free : work.contact.free_walls.list)
-      if (state.walls[free.wall].repeats())
-      {
-        const double mean = free.slides() ? motion[free.wall].slide : motion[free.wall].velocity;
-        first.add_side(free.normal, (free.start_speed - mean) * free.way);
-        last.add_side(free.normal, ((with_impulses ? free.speed : free.free_speed) - mean) * free.way);
-      }
-    at_start = first.gradient;
-    at_end = last.gradient;
-  }
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     // Slabs that are driven move in relative_velocity() already.
@@ -53,28 +38,15 @@ std::vector<double> row_velocity(const State &state,
       for (unsigned int c = 1; c < components; ++c)
         q[r * components + c] -= rows[r].partner_velocity * rows[r].direction(c);
     }
-    if (plane && motion[rows[r].wall].slide != 0. && !state.walls[rows[r].wall].slides_freely())
-      for (unsigned int c = 1; c < components; ++c)
-        q[r * components + c] -=
-            motion[rows[r].wall].slide * (motion[rows[r].wall].tangent() * rows[r].direction(c));
     for (const FreeWall<2> &free : work.contact.free_walls.list)
       if (free.wall == rows[r].wall)
       {
         const double moves = with_impulses ? free.speed : free.free_speed;
         for (unsigned int c = 1; c < components; ++c)
           q[r * components + c] -= moves * (free.way * rows[r].direction(c));
-        // Of a slab both may have a part along the normal of a row; a plane has but the first.
-        start = (free.slides() ? start : 0.) + free.start_speed * (free.way * rows[r].normal);
-        end = (free.slides() ? end : 0.) + moves * (free.way * rows[r].normal);
+        start = free.start_speed * (free.way * rows[r].normal);
+        end = moves * (free.way * rows[r].normal);
       }
-    if (cell)
-    {
-      // The cell takes the bodies along: what parts them so is known, or as fast as free sides move.
-      start -= at_start * rows[r].branch * rows[r].direction(0);
-      end -= at_end * rows[r].branch * rows[r].direction(0);
-      for (unsigned int c = 1; c < components; ++c)
-        q[r * components + c] += at_end * rows[r].branch * rows[r].direction(c);
-    }
     q[r * components] -= end;
     double predicted = rows[r].gap;
     if (opening.opens && predicted < 0.)

@@ -2,7 +2,6 @@
 // One implicit step with rows that are found once, line by line as doc/theory.md tells it in "One step".
 #include <softgrain/base/interruption.h>
 #include <softgrain/mpm/body/whole_rotation.h>
-#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/contact_work.h>
@@ -176,15 +175,14 @@ std::string ImplicitStep::at_end()
 
 void ImplicitStep::accept(State &state_to_change)
 {
-  // Of a body: its largest move, what the scheme takes from it, and what holds it against turning.
+  // Of a body: what the scheme takes from it, and what holds it against turning.
   std::vector<StepEquations::Told> told(trial.size());
   work.share.for_mine(
       state.bodies,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        told[b] = {largest_way(body, equations.increment[b]), equations.scheme_damping(b, trial[b]),
-                   equations.regularisation_work(b)};
+        told[b] = {equations.scheme_damping(b, trial[b]), equations.regularisation_work(b)};
         spread_imbalance(body, equations.unbalanced(b), trial[b]);
       },
       [&](BodyShare::Message &message)
@@ -210,9 +208,8 @@ void ImplicitStep::accept(State &state_to_change)
                   0.};
   for (unsigned int b = 0; b < trial.size(); ++b)
   {
-    outcome.largest_move = std::max(outcome.largest_move, told[b][0]);
-    found.scheme_damping[b] = told[b][1];
-    found.regularisation_work += told[b][2];
+    found.scheme_damping[b] = told[b][0];
+    found.regularisation_work += told[b][1];
   }
   accept_step(problem, state_to_change, work, found);
 }

@@ -70,8 +70,7 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
   outcome.contact_residual = report.residual;
   // Rows denser than the nodes make W nearly singular, and with friction the sweeps may stand still a
   // little above the tolerance: the step is then right to five digits, its residual is reported, and
-  // cutting it would not help. Likewise where all contacts are right to five digits in the mean, but one
-  // neither sticks nor slides.
+  // cutting it would not help.
   is_converged = report.converged || report.limited_by_rounding || report.residual <= allowed;
   if (is_converged)
     return "";

@@ -41,14 +41,11 @@ StepEquations::StepEquations(const Problem &problem,
 {
   increment.resize(state.bodies.size());
   internal.resize(state.bodies.size());
-  // Loads at the middle of the step: second order, and the same work whatever theta is. Steps with rays,
-  // which end in balance, take those at the end.
-  const bool at_end = problem.settings.meets_by_rays() && !scheme.inertia;
-  external = external_forces(state.bodies, work.share, problem.scene.gravity,
-                             state.time + (plan.held ? 0.
-                                           : at_end  ? 1.
-                                                     : 0.5) *
-                                              plan.dt);
+  // Loads at the middle of the step: second order, and the same work whatever theta is. Steps without
+  // inertia end in balance with those at the end.
+  const double loads_at = plan.held ? 0. : scheme.inertia ? 0.5 : 1.;
+  external =
+      external_forces(state.bodies, work.share, problem.scene.gravity, state.time + loads_at * plan.dt);
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());

@@ -4,8 +4,6 @@
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -78,12 +78,9 @@ std::vector<double> end_gaps(const State &state,
       rate[b] = increment[b] / dt;
   const std::vector<double> w = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
   std::vector<double> gap(rows.size());
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     gap[r] = rows[r].gap + dt * w[r * components];
-    if (cell)
-      gap[r] += dt * (cell->gradient * rows[r].branch) * rows[r].direction(0);
     if (rows[r].obstacle)
       gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
     else if (rows[r].partner == ContactRow<2>::none)

@@ -21,8 +21,7 @@ namespace softgrain::mpm
  * for a trial, and the matrix of Newton's method. See doc/theory.md, "One step".
  *
  * Vectors hold one nodal vector per body; those of driven bodies are not used. With several ranks end
- * velocities and what is unbalanced are those of this rank's bodies alone, and so are increments where every
- * rank looks for contact of its own bodies.
+ * velocities and what is unbalanced are those of this rank's bodies alone, and with rays so are increments.
  */
 class StepEquations : public BodyEquations<2>
 {
@@ -98,8 +97,7 @@ public:
   /// A x = the missing impulse, or what is unbalanced with contact, for every body of this rank [m/s].
   Slope solve(bool with_contact, Vectors &x) const;
 
-  /// A x = the missing impulse of a body that touches nothing, with the change of forces that turn with it
-  /// [m/s].
+  /// A x = the missing impulse of a body that touches nothing [m/s].
   void solve_free(unsigned int b, Eigen::VectorXd &x) const override;
 
   /// Impulse that is missing for balance without contact, as last evaluated [N s/m].
