@@ -296,23 +296,34 @@ double Input::end_time() const
 
 void Input::complete_scene()
 {
-  if (is_complete || space)
+  if (is_complete)
     return;
   try
   {
-    if (described_scene.packing.method)
+    if (space)
+      complete_scene_in_space();
+    else if (described_scene.packing.method)
     {
       packing = add_packing(described_scene);
       check_scene(described_scene);
       contact_loads(run_parameters.loads, described_scene);
     }
-    stop_conditions.check_start(described_scene);
+    if (!space)
+      stop_conditions.check_start(described_scene);
   }
   catch (const InputError &error)
   {
     throw_located(error);
   }
   is_complete = true;
+}
+
+void Input::complete_scene_in_space()
+{
+  if (!space->packing.method)
+    return;
+  packing_in_space = add_packing(*space);
+  check_scene_in_space(*space, parameter_tree(prm));
 }
 
 std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
@@ -333,6 +344,7 @@ std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)
 
 std::unique_ptr<Model<3>> Input::create_model_in_space()
 {
+  complete_scene();
   try
   {
     return Registry<ModelFactory>::instance().create(run_parameters.model)->create_in_space(*space, prm);
@@ -363,7 +375,10 @@ void Input::save_packing(const bool overwrite) const
 {
   try
   {
-    softgrain::save_packing(described_scene.packing, packing, overwrite);
+    if (space)
+      softgrain::save_packing(space->packing, packing_in_space, overwrite);
+    else
+      softgrain::save_packing(described_scene.packing, packing, overwrite);
   }
   catch (const InputError &error)
   {

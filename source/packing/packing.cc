@@ -2,8 +2,8 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/preparation.h>
 #include <softgrain/packing/packing.h>
+#include <softgrain/packing/shaken_balls.h>
 #include <softgrain/packing/shaken_box.h>
-#include <softgrain/packing/shaken_disks.h>
 #include <softgrain/packing/shrinking_box.h>
 
 #include <deal.II/base/numbers.h>
@@ -108,9 +108,9 @@ void shake_in(ShrinkingBox &box,
     // Room to change places, and more than they overlap.
     const double least = *std::min_element(radius.begin(), radius.end());
     box.loosen(1. + std::max(0.06, 1.5 * taken / least));
-    ShakenDisks disks(box.disks(), radius, {box.scale(), box.scale() * edges[1] / edges[0]},
-                      protocol.periodic);
-    if (disks.shrink(end, random))
+    ShakenBalls<2> disks(box.disks(), radius, {box.scale(), box.scale() * edges[1] / edges[0]},
+                         protocol.periodic);
+    if (disks.shrink(end, box.scale(), random))
       return box.restore(disks.places(), disks.scale());
     reached = std::max(reached, filled(disks.scale()));
   }

@@ -2,3 +2,4 @@
 #include <softgrain/packing/packing_method.h>
 
 SOFTGRAIN_DEFINE_REGISTRY(softgrain::PackingMethod<2>)
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::PackingMethod<3>)

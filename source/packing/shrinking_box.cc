@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/exceptions.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/packing/shrinking_box.h>
+#include <softgrain/packing/thrown_balls.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,9 @@ ShrinkingBox::ShrinkingBox(const std::vector<double> &radii, const Form &box_for
     , form(box_form)
     , mean(std::accumulate(radii.begin(), radii.end(), 0.) / radii.size())
     , largest(*std::max_element(radii.begin(), radii.end()))
-    , places(radii.size())
+    , places(thrown_balls<2>(radii, form.half, form.periodic, random))
     , list(radii, {}, {0.2 * mean, 0., 0.5 * mean})
 {
-  throw_in(random);
 }
 
 ShrinkingBox::Place ShrinkingBox::normal_of(const unsigned int wall)
@@ -43,49 +42,6 @@ ShrinkingBox::branch(const std::uint32_t a, const std::uint32_t b, const bool ne
       result[d] -= 2. * form.half[d] * std::round(result[d] / (2. * form.half[d]));
   }
   return result;
-}
-
-void ShrinkingBox::throw_in(Uniform &random)
-{
-  std::vector<std::uint32_t> order(radius.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radius[a] > radius[b]; });
-  std::array<int, 2> n_cells;
-  // In a box that is nearly empty more cells than disks serve nobody.
-  const double most = 4. * std::sqrt(static_cast<double>(radius.size())) + 1.;
-  for (unsigned int d = 0; d < 2; ++d)
-    n_cells[d] = std::max(1, static_cast<int>(std::min(form.half[d] / largest, most)));
-  std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(n_cells[0]) * n_cells[1]);
-  for (const std::uint32_t i : order)
-    for (unsigned int attempt = 0;; ++attempt)
-    {
-      if (attempt == 1000000)
-        throw InputError("'Packing': the disks do not fit into the box, they are too large for it");
-      std::array<int, 2> cell;
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        places[i][d] = (2. * random() - 1.) * (form.half[d] - (form.periodic[d] ? 0. : radius[i]));
-        cell[d] = std::min(n_cells[d] - 1, static_cast<int>((places[i][d] + form.half[d]) /
-                                                            (2. * form.half[d]) * n_cells[d]));
-      }
-      bool overlaps = false;
-      for (int x = cell[0] - 1; x <= cell[0] + 1 && !overlaps; ++x)
-        for (int y = cell[1] - 1; y <= cell[1] + 1 && !overlaps; ++y)
-        {
-          // Beyond a wall there is only the wall; beyond a periodic side the other end.
-          const int column = (x + n_cells[0]) % n_cells[0], row = (y + n_cells[1]) % n_cells[1];
-          if ((column == x || form.periodic[0]) && (row == y || form.periodic[1]))
-            for (const std::uint32_t j : cells[static_cast<std::size_t>(column) * n_cells[1] + row])
-            {
-              const Place apart = branch(i, j, true);
-              overlaps |= std::hypot(apart[0], apart[1]) < radius[i] + radius[j];
-            }
-        }
-      if (overlaps)
-        continue;
-      cells[static_cast<std::size_t>(cell[0]) * n_cells[1] + cell[1]].push_back(i);
-      break;
-    }
 }
 
 template <class Work>

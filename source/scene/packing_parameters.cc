@@ -3,6 +3,7 @@
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/geometry/ellipse.h>
 #include <softgrain/geometry/shapes_2d.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/packing/packing_method.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/packing_parameters.h>
@@ -37,7 +38,8 @@ unsigned int find_material(const std::string &name,
 }
 
 /// Materials of all disks: those that the file names, else 'Packing/Material'.
-std::vector<unsigned int> materials_of(const Packing<2> &packing,
+template <int dim>
+std::vector<unsigned int> materials_of(const Packing<dim> &packing,
                                        const std::string &name,
                                        const std::vector<MaterialDescription> &materials)
 {
@@ -59,16 +61,17 @@ std::vector<unsigned int> materials_of(const Packing<2> &packing,
 }
 
 /// The method that the section asks for; null: none.
-std::shared_ptr<PackingMethod<2>> chosen_method(const dealii::ParameterHandler &prm)
+template <int dim>
+std::shared_ptr<PackingMethod<dim>> chosen_method(const dealii::ParameterHandler &prm)
 {
-  const Registry<PackingMethod<2>> &methods = Registry<PackingMethod<2>>::instance();
+  const Registry<PackingMethod<dim>> &methods = Registry<PackingMethod<dim>>::instance();
   const std::string name = prm.get("Method");
   if (name != automatic)
     return methods.create(name);
-  std::shared_ptr<PackingMethod<2>> chosen;
+  std::shared_ptr<PackingMethod<dim>> chosen;
   for (const std::string &candidate : methods.names())
   {
-    std::shared_ptr<PackingMethod<2>> method = methods.create(candidate);
+    std::shared_ptr<PackingMethod<dim>> method = methods.create(candidate);
     if (method->asked_for(prm))
       chosen = method; // random comes after file, and refuses one
   }
@@ -91,13 +94,13 @@ std::shared_ptr<const Shape<2>> shape_of(const Packing<2>::Ball &disk, const Gra
   }
   return std::make_shared<Polygon2D>(corners);
 }
-} // namespace
 
-void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
+template <int dim>
+void declare(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Packing");
-  const Registry<PackingMethod<2>> &methods = Registry<PackingMethod<2>>::instance();
+  const Registry<PackingMethod<dim>> &methods = Registry<PackingMethod<dim>>::instance();
   prm.declare_entry(
       "Method", automatic, Selection(std::string(automatic) + "|" + methods.choice()),
       "Where the grains come from, as bodies grain_1, grain_2, …; automatic: random with 'Number', "
@@ -114,13 +117,24 @@ void PackingParameters::declare_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandler &prm,
-                                                          const std::vector<MaterialDescription> &materials)
+} // namespace
+
+void PackingParameters::declare_parameters(dealii::ParameterHandler &prm, const unsigned int dimension)
 {
-  PackingDescription<2> packing;
+  if (dimension == 3)
+    declare<3>(prm);
+  else
+    declare<2>(prm);
+}
+
+template <int dim>
+PackingDescription<dim> PackingParameters::parse_parameters(dealii::ParameterHandler &prm,
+                                                            const std::vector<MaterialDescription> &materials)
+{
+  PackingDescription<dim> packing;
   const WithinSection section(prm, "Packing");
   packing.save_to = prm.get("Save to");
-  const std::shared_ptr<PackingMethod<2>> method = chosen_method(prm);
+  const std::shared_ptr<PackingMethod<dim>> method = chosen_method<dim>(prm);
   if (method)
   {
     packing.material = prm.get("Material");
@@ -137,28 +151,33 @@ PackingDescription<2> PackingParameters::parse_parameters(dealii::ParameterHandl
   return packing;
 }
 
-Packing<2> add_packing(Scene<2> &scene)
+template <int dim>
+Packing<dim> add_packing(Scene<dim> &scene)
 {
   if (!scene.packing.method)
     return {};
-  Packing<2> packing = scene.packing.method->make();
+  Packing<dim> packing = scene.packing.method->make();
   const std::vector<unsigned int> material_of =
       materials_of(packing, scene.packing.material, scene.materials);
   unsigned int number = 0;
-  for (const Packing<2>::Ball &disk : packing.balls)
+  for (const typename Packing<dim>::Ball &ball : packing.balls)
   {
-    BodyDescription<2> body;
+    BodyDescription<dim> body;
     body.material = material_of[number];
     body.name = "grain_" + std::to_string(++number);
-    body.shape = shape_of(disk, form_of(packing, number - 1));
-    body.center = disk.center;
-    body.velocity = body.body_force = "0; 0";
+    if constexpr (dim == 2)
+      body.shape = shape_of(ball, form_of(packing, number - 1));
+    else
+      body.shape = std::make_shared<Sphere>(ball.center, ball.radius);
+    body.center = ball.center;
+    body.velocity = body.body_force = dim == 2 ? "0; 0" : "0; 0; 0";
     scene.bodies.push_back(body);
   }
   return packing;
 }
 
-void save_packing(const PackingDescription<2> &described, const Packing<2> &packing, const bool overwrite)
+template <int dim>
+void save_packing(const PackingDescription<dim> &described, const Packing<dim> &packing, const bool overwrite)
 {
   const std::string &file = described.save_to;
   if (file.empty() || holds_packing(file, packing))
@@ -171,4 +190,13 @@ void save_packing(const PackingDescription<2> &described, const Packing<2> &pack
         "or run with --overwrite");
   write_packing(file, packing);
 }
+
+template PackingDescription<2>
+PackingParameters::parse_parameters<2>(dealii::ParameterHandler &, const std::vector<MaterialDescription> &);
+template PackingDescription<3>
+PackingParameters::parse_parameters<3>(dealii::ParameterHandler &, const std::vector<MaterialDescription> &);
+template Packing<2> add_packing<2>(Scene<2> &);
+template Packing<3> add_packing<3>(Scene<3> &);
+template void save_packing<2>(const PackingDescription<2> &, const Packing<2> &, bool);
+template void save_packing<3>(const PackingDescription<3> &, const Packing<3> &, bool);
 } // namespace softgrain

@@ -28,7 +28,7 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   using namespace dealii::Patterns;
   materials.declare_parameters(prm);
   bodies.declare_parameters(prm);
-  PackingParameters::declare_parameters(prm);
+  PackingParameters::declare_parameters(prm, dimension);
   walls.declare_parameters(prm);
   obstacles.declare_parameters(prm);
   prm.enter_subsection("Contact");
@@ -103,7 +103,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   scene.materials = materials.parse_parameters(prm);
   Mistakes mistakes;
   mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<2>(prm, scene.materials); });
-  mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters<2>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<2>(prm); });
   mistakes.attempt([&]() { parse_contact(prm, scene); });
   mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
@@ -119,6 +119,7 @@ Scene<3> SceneParameters::parse_parameters_in_space(dealii::ParameterHandler &pr
   scene.materials = materials.parse_parameters(prm);
   Mistakes mistakes;
   mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<3>(prm, scene.materials); });
+  mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters<3>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<3>(prm); });
   mistakes.end();
   scene.gravity = vector_of_numbers<3>(prm.get({"Loads"}, "Gravity"));

@@ -34,6 +34,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Bodies/*/Shape",
                                         "Bodies/*/Center",
                                         "Bodies/*/Radius",
+                                        "Packing/",
                                         "Walls/Names",
                                         "Walls/*/Type",
                                         "Walls/*/Point",
@@ -117,9 +118,10 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
     names.push_back(body.name);
     mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); });
   }
-  if (names.empty())
-    mistakes.add(InputError(
-        "'Bodies/Names' = '' is not allowed with 'Dimension' = '3': it must name at least one body"));
+  if (names.empty() && !scene.packing.method)
+    mistakes.add(
+        InputError("'Bodies/Names' = '' is not allowed with 'Dimension' = '3': it must name at least one "
+                   "body, or 'Packing' must bring some"));
   for (unsigned int b = 0; b < scene.bodies.size(); ++b)
     for (unsigned int a = 0; a < b; ++a)
     {
@@ -146,6 +148,7 @@ void check_walls(const Scene<3> &scene, Mistakes &mistakes)
           InputError(section + "/Drive' = '" + wall.drive_name +
                      "' is not allowed with 'Dimension' = '3': it must be one that says how the wall "
                      "moves, 'velocity' or 'position'"));
+    // The first body tells enough: often the wall is wrong, and many lie behind it.
     for (const BodyDescription<3> &body : scene.bodies)
     {
       const auto [nearest, farthest] = body.shape->distances_from_plane(wall.point, wall.normal);
@@ -155,6 +158,7 @@ void check_walls(const Scene<3> &scene, Mistakes &mistakes)
         text << "'Bodies/" << body.name << "' reaches " << -nearest << " m behind wall '" << wall.name
              << "': it must lie on its inner side at the start";
         mistakes.add(InputError(text.str()));
+        break;
       }
     }
   }

@@ -116,7 +116,7 @@ void table(const std::string &what, const std::string &text)
   const std::string found = verdict(
       []()
       {
-        for (const Packing<2>::Ball &grain : read_packing("table.csv").balls)
+        for (const Packing<2>::Ball &grain : read_packing<2>("table.csv").balls)
           if (!std::isfinite(grain.center[0] + grain.center[1]) || !(grain.radius > 0.) ||
               !std::isfinite(grain.radius))
             throw std::runtime_error("a grain of no size or place");

@@ -206,9 +206,9 @@ std::vector<Kind> parameter_files()
 
 std::vector<Kind> tables()
 {
-  return {{"packing", "x_m,y_m,radius_m\n0.1,0.2,1e-3\n-3,4.5,2e-3\n", "bad.csv", read_packing, 0.1},
+  return {{"packing", "x_m,y_m,radius_m\n0.1,0.2,1e-3\n-3,4.5,2e-3\n", "bad.csv", read_packing<2>, 0.1},
           {"packing with materials", "x_m,y_m,radius_m,material\n0.1,0.2,1e-3,gel\n-3,4.5,2e-3,stone\n",
-           "bad.csv", read_packing, 0.05},
+           "bad.csv", read_packing<2>, 0.05},
           {"library", "key,x_m,y_m,radius_m\n00ff,1e-3,2e-3,1e-4\n00ff,-1e-3,2.5e-3,2e-4\n", "bad.csv",
            [](const std::string &file) { bpm::AggregateLibrary library(file); }, 0.05},
           {"history", "time_s,step,dt_s\n0,0,0\n0.1,1,0.1\n0.2,2,0.1\n", "history.csv",

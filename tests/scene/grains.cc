@@ -28,7 +28,7 @@ Scene<2> bodies_of(const std::string &lines)
   prm.parse_input_from_string("subsection Packing\n" + lines + "end\n");
   Scene<2> scene;
   scene.materials = {{"gel", "", 1.}, {"stone", "", 1.}};
-  scene.packing = PackingParameters::parse_parameters(prm, scene.materials);
+  scene.packing = PackingParameters::parse_parameters<2>(prm, scene.materials);
   save_packing(scene.packing, add_packing(scene), true);
   return scene;
 }

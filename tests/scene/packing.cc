@@ -152,28 +152,28 @@ int main()
   Packing<2> packing;
   packing.balls = {{dealii::Point<2>(0.1, -2e-7), 1. / 3.}, {dealii::Point<2>(1e10, 0.), 2.}};
   write_packing("packing.csv", packing);
-  const Packing back = read_packing("packing.csv");
+  const Packing<2> back = read_packing<2>("packing.csv");
   bool same = back.balls.size() == 2;
   for (std::size_t i = 0; same && i < 2; ++i)
     same = back.balls[i].center == packing.balls[i].center && back.balls[i].radius == packing.balls[i].radius;
   std::cout << (same ? "read as written" : "NOT AS WRITTEN") << '\n';
   // From a spreadsheet of Windows: a byte-order mark, and lines that end with a carriage return.
   std::ofstream("windows.csv", std::ios::binary) << "\xEF\xBB\xBFx_m,y_m,radius_m\r\n1,2,0.5\r\n3,4,0.25\r\n";
-  const Packing windows = read_packing("windows.csv");
+  const Packing<2> windows = read_packing<2>("windows.csv");
   std::cout << "with marks of Windows: " << windows.balls.size() << " disks, the last at "
             << windows.balls.back().center << " of radius " << windows.balls.back().radius << '\n';
   packing.materials = {"soft rubber", "gel"};
   write_packing("materials.csv", packing);
-  const Packing mixed = read_packing("materials.csv");
+  const Packing<2> mixed = read_packing<2>("materials.csv");
   std::cout << "with materials: " << mixed.balls.size() << " disks of " << mixed.materials[0] << " and "
             << mixed.materials[1] << '\n';
-  refused([] { read_packing("nothing.csv"); });
+  refused([] { read_packing<2>("nothing.csv"); });
   std::ofstream("bad.csv") << "x_m,y_m,radius_m\n0,0,1\n0,1,-1\n";
-  refused([] { read_packing("bad.csv"); });
+  refused([] { read_packing<2>("bad.csv"); });
   std::ofstream("nameless.csv") << "x_m,y_m,radius_m,material\n0,0,1,gel\n0,3,1,\n";
-  refused([] { read_packing("nameless.csv"); });
+  refused([] { read_packing<2>("nameless.csv"); });
   std::ofstream("too_many.csv") << "x_m,y_m,radius_m\n0,0,1,gel\n";
-  refused([] { read_packing("too_many.csv"); });
+  refused([] { read_packing<2>("too_many.csv"); });
   std::ofstream("empty.csv") << "x_m,y_m,radius_m\n";
-  refused([] { read_packing("empty.csv"); });
+  refused([] { read_packing<2>("empty.csv"); });
 }

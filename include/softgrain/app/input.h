@@ -94,7 +94,7 @@ public:
   /// The model of the scene, which is completed first. @throw InputError when the scene does not suit it.
   /// @param state that it is going to load; null: it starts at time zero
   std::unique_ptr<Model<2>> create_model(const StateReader *state = nullptr);
-  /// Makes the model of a scene in space.
+  /// The model of a scene in space, which is completed first.
   std::unique_ptr<Model<3>> create_model_in_space();
 
   /// Makes a model to look at, which writes no file.
@@ -123,6 +123,8 @@ private:
   void check_all(const ModelFactory &factory);
   /// @p error with the places of the parameters that it names.
   [[noreturn]] void throw_located(const InputError &error) const;
+  /// complete_scene() where 'Dimension' is 3.
+  void complete_scene_in_space();
   /// Sets what 'Fidelity' says and the file does not.
   void apply_fidelity(const ModelFactory &factory);
   /// The time at which the run ends if it is known beforehand [s]; 0: it is not.
@@ -136,6 +138,7 @@ private:
   StopConditions stop_conditions;
   Stages described_stages;
   Packing<2> packing; ///< once it is made
+  Packing<3> packing_in_space;
   bool is_complete = false;
   std::vector<std::string> libraries_left_out, unknown;
 };

@@ -58,6 +58,9 @@ struct Packing
 /// Area of all grains of a packing [m^2].
 double solid_area(const Packing<2> &packing);
 
+/// Volume of all balls of a packing [m^3].
+double solid_volume(const Packing<3> &packing);
+
 /// Form of a grain, that of a disk where there are no others.
 GrainForm2D form_of(const Packing<2> &packing, std::size_t grain);
 
@@ -116,6 +119,16 @@ struct PackingRequest2D
   std::vector<unsigned int> numbers() const;
 };
 
+/// What make_packing() is to make in space: balls.
+struct PackingRequest3D
+{
+  unsigned int number = 0;
+  SizeDistribution sizes;        ///< diameters
+  dealii::Point<3> lower, upper; ///< box at the end [m]
+  double fraction = 0; ///< of the box that the balls fill, their sizes scaled alike; 0: sizes as drawn
+  std::uint64_t seed = 1;
+};
+
 /// Reads "share: diameter [to diameter] [, material] [, shape]; ..." of 'Packing/Classes'. @throw InputError
 std::vector<GrainClass2D> parse_classes(const std::string &text);
 /// Reads a table with the columns share,smallest_m,largest_m and, if it has them, material and shape. @throw
@@ -130,7 +143,7 @@ std::vector<GrainClass2D> read_classes(const std::string &file);
  * from every radius at the end, so that no rounding makes disks overlap.
  *
  * About 0.80 is reached by this alone. Where that is too little, disks without friction are shaken, see
- * ShakenDisks: about 0.84.
+ * ShakenBalls: about 0.84.
  * @throw InputError when the disks do not fit into the box.
  */
 Packing<2> pack_disks(const std::vector<double> &radii,
@@ -157,15 +170,35 @@ std::vector<double> draw_radii(const PackingRequest2D &request, Uniform &random)
 /// pack_disks() with radii drawn at random, or pack_grains().
 Packing<2> make_packing(const PackingRequest2D &request);
 
-/// Reads `x_m,y_m,radius_m` or `x_m,y_m,shape,a_m,b_m,corners,angle_deg`, either with `,material`. @throw
-/// InputError naming file and line.
-Packing<2> read_packing(const std::string &file);
+/**
+ * @brief Balls of given @p radii [m] in the box from @p lower to @p upper, at random and without overlap.
+ *
+ * They are thrown into a larger box of the same shape, which shrinks while they are shaken, see ShakenBalls.
+ * @throw InputError when they do not fit into the box
+ */
+Packing<3> pack_balls(const std::vector<double> &radii,
+                      const dealii::Point<3> &lower,
+                      const dealii::Point<3> &upper,
+                      Uniform &random);
+
+/// The radii that make_packing() draws [m].
+std::vector<double> draw_radii(const PackingRequest3D &request, Uniform &random);
+
+/// pack_balls() with radii drawn at random.
+Packing<3> make_packing(const PackingRequest3D &request);
+
+/// Reads `x_m,y_m,radius_m` or `x_m,y_m,shape,a_m,b_m,corners,angle_deg`, in space `x_m,y_m,z_m,radius_m`,
+/// each also with `,material`. @throw InputError naming file and line.
+template <int dim>
+Packing<dim> read_packing(const std::string &file);
 
 /// Writes what read_packing() reads, whole or not at all. @throw InputError when it cannot be written.
-void write_packing(const std::string &file, const Packing<2> &packing);
+template <int dim>
+void write_packing(const std::string &file, const Packing<dim> &packing);
 
 /// Whether @p file is there with just what write_packing() would write into it.
-bool holds_packing(const std::string &file, const Packing<2> &packing);
+template <int dim>
+bool holds_packing(const std::string &file, const Packing<dim> &packing);
 } // namespace softgrain
 
 #endif

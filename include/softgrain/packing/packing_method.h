@@ -61,6 +61,8 @@ public:
 
 template <>
 Registry<PackingMethod<2>> &Registry<PackingMethod<2>>::instance();
+template <>
+Registry<PackingMethod<3>> &Registry<PackingMethod<3>>::instance();
 } // namespace softgrain
 
 #endif

@@ -54,7 +54,6 @@ public:
 private:
   static constexpr unsigned int n_walls = 4;
 
-  void throw_in(Uniform &random);
   void set_bodies(double factor);
   void set_contacts(double factor);
   void add(std::uint32_t a, std::uint32_t b, const Place &normal, double gap, double closing);

@@ -14,16 +14,17 @@ class ParameterHandler;
 
 namespace softgrain
 {
-/// Section `Packing`: many disks at once, as bodies of one material.
+/// Section `Packing`: many disks or balls at once, as bodies of one material.
 class PackingParameters
 {
 public:
-  static void declare_parameters(dealii::ParameterHandler &prm);
+  static void declare_parameters(dealii::ParameterHandler &prm, unsigned int dimension = 2);
 
   /// What is to be packed, checked as far as it can be before it is. @throw InputError as the method's, and
   /// when the material is not known.
-  static PackingDescription<2> parse_parameters(dealii::ParameterHandler &prm,
-                                                const std::vector<MaterialDescription> &materials);
+  template <int dim>
+  static PackingDescription<dim> parse_parameters(dealii::ParameterHandler &prm,
+                                                  const std::vector<MaterialDescription> &materials);
 };
 
 /**
@@ -32,14 +33,16 @@ public:
  * @return the packing, for save_packing(); empty without a packing
  * @throw InputError when the disks do not fit or cannot be read
  */
-Packing<2> add_packing(Scene<2> &scene);
+template <int dim>
+Packing<dim> add_packing(Scene<dim> &scene);
 
 /**
  * @brief Writes 'Packing/Save to', if it is asked for and not there already.
  * @throw InputError when a file of that name has other contents and may not be overwritten, or cannot be
  * written
  */
-void save_packing(const PackingDescription<2> &described, const Packing<2> &packing, bool overwrite);
+template <int dim>
+void save_packing(const PackingDescription<dim> &described, const Packing<dim> &packing, bool overwrite);
 } // namespace softgrain
 
 #endif

@@ -10,15 +10,18 @@ namespace softgrain
 namespace
 {
 /// Grains from a table.
-class PackingFromFile final : public PackingMethod<2>
+template <int dim>
+class PackingFromFile final : public PackingMethod<dim>
 {
 public:
   void declare_parameters(dealii::ParameterHandler &prm) const override
   {
     prm.declare_entry(
         "File", "", dealii::Patterns::Anything(),
-        "Table of grains to read: CSV with the columns x_m, y_m, radius_m of disks, or x_m, y_m, shape, a_m, "
-        "b_m, corners, angle_deg (doc/packings.md); where they are of several materials, material follows.");
+        std::string("Table of grains to read: CSV with the columns ") +
+            (dim == 2 ? "x_m, y_m, radius_m of disks, or x_m, y_m, shape, a_m, b_m, corners, angle_deg"
+                      : "x_m, y_m, z_m, radius_m of balls") +
+            " (doc/packings.md); where they are of several materials, material follows.");
   }
 
   void parse_parameters(dealii::ParameterHandler &prm) override
@@ -36,7 +39,16 @@ public:
 
   std::optional<ExpectedGrains> expected() const override
   {
-    const Packing<2> packing = read_packing(file);
+    if constexpr (dim == 2)
+      return expected_in_plane(read_packing<2>(file));
+    return std::nullopt; // costs are foretold of the plane alone
+  }
+
+  Packing<dim> make() const override { return read_packing<dim>(file); }
+
+private:
+  static ExpectedGrains expected_in_plane(const Packing<2> &packing)
+  {
     ExpectedGrains disks;
     disks.number = packing.balls.size();
     disks.mean_volume = solid_area(packing) / packing.balls.size();
@@ -53,13 +65,15 @@ public:
     return disks;
   }
 
-  Packing<2> make() const override { return read_packing(file); }
-
-private:
   std::string file;
 };
 
-[[maybe_unused]] const bool registered = Registry<PackingMethod<2>>::instance().add(
-    "file", "grains that 'File' lists", [] { return std::make_unique<PackingFromFile>(); });
+template <int dim>
+bool register_method()
+{
+  return Registry<PackingMethod<dim>>::instance().add(
+      "file", "grains that 'File' lists", [] { return std::make_unique<PackingFromFile<dim>>(); });
+}
+[[maybe_unused]] const bool registered = register_method<2>(), registered_in_space = register_method<3>();
 } // namespace
 } // namespace softgrain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/preparation.h>
-#include <softgrain/packing/shaken_disks.h>
+#include <softgrain/packing/shaken_balls.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,24 +10,45 @@ namespace softgrain
 {
 namespace
 {
-/// Rounds in which the box must lose some of its edges, else the disks count as jammed.
+/// Rounds in which the box must lose some of its edges, else the balls count as jammed.
 constexpr unsigned int patience = 4000;
 constexpr double least_progress = 1e-4;
-/// Attempts for all disks together on the way from loose to dense, and rounds of them, at least and at most:
+/// Attempts for all balls together on the way from loose to dense, and rounds of them, at least and at most:
 /// the slower the box shrinks, the denser they come to lie.
 constexpr double attempts = 3e7, fewest_rounds = 3e3, most_rounds = 3e4;
 /// Part that the edges lose on that way, about.
 constexpr double whole_way = 0.1;
-/// Part of all attempts in which two disks change places.
+/// Part of all attempts in which two balls change places.
 constexpr double swaps = 0.2;
 /// Distance that is kept so that rounding makes no overlap.
 constexpr double slack = 1e-12;
+/// Part of its edges that a loose box may lose in a round.
+constexpr double quick = 0.01;
+
+double length(const std::array<double, 2> &vector)
+{
+  return std::hypot(vector[0], vector[1]);
+}
+double length(const std::array<double, 3> &vector)
+{
+  return std::hypot(vector[0], vector[1], vector[2]);
+}
+
+template <std::size_t dim>
+double square(const std::array<double, dim> &vector)
+{
+  double sum = 0.;
+  for (const double component : vector)
+    sum += component * component;
+  return sum;
+}
 } // namespace
 
-ShakenDisks::ShakenDisks(std::vector<Place> places,
-                         std::vector<double> radii,
-                         const Place &half,
-                         const std::array<bool, 2> &periodic)
+template <int dim>
+ShakenBalls<dim>::ShakenBalls(std::vector<Place> places,
+                              std::vector<double> radii,
+                              const Place &half,
+                              const std::array<bool, dim> &periodic)
     : centers(std::move(places))
     , radius(std::move(radii))
     , edges(half)
@@ -39,32 +60,50 @@ ShakenDisks::ShakenDisks(std::vector<Place> places,
 {
 }
 
-std::size_t ShakenDisks::cell_of(const Place &place) const
+template <int dim>
+typename ShakenBalls<dim>::Cell ShakenBalls<dim>::cell_around(const Place &place) const
 {
-  std::array<int, 2> index;
-  for (unsigned int d = 0; d < 2; ++d)
+  Cell index;
+  for (unsigned int d = 0; d < dim; ++d)
     index[d] =
         std::clamp(static_cast<int>((place[d] / (2. * edges[d]) + 0.5) * n_cells[d]), 0, n_cells[d] - 1);
-  return static_cast<std::size_t>(index[0]) * n_cells[1] + index[1];
+  return index;
 }
 
-void ShakenDisks::fill_cells()
+template <int dim>
+std::size_t ShakenBalls<dim>::index_of(const Cell &cell) const
 {
-  // No disk reaches farther than into the next cell.
-  for (unsigned int d = 0; d < 2; ++d)
+  std::size_t index = 0;
+  for (unsigned int d = 0; d < dim; ++d)
+    index = index * n_cells[d] + cell[d];
+  return index;
+}
+
+template <int dim>
+void ShakenBalls<dim>::fill_cells()
+{
+  // No ball reaches farther than into the next cell.
+  std::size_t n = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
     n_cells[d] = std::max(1, static_cast<int>(edges[d] / largest * (1. - 1e-9)));
-  cells.assign(static_cast<std::size_t>(n_cells[0]) * n_cells[1], {});
+    n *= n_cells[d];
+  }
+  cells.resize(n);
+  for (std::vector<std::uint32_t> &one : cells)
+    one.clear();
   for (std::size_t i = 0; i < centers.size(); ++i)
   {
-    cell[i] = cell_of(centers[i]);
+    cell[i] = index_of(cell_around(centers[i]));
     cells[cell[i]].push_back(i);
   }
 }
 
-ShakenDisks::Place ShakenDisks::apart(const Place &a, const Place &b) const
+template <int dim>
+typename ShakenBalls<dim>::Place ShakenBalls<dim>::apart(const Place &a, const Place &b) const
 {
   Place result;
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
   {
     result[d] = a[d] - b[d];
     if (periodic[d])
@@ -73,51 +112,66 @@ ShakenDisks::Place ShakenDisks::apart(const Place &a, const Place &b) const
   return result;
 }
 
-bool ShakenDisks::inside(const Place &place, const double r) const
+template <int dim>
+bool ShakenBalls<dim>::inside(const Place &place, const double r) const
 {
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
     if (!periodic[d] && std::abs(place[d]) + r > edges[d] * (1. - slack))
       return false;
   return true;
 }
 
+template <int dim>
 template <class Work>
-bool ShakenDisks::around(const Place &place, const Work &work) const
+bool ShakenBalls<dim>::around(const Place &place, const Work &work) const
 {
-  const std::size_t own = cell_of(place);
-  const int column = own / n_cells[1], row = own % n_cells[1];
-  // With few cells the same one must not be looked at twice.
-  const int wide = n_cells[0] > 2 ? 1 : 0, high = n_cells[1] > 2 ? 1 : 0;
-  const int first_x = wide ? column - 1 : 0, last_x = wide ? column + 1 : n_cells[0] - 1;
-  const int first_y = high ? row - 1 : 0, last_y = high ? row + 1 : n_cells[1] - 1;
-  for (int x = first_x; x <= last_x; ++x)
-    for (int y = first_y; y <= last_y; ++y)
+  const Cell own = cell_around(place);
+  Cell first, last;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    // With few cells the same one must not be looked at twice.
+    const bool many = n_cells[d] > 2;
+    first[d] = many ? own[d] - 1 : 0;
+    last[d] = many ? own[d] + 1 : n_cells[d] - 1;
+  }
+  for (Cell at = first;;)
+  {
+    // Beyond a wall there is only the wall; beyond a periodic side the other end.
+    Cell wrapped = at;
+    bool there = true;
+    for (unsigned int d = 0; d < dim; ++d)
     {
-      const int cx = (x + n_cells[0]) % n_cells[0], cy = (y + n_cells[1]) % n_cells[1];
-      if ((cx != x && !periodic[0]) || (cy != y && !periodic[1]))
-        continue;
-      for (const std::uint32_t j : cells[static_cast<std::size_t>(cx) * n_cells[1] + cy])
+      wrapped[d] = (at[d] + n_cells[d]) % n_cells[d];
+      there = there && (wrapped[d] == at[d] || periodic[d]);
+    }
+    if (there)
+      for (const std::uint32_t j : cells[index_of(wrapped)])
         if (!work(j))
           return false;
-    }
-  return true;
+    int d = dim - 1;
+    for (; d >= 0 && ++at[d] > last[d]; --d)
+      at[d] = first[d];
+    if (d < 0)
+      return true;
+  }
 }
 
-bool ShakenDisks::is_free(const std::size_t i, const Place &place, const double r) const
+template <int dim>
+bool ShakenBalls<dim>::is_free(const std::size_t i, const Place &place, const double r) const
 {
   return inside(place, r) && around(place,
                                     [&](const std::uint32_t j)
                                     {
-                                      const Place gap = apart(place, centers[j]);
                                       const double reach = (r + radius[j]) * (1. + slack);
-                                      return j == i || gap[0] * gap[0] + gap[1] * gap[1] >= reach * reach;
+                                      return j == i || square(apart(place, centers[j])) >= reach * reach;
                                     });
 }
 
-bool ShakenDisks::move(const std::size_t i, const Place &way)
+template <int dim>
+bool ShakenBalls<dim>::move(const std::size_t i, const Place &way)
 {
   Place place;
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
   {
     place[d] = centers[i][d] + way[d];
     if (periodic[d])
@@ -126,7 +180,7 @@ bool ShakenDisks::move(const std::size_t i, const Place &way)
   if (!is_free(i, place, radius[i]))
     return false;
   centers[i] = place;
-  if (const std::size_t now = cell_of(place); now != cell[i])
+  if (const std::size_t now = index_of(cell_around(place)); now != cell[i])
   {
     std::vector<std::uint32_t> &old = cells[cell[i]];
     old.erase(std::find(old.begin(), old.end(), i));
@@ -136,7 +190,8 @@ bool ShakenDisks::move(const std::size_t i, const Place &way)
   return true;
 }
 
-bool ShakenDisks::swap(const std::size_t i, const std::size_t j)
+template <int dim>
+bool ShakenBalls<dim>::swap(const std::size_t i, const std::size_t j)
 {
   if (radius[i] == radius[j])
     return false;
@@ -160,29 +215,29 @@ bool ShakenDisks::swap(const std::size_t i, const std::size_t j)
   return false;
 }
 
-double ShakenDisks::room() const
+template <int dim>
+double ShakenBalls<dim>::room() const
 {
   double factor = 0.;
   for (std::size_t i = 0; i < centers.size(); ++i)
   {
-    for (unsigned int d = 0; d < 2; ++d)
+    for (unsigned int d = 0; d < dim; ++d)
       if (!periodic[d])
         // |place| shrinks with the edges, the radius does not.
         factor = std::max(factor, radius[i] / (edges[d] - std::abs(centers[i][d])));
     around(centers[i],
            [&](const std::uint32_t j)
            {
-             if (j == i)
-               return true;
-             const Place gap = apart(centers[i], centers[j]);
-             factor = std::max(factor, (radius[i] + radius[j]) / std::hypot(gap[0], gap[1]));
+             if (j != i)
+               factor = std::max(factor, (radius[i] + radius[j]) / length(apart(centers[i], centers[j])));
              return true;
            });
   }
   return std::min(1., factor * (1. + 10. * slack));
 }
 
-void ShakenDisks::scale_by(const double factor)
+template <int dim>
+void ShakenBalls<dim>::scale_by(const double factor)
 {
   for (Place &place : centers)
     for (double &component : place)
@@ -191,7 +246,8 @@ void ShakenDisks::scale_by(const double factor)
     edge *= factor;
 }
 
-bool ShakenDisks::shrink(const double end, Uniform &random)
+template <int dim>
+bool ShakenBalls<dim>::shrink(const double end, const double dense, Uniform &random)
 {
   const Preparation telling("the packing", centers.size());
   const std::size_t n = centers.size();
@@ -210,12 +266,14 @@ bool ShakenDisks::shrink(const double end, Uniform &random)
         continue;
       }
       ++moves;
-      const double x = 2. * random() - 1., y = 2. * random() - 1.;
-      moved += move(i, {step * x, step * y}) ? 1 : 0;
+      Place way;
+      for (double &component : way)
+        component = step * (2. * random() - 1.);
+      moved += move(i, way) ? 1 : 0;
     }
     // About a third of all moves should succeed.
     step = std::clamp(step * (3 * moved > moves ? 1.05 : 0.95), 1e-6 * mean, 0.5 * mean);
-    scale_by(std::max({end / edges[0], slowest, room()}));
+    scale_by(std::max({end / edges[0], edges[0] > dense ? 1. - quick : slowest, room()}));
     if (round % patience == 0)
     {
       if (edges[0] > (1. - least_progress) * remembered)
@@ -225,4 +283,7 @@ bool ShakenDisks::shrink(const double end, Uniform &random)
   }
   return true;
 }
+
+template class ShakenBalls<2>;
+template class ShakenBalls<3>;
 } // namespace softgrain

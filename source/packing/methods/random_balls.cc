@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/base/random.h>
+#include <softgrain/packing/packing_method.h>
+#include <softgrain/parameters/parameter_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace softgrain
+{
+namespace
+{
+/// Balls thrown into a box of space that shrinks.
+class RandomBalls final : public PackingMethod<3>
+{
+public:
+  void declare_parameters(dealii::ParameterHandler &prm) const override
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry(
+        "Number", "0", Integer(0, 1000000),
+        "Number of balls to pack at random, as bodies grain_1, grain_2, …; 0: none. Units: none.");
+    SizeDistribution::declare_parameters(prm, "1.4e-3", "2.4e-3");
+    prm.declare_entry(
+        "Lower", "0, 0, 0", List(Double(), 3, 3, ","),
+        "Corner of the box that the balls are packed in, with the smallest coordinates. Units: m.");
+    prm.declare_entry(
+        "Upper", "1, 1, 1", List(Double(), 3, 3, ","),
+        "Corner of that box with the greatest coordinates. Number, diameters and box decide how "
+        "dense the packing is, unless 'Packing fraction' does; up to about 0.64 is possible. "
+        "Units: m.");
+    prm.declare_entry("Packing fraction", "0", Double(0., 0.74),
+                      "Share of the box that the balls fill; all diameters are scaled by one factor to reach "
+                      "it. 0: diameters are kept. Units: none.");
+    prm.declare_entry("Seed", "1", Integer(0), "Seed of the random sizes and places. Units: none.");
+  }
+
+  void parse_parameters(dealii::ParameterHandler &prm) override
+  {
+    request.number = prm.get_integer("Number");
+    if (request.number == 0)
+      throw InputError(
+          "'Packing/Number' = '0' is not allowed with 'Packing/Method' = 'random': it must be at least 1");
+    if (!prm.get("File").empty())
+      throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
+                       prm.get("Number") + "': either make a packing or read one");
+    request.sizes.parse_parameters(prm, "Packing");
+    request.lower = dealii::Point<3>(vector_of_numbers<3>(prm.get("Lower")));
+    request.upper = dealii::Point<3>(vector_of_numbers<3>(prm.get("Upper")));
+    request.fraction = prm.get_double("Packing fraction");
+    request.seed = prm.get_integer("Seed");
+    for (unsigned int d = 0; d < 3; ++d)
+      if (!(request.upper[d] - request.lower[d] > (request.fraction > 0. ? 0. : request.sizes.largest)))
+        throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
+                         "' is not allowed: the box from 'Lower' = '" + prm.get("Lower") +
+                         "' on must be larger than a ball");
+  }
+
+  bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
+
+  Packing<3> make() const override { return make_packing(request); }
+
+private:
+  PackingRequest3D request;
+};
+
+[[maybe_unused]] const bool registered =
+    Registry<PackingMethod<3>>::instance().add("random",
+                                               "'Number' balls thrown into a box that shrinks",
+                                               [] { return std::make_unique<RandomBalls>(); });
+} // namespace
+} // namespace softgrain
