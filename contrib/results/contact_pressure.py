@@ -22,12 +22,15 @@ POISSON = 0.45
 EDGE = 0.92  # of the half width, up to which pressures are compared
 
 
-def quarter_of_disk(fine, coarse=0.08, near=0.35, growth=0.16):
-    """Vertices and triangles of a quarter of the unit disk, small near its top."""
+def quarter_of_disk(fine, coarse=0.08, near=0.35, growth=0.16, both=False):
+    """Vertices and triangles of a quarter of the unit disk, small near its top, and with @both at its right end, too."""
     from scipy.spatial import Delaunay
 
     def size_at(x, y):
-        return min(coarse, max(fine, growth * math.hypot(max(0., x - near), 1 - y)))
+        away = math.hypot(max(0., x - near), 1 - y)
+        if both:
+            away = min(away, math.hypot(max(0., y - near), 1 - x))
+        return min(coarse, max(fine, growth * away))
 
     angles = [0.]
     while angles[-1] < math.pi / 2:

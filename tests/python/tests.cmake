@@ -23,3 +23,8 @@ if(TARGET softgrain_executable AND EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       $<TARGET_FILE:softgrain_executable>)
   set_tests_properties(python/notebook PROPERTIES LABELS "nightly;python" TIMEOUT 3600)
 endif()
+
+add_test(NAME python/rivals
+  COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/rivals.py
+    ${CMAKE_BINARY_DIR}/tests/python/rivals.run)
+set_tests_properties(python/rivals PROPERTIES LABELS "quick;python" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
