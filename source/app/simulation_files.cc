@@ -234,6 +234,9 @@ void Simulation<dim>::write_state(const std::string &file)
         // What the checkpoint says is written must not be lost where the checkpoint is kept.
         history.bring_to_disk();
         measure_table.bring_to_disk();
+        fields.bring_to_disk();
+        if constexpr (dim == 2)
+          snapshots.bring_to_disk();
         writer->commit();
       });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/atomic_file.h>
+#include <softgrain/output/late_files.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,7 +26,9 @@ void bring_to_disk(const std::string &path, const int flags)
   const int descriptor = ::open(path.c_str(), flags);
   if (descriptor < 0)
     fail("open", path);
-  const int status = ::fsync(descriptor);
+  int status = ::fsync(descriptor);
+  while (status != 0 && errno == EINTR)
+    status = ::fsync(descriptor);
   const int reason = errno;
   ::close(descriptor);
   // Some file systems know no fsync of a folder; the rename is still in order there.
@@ -35,21 +38,31 @@ void bring_to_disk(const std::string &path, const int flags)
     fail("bring to the disk", path);
   }
 }
+} // namespace
 
-std::string folder_of(const std::string &path)
+std::string folder_of_file(const std::string &path)
 {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return folder.empty() ? "." : folder.string();
 }
-} // namespace
+
+void bring_file_to_disk(const std::string &path)
+{
+  bring_to_disk(path, O_RDONLY);
+}
+
+void bring_folder_to_disk(const std::string &path)
+{
+  bring_to_disk(path, O_RDONLY | O_DIRECTORY);
+}
 
 AtomicFile::AtomicFile(const std::string &final_path)
     : whole_path(final_path), part_path(final_path + ".part")
 {
   std::error_code error;
-  std::filesystem::create_directories(folder_of(whole_path), error);
+  std::filesystem::create_directories(folder_of_file(whole_path), error);
   if (error)
-    throw ComputationError("cannot make the folder " + folder_of(whole_path) + ": " + error.message());
+    throw ComputationError("cannot make the folder " + folder_of_file(whole_path) + ": " + error.message());
   // A rename would put a file in the place of a device, or of a link to one.
   if (std::filesystem::exists(whole_path, error) && !std::filesystem::is_regular_file(whole_path, error))
     throw ComputationError("cannot write " + whole_path + ": what is there is no file");
@@ -84,13 +97,29 @@ void AtomicFile::write(const std::string &content)
     fail("write", part_path);
 }
 
-void AtomicFile::commit()
+void AtomicFile::sync()
 {
-  bring_to_disk(part_path, O_RDONLY);
+  bring_file_to_disk(part_path);
+}
+
+void AtomicFile::rename()
+{
   if (std::rename(part_path.c_str(), whole_path.c_str()) != 0)
     fail("rename " + part_path + " to", whole_path);
   committed = true;
-  bring_to_disk(folder_of(whole_path), O_RDONLY | O_DIRECTORY);
+}
+
+void AtomicFile::commit()
+{
+  sync();
+  rename();
+  bring_folder_to_disk(folder_of_file(whole_path));
+}
+
+void AtomicFile::commit(LateFiles &later)
+{
+  rename();
+  later.add(whole_path);
 }
 
 void write_file_atomically(const std::string &path, const std::string &content)
@@ -98,5 +127,12 @@ void write_file_atomically(const std::string &path, const std::string &content)
   AtomicFile file(path);
   file.write(content);
   file.commit();
+}
+
+void write_file_atomically(const std::string &path, const std::string &content, LateFiles &later)
+{
+  AtomicFile file(path);
+  file.write(content);
+  file.commit(later);
 }
 } // namespace softgrain

@@ -315,14 +315,14 @@ void FieldWriter::put(Frame &frame,
                       const std::string &number,
                       const std::string &part,
                       const std::uint64_t step,
-                      const Fill &fill) const
+                      const Fill &fill)
 {
   VtuFile file(options.compression_level);
   file.add_global("TimeValue", frame.time);
   file.add_global("step", static_cast<double>(step));
   fill(file);
   const std::string name = "fields/" + part + "-" + number + suffix;
-  write_file_atomically(directory + "/" + name, file.text());
+  write_file_atomically(directory + "/" + name, file.text(), late);
   frame.parts.emplace_back(part, name);
 }
 
@@ -371,14 +371,18 @@ void FieldWriter::write(const Snapshot<3> &snapshot)
       });
 }
 
-void FieldWriter::write_index() const
+void FieldWriter::write_index()
 {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
   for (const Frame &frame : frames)
     for (std::size_t part = 0; part < frame.parts.size(); ++part)
       text += "<DataSet timestep=\"" + exact_text(frame.time) + "\" part=\"" + std::to_string(part) +
               "\" name=\"" + frame.parts[part].first + "\" file=\"" + frame.parts[part].second + "\"/>\n";
-  write_file_atomically(directory + "/fields.pvd", text + "</Collection>\n</VTKFile>\n");
+  // A failure of power may take the newest pictures, but never the index of all.
+  AtomicFile file(directory + "/fields.pvd");
+  file.write(text + "</Collection>\n</VTKFile>\n");
+  file.sync();
+  file.commit(late);
 }
 
 void FieldWriter::remove_stale_files() const

@@ -66,12 +66,12 @@ void SnapshotFile::append(const Snapshot<2> &snapshot)
   Hdf5File file(target.temporary_path(), Hdf5File::Mode::create, options.compression_level);
   write_snapshot(file, snapshot, options.points);
   file.close();
-  target.commit();
+  target.commit(late);
   entries.push_back({snapshot.time, snapshot.step});
   write_index();
 }
 
-void SnapshotFile::write_index() const
+void SnapshotFile::write_index()
 {
   AtomicFile target(directory + "/snapshots.h5");
   Hdf5File file(target.temporary_path(), Hdf5File::Mode::create);
@@ -88,7 +88,9 @@ void SnapshotFile::write_index() const
   file.write("step", steps);
   write_units(file);
   file.close();
-  target.commit();
+  // A failure of power may take the newest snapshots, but never the index of all.
+  target.sync();
+  target.commit(late);
 }
 
 void SnapshotFile::remove_stale_files() const

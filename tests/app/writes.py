@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
 A run that is killed in any of its writes, or to which the disk refuses one, goes on with --restart to the same files as an
-undisturbed one, byte for byte but for times of the clock. A library that is loaded before the C library stops the program.
+undisturbed one, byte for byte but for times of the clock. Pictures and snapshots are on the disk before a checkpoint that says so has
+its name. A library that is loaded before the C library stops the program.
 Quick: the first call of every kind to some of the files; with SOFTGRAIN_ALL_WRITES every call.
 """
 import json
@@ -57,6 +58,20 @@ def content_of(folder):
     return found
 
 
+def not_on_the_disk(calls):
+    """Pictures and snapshots that a checkpoint came before: they had their names, and nobody had waited for the disk."""
+    late, found = set(), []
+    for what, path in calls:
+        path = pathlib.Path(path)
+        if what == "rename" and path.parent.name in ("fields", "snapshots"):
+            late.add((path.parent.name, path.name))
+        elif what == "fsync":
+            late.discard((path.parent.name, path.name))
+        elif what == "rename" and path.name.startswith(("state-", "stage-")):
+            found += sorted(late)
+    return found
+
+
 class Writes(unittest.TestCase):
     def prepare(self, model):
         self.folder = WORK / f"writes.{model}"
@@ -70,7 +85,10 @@ class Writes(unittest.TestCase):
         self.whole = content_of(self.folder / "whole/out")
         self.assertIn("stage-first.h5", self.whole)
         self.assertEqual(len([name for name in self.whole if name.startswith("state-")]), 1)
-        return [line.split(" ", 1) for line in calls.read_text().splitlines()]
+        calls = [line.split(" ", 1) for line in calls.read_text().splitlines()]
+        self.assertGreater(sum(what == "rename" and "/fields/" in path for what, path in calls), 8)
+        self.assertEqual(not_on_the_disk(calls), [])
+        return calls
 
     def run_it(self, name, *words, **environment):
         place = self.folder / name

@@ -23,7 +23,7 @@ from pathlib import Path
 NOT_RUN = ("installs packages", "runs all tests", "compiles, as the test constitutive/custom_law_alone does",
            "compiles; the test nightly/installed_package packs", "a nightly test does the same",
            "starts ranks, as the tests app/ranks do", "needs a scheduler", "runs until it is stopped", "needs a display",
-           "needs a container tool", "builds a Debian package",
+           "needs a container tool", "needs other codes", "builds a Debian package",
            "test house/reference_manual does")
 COPIED = ("parameters", "doc", "examples", "cmake", "contrib", "include", "source")
 LANGUAGES = ("sh", "prm", "text", "python", "cpp", "json")

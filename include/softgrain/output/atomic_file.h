@@ -6,6 +6,8 @@
 
 namespace softgrain
 {
+class LateFiles;
+
 /**
  * @brief A file that appears under its name whole or not at all, whatever interrupts the program.
  *
@@ -36,7 +38,16 @@ public:
    */
   void commit();
 
+  /// Brings what was written to the disk while the file has no name yet. @throw ComputationError as commit().
+  void sync();
+
+  /// Puts the file in its place by a rename alone, and notes it among those that are brought to the disk
+  /// later.
+  void commit(LateFiles &later);
+
 private:
+  void rename();
+
   std::string whole_path;
   std::string part_path;
   bool committed = false;
@@ -44,6 +55,15 @@ private:
 
 /// write() and commit() in one.
 void write_file_atomically(const std::string &path, const std::string &content);
+/// Writes and renames the file; the disk is waited for later.
+void write_file_atomically(const std::string &path, const std::string &content, LateFiles &later);
+
+/// fsync of a file. @throw ComputationError with the reason when the disk refuses
+void bring_file_to_disk(const std::string &path);
+/// fsync of a folder, so that its names are on the disk.
+void bring_folder_to_disk(const std::string &path);
+/// The folder that a file is in.
+std::string folder_of_file(const std::string &path);
 } // namespace softgrain
 
 #endif

@@ -3,6 +3,7 @@
 #define softgrain_output_field_writer_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/output/late_files.h>
 
 #include <cstdint>
 #include <string>
@@ -53,6 +54,9 @@ public:
   /// file of their own; walls are not drawn.
   void write(const Snapshot<3> &snapshot);
 
+  /// Waits for the disk to have all frames that were written. @throw ComputationError when it refuses.
+  void bring_to_disk() { late.bring_to_disk(); }
+
   /// Frames in `fields.pvd`.
   std::size_t n_frames() const { return frames.size(); }
 
@@ -67,20 +71,18 @@ private:
   std::string begin_frame(double time);
   /// Writes a file of the frame.
   template <class Fill>
-  void put(Frame &frame,
-           const std::string &number,
-           const std::string &part,
-           std::uint64_t step,
-           const Fill &fill) const;
+  void
+  put(Frame &frame, const std::string &number, const std::string &part, std::uint64_t step, const Fill &fill);
   /// Writes the files of a frame, for which @p parts calls put_part(name, fill) each.
   template <int dim, class Parts>
   void write_frame(const Snapshot<dim> &snapshot, const Parts &parts);
-  void write_index() const;
+  void write_index();
   void remove_stale_files() const;
 
   std::string directory;
   FieldOptions options;
   std::vector<Frame> frames;
+  LateFiles late;
   bool stale_files_removed = false;
 };
 

@@ -3,6 +3,7 @@
 #define softgrain_output_snapshot_file_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/output/late_files.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,9 @@ public:
   /// refuses.
   void append(const Snapshot<2> &snapshot);
 
+  /// Waits for the disk to have all that were added. @throw ComputationError when it refuses.
+  void bring_to_disk() { late.bring_to_disk(); }
+
   std::size_t n_snapshots() const { return entries.size(); }
 
 private:
@@ -47,12 +51,13 @@ private:
     std::uint64_t step = 0;
   };
 
-  void write_index() const;
+  void write_index();
   void remove_stale_files() const;
 
   std::string directory;
   SnapshotOptions options;
   std::vector<Entry> entries;
+  LateFiles late;
   bool stale_files_removed = false;
 };
 

@@ -20,7 +20,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-static int number = 0;
+static int number = 0; /* several threads may wait for the disk */
 
 /* Whether a path is in the folder; NULL is in no folder. */
 static int is_in_folder(const char *path)
@@ -37,7 +37,7 @@ static int meets(const char *what, const char *path)
 {
   if (!is_in_folder(path))
     return 0;
-  ++number;
+  const int here = __atomic_add_fetch(&number, 1, __ATOMIC_SEQ_CST);
   const char *const list = getenv("STOP_LIST"), *const at = getenv("STOP_AT"), *const how = getenv("STOP_HOW");
   if (list != NULL)
   {
@@ -45,7 +45,7 @@ static int meets(const char *what, const char *path)
     fprintf(file, "%s %s\n", what, path);
     fclose(file);
   }
-  if (at == NULL || atoi(at) != number)
+  if (at == NULL || atoi(at) != here)
     return 0;
   return how != NULL && strcmp(how, "refuse") == 0 ? 2 : 1;
 }
