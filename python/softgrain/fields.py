@@ -56,8 +56,8 @@ def read_series(directory):
     return frames
 
 
-def read_grid(path):
-    """One VTU file by VTK's own reader."""
+def read_grid(path, dimension=2):
+    """One VTU file by VTK's own reader; places with the first @dimension components."""
     try:
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
@@ -75,7 +75,7 @@ def read_grid(path):
         raise InputError(f"{path} is damaged")
     grid = Grid()
     if data.GetNumberOfPoints():
-        grid.points = vtk_to_numpy(data.GetPoints().GetData())[:, :2].astype(float)
+        grid.points = vtk_to_numpy(data.GetPoints().GetData())[:, :dimension].astype(float)
     if data.GetNumberOfCells():
         offsets = vtk_to_numpy(data.GetCells().GetOffsetsArray())
         connectivity = vtk_to_numpy(data.GetCells().GetConnectivityArray())

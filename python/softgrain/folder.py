@@ -11,6 +11,7 @@ from .errors import InputError, MissingName, near_names
 from .fields import FieldSource, read_series
 from .parameters import read_parameters
 from .snapshots import SnapshotSource, read_times
+from .space import SpaceFieldSource, SpaceSnapshotSource, SpaceState
 from .state import State
 from .tables import as_frame, read_table
 
@@ -162,6 +163,13 @@ class Run:
         return self.status == "completed"
 
     @property
+    def dimension(self):
+        """2, or 3 of a run in space."""
+        if not os.path.exists(self.path("parameters.prm")):
+            return 2
+        return int(self.parameters.get("Dimension", 2))
+
+    @property
     def model(self):
         """'mpm' or 'bpm'."""
         return str(self.parameters.get("Model", "mpm")).lower()
@@ -189,10 +197,7 @@ class Run:
 
     def for_pictures(self):
         """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
-        if (
-            os.path.exists(self.path("parameters.prm"))
-            and str(self.parameters.get("Dimension", "2")) == "3"
-        ):
+        if self.dimension == 3:
             raise InputError(
                 f"{self.directory} has a scene in space ('Dimension' = '3'), which is not drawn:"
                 " open its fields.pvd in ParaView"
@@ -241,6 +246,14 @@ class Run:
         if not -n <= number < n:
             raise IndexError(f"{self.directory} has the states 0 to {n - 1}, not {number}")
         number = int(number) % n
+        if self.dimension == 3:
+            from_file = self.source == "snapshots"
+            space = (
+                SpaceSnapshotSource(self.directory, number)
+                if from_file
+                else SpaceFieldSource(self.frames()[number])
+            )
+            return SpaceState(self, space, number, float(self.times[number]))
         if self.source == "snapshots":
             return State(
                 self, SnapshotSource(self.directory, number), number, float(self.times[number])

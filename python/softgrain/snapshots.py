@@ -81,6 +81,8 @@ def read_times(directory):
 class SnapshotSource:
     """One step of snapshots.h5 as a source of a state; arrays are read when they are asked for."""
 
+    widths, table_type = WIDTHS, Table
+
     def __init__(self, directory, number):
         self.file = os.path.join(directory, "snapshots.h5")
         self.number = number
@@ -96,18 +98,19 @@ class SnapshotSource:
             except (KeyError, OSError) as error:
                 raise InputError(f"{self.file} is damaged: {error}") from error
 
-    @staticmethod
-    def converted(name, values):
+    @classmethod
+    def converted(cls, name, values):
         if values.dtype.kind in "OS":
             return np.array(
                 [item.decode() if isinstance(item, bytes) else item for item in values.ravel()]
             )
+        width = cls.widths.get(name.rsplit("/", 1)[-1])
         if values.dtype.kind == "u":
             signed = values.astype(np.int64)
-            return np.where(signed == NOBODY, -1, signed)
+            signed = np.where(signed == NOBODY, -1, signed)
+            return signed.reshape(-1, width) if width else signed
         if name in ("walls/position_m", "walls/velocity_m_per_s"):  # along the normal
             return values
-        width = WIDTHS.get(name.rsplit("/", 1)[-1])
         return values.reshape(-1, width) if width else values
 
     def forget(self):
@@ -174,7 +177,7 @@ class SnapshotSource:
             columns = {"body": lambda: np.arange(n_rows), **columns}
         if part == "walls":
             columns["wall"] = lambda: np.arange(n_rows)
-        return Table(columns, part, self.path(part), self.units(part))
+        return self.table_type(columns, part, self.path(part), self.units(part))
 
     def lines(self):
         """The lines of the obstacles."""

@@ -33,6 +33,8 @@ class Table:
     ['center_x_m', 'center_y_m', 'area_m2']
     """
 
+    COMPONENTS = COMPONENTS  # names of the components of rows of so many numbers
+
     def __init__(self, columns, title="table", path="", units=None):
         self._columns, self._title, self._path, self._units = (
             dict(columns),
@@ -68,6 +70,11 @@ class Table:
 
     def __setitem__(self, name, values):
         self._columns[name] = values
+
+    def offer(self, name, values):
+        """Sets a column where there is none of this name."""
+        if name not in self._columns:
+            self._columns[name] = values
 
     def __contains__(self, name):
         return name in self._columns
@@ -128,7 +135,7 @@ class Table:
 
     def where(self, mask):
         """The rows for which @mask is true, as a table."""
-        return Table(
+        return type(self)(
             {name: values[mask] for name, values in self.items()},
             self._title,
             self._path,
@@ -147,7 +154,7 @@ class Table:
                 continue
             base, unit = split_unit(name)
             suffix = name[len(base) :] if unit else ""
-            labels = COMPONENTS.get(values.shape[1], [str(i) for i in range(values.shape[1])])
+            labels = self.COMPONENTS.get(values.shape[1], [str(i) for i in range(values.shape[1])])
             for i, label in enumerate(labels):
                 result[f"{base}_{label}{suffix}"] = values[:, i]
         return result

@@ -6,8 +6,9 @@
 
 namespace softgrain
 {
-std::optional<double> axial_strain(const std::vector<WallState<2>> &start,
-                                   const std::vector<WallState<2>> &now)
+template <int dim>
+std::optional<double> axial_strain(const std::vector<WallState<dim>> &start,
+                                   const std::vector<WallState<dim>> &now)
 {
   const auto h0 = wall_distance(start, "bottom", "top"), h = wall_distance(now, "bottom", "top");
   if (!h0 || !h)
@@ -34,11 +35,19 @@ std::optional<BoxStress> box_stress(const std::vector<WallState<2>> &walls)
   return BoxStress{mean("bottom", "top") / box->width(), mean("left", "right") / box->height()};
 }
 
-std::optional<double> packing_fraction(const std::vector<WallState<2>> &walls, const double solid_area)
+template <int dim>
+std::optional<double> packing_fraction(const std::vector<WallState<dim>> &walls, const double solid_area)
 {
-  const std::optional<Box<2>> box = box_of(walls);
+  const std::optional<Box<dim>> box = box_of(walls);
   if (!box)
     return std::nullopt;
   return solid_area / box->volume();
 }
+
+template std::optional<double> axial_strain<2>(const std::vector<WallState<2>> &,
+                                               const std::vector<WallState<2>> &);
+template std::optional<double> axial_strain<3>(const std::vector<WallState<3>> &,
+                                               const std::vector<WallState<3>> &);
+template std::optional<double> packing_fraction<2>(const std::vector<WallState<2>> &, double);
+template std::optional<double> packing_fraction<3>(const std::vector<WallState<3>> &, double);
 } // namespace softgrain

@@ -5,21 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-SOFTGRAIN_DEFINE_REGISTRY(softgrain::Measure)
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::MeasureIn<2>)
+SOFTGRAIN_DEFINE_REGISTRY(softgrain::MeasureIn<3>)
 
 namespace softgrain
 {
 namespace
 {
 /// Measures divide by areas and look up bodies, so both are verified once for all of them.
-void check(const Snapshot<2> &snapshot)
+template <int dim>
+void check(const Snapshot<dim> &snapshot)
 {
-  for (const BodyState<2> &body : snapshot.bodies)
+  for (const BodyState<dim> &body : snapshot.bodies)
     if (!(body.area > 0.) || !(body.reference_area > 0.) || body.outline.empty())
       throw ComputationError("body '" + body.name + "' has no outline or no area at t = " +
                              std::to_string(snapshot.time) + " s: nothing can be measured");
-  constexpr unsigned int none = ContactState<2>::not_a_body;
-  for (const ContactState<2> &contact : snapshot.contacts)
+  constexpr unsigned int none = ContactState<dim>::not_a_body;
+  for (const ContactState<dim> &contact : snapshot.contacts)
     if (contact.body_a >= snapshot.bodies.size() ||
         (contact.wall == none ? contact.body_b >= snapshot.bodies.size()
                               : contact.wall >= snapshot.walls.size() + snapshot.obstacles.size()))
@@ -28,9 +30,10 @@ void check(const Snapshot<2> &snapshot)
 }
 } // namespace
 
-MeasureSet::MeasureSet(const std::vector<std::string> &names)
+template <int dim>
+MeasureSetIn<dim>::MeasureSetIn(const std::vector<std::string> &names)
 {
-  const Registry<Measure> &known = Registry<Measure>::instance();
+  const Registry<MeasureIn<dim>> &known = Registry<MeasureIn<dim>>::instance();
   const bool all = std::find(names.begin(), names.end(), "all") != names.end();
   std::vector<std::string> taken;
   for (const std::string &name : all ? known.names() : names)
@@ -41,7 +44,8 @@ MeasureSet::MeasureSet(const std::vector<std::string> &names)
     }
 }
 
-std::vector<std::string> MeasureSet::columns() const
+template <int dim>
+std::vector<std::string> MeasureSetIn<dim>::columns() const
 {
   std::vector<std::string> result;
   for (const auto &measure : measures)
@@ -50,11 +54,12 @@ std::vector<std::string> MeasureSet::columns() const
   return result;
 }
 
-std::vector<std::pair<std::string, MeasuredValue>> MeasureSet::evaluate(const Snapshot<2> &snapshot,
-                                                                        const MeasureContext &context) const
+template <int dim>
+std::vector<std::pair<std::string, MeasuredValue>>
+MeasureSetIn<dim>::evaluate(const Snapshot<dim> &snapshot, const MeasureContextIn<dim> &context) const
 {
   check(snapshot);
-  const Assembly assembly(snapshot, context);
+  const AssemblyIn<dim> assembly(snapshot, context);
   std::vector<std::pair<std::string, MeasuredValue>> result;
   for (const auto &measure : measures)
   {
@@ -66,9 +71,11 @@ std::vector<std::pair<std::string, MeasuredValue>> MeasureSet::evaluate(const Sn
   return result;
 }
 
-std::vector<std::pair<std::string, MeasuredValue>> MeasureSeries::evaluate(const Snapshot<2> &snapshot)
+template <int dim>
+std::vector<std::pair<std::string, MeasuredValue>>
+MeasureSeriesIn<dim>::evaluate(const Snapshot<dim> &snapshot)
 {
-  MeasureContext context;
+  MeasureContextIn<dim> context;
   context.first = first ? &*first : &snapshot;
   context.previous = previous ? &*previous : nullptr;
   context.friction = friction;
@@ -77,19 +84,25 @@ std::vector<std::pair<std::string, MeasuredValue>> MeasureSeries::evaluate(const
   return values;
 }
 
-void MeasureSeries::remember(const Snapshot<2> &snapshot)
+template <int dim>
+void MeasureSeriesIn<dim>::remember(const Snapshot<dim> &snapshot)
 {
-  Snapshot<2> light;
+  Snapshot<dim> light;
   light.time = snapshot.time;
   light.step = snapshot.step;
   light.walls = snapshot.walls;
   light.obstacles = snapshot.obstacles;
   light.contacts = snapshot.contacts;
   light.bodies = snapshot.bodies;
-  for (BodyState<2> &body : light.bodies)
+  for (BodyState<dim> &body : light.bodies)
     body.outline.clear();
   if (!first)
     first = light;
   previous = std::move(light);
 }
+
+template class MeasureSetIn<2>;
+template class MeasureSetIn<3>;
+template class MeasureSeriesIn<2>;
+template class MeasureSeriesIn<3>;
 } // namespace softgrain

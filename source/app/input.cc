@@ -448,7 +448,7 @@ void declare_all_parameters(dealii::ParameterHandler &prm,
                             const unsigned int dimension)
 {
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
-  RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names());
+  RunParameters::declare_parameters(prm, Registry<ModelFactory>::instance().names(), dimension);
   SceneParameters(names, factory->laws(), dimension).declare_parameters(prm);
   StopConditions::declare_parameters(prm);
   Stages::declare_parameters(prm, names.stages, names.walls);

@@ -16,7 +16,8 @@ namespace softgrain
 {
 namespace fs = std::filesystem;
 
-std::vector<std::string> measure_columns(const MeasureSet &measures)
+template <int dim>
+std::vector<std::string> measure_columns(const MeasureSetIn<dim> &measures)
 {
   std::vector<std::string> names = {"time_s", "step"};
   for (const std::string &column : measures.columns())
@@ -24,7 +25,8 @@ std::vector<std::string> measure_columns(const MeasureSet &measures)
   return names;
 }
 
-HistoryRow measure_row(MeasureSeries &measures, const Snapshot<2> &snapshot)
+template <int dim>
+HistoryRow measure_row(MeasureSeriesIn<dim> &measures, const Snapshot<dim> &snapshot)
 {
   HistoryRow row = {{"time_s", snapshot.time}, {"step", static_cast<double>(snapshot.step)}};
   for (const auto &[name, value] : measures.evaluate(snapshot))
@@ -32,7 +34,8 @@ HistoryRow measure_row(MeasureSeries &measures, const Snapshot<2> &snapshot)
   return row;
 }
 
-void remember_snapshots(MeasureSeries &measures, const std::string &directory, const double time)
+template <int dim>
+void remember_snapshots(MeasureSeriesIn<dim> &measures, const std::string &directory, const double time)
 {
   const std::string path = (fs::path(directory) / "snapshots.h5").string();
   if (!fs::exists(path))
@@ -41,9 +44,9 @@ void remember_snapshots(MeasureSeries &measures, const std::string &directory, c
   for (const double taken : snapshot_times(path))
     n += taken <= time;
   if (n > 0)
-    measures.remember(read_snapshot(path, 0));
+    measures.remember(read_snapshot<dim>(path, 0));
   if (n > 1)
-    measures.remember(read_snapshot(path, n - 1));
+    measures.remember(read_snapshot<dim>(path, n - 1));
 }
 
 namespace
@@ -67,6 +70,20 @@ std::optional<double> friction_of(const std::string &directory)
                      "' is not allowed: it must be a number of at least 0");
   return dealii::Utilities::string_to_double(friction);
 }
+
+/// @param names of measures; empty: all
+template <int dim>
+void write_table(const fs::path &snapshots,
+                 const std::size_t n,
+                 const std::vector<std::string> &names,
+                 const std::optional<double> friction,
+                 const fs::path &path)
+{
+  MeasureSeriesIn<dim> measures(names.empty() ? std::vector<std::string>{"all"} : names, friction);
+  HistoryWriter table(path.parent_path().string(), path.filename().string());
+  for (std::size_t i = 0; i < n; ++i)
+    table.write(measure_row(measures, read_snapshot<dim>(snapshots.string(), i)));
+}
 } // namespace
 
 void measure_snapshots(const std::string &directory,
@@ -74,7 +91,7 @@ void measure_snapshots(const std::string &directory,
                        const std::vector<std::string> &names,
                        std::ostream &log)
 {
-  MeasureSeries measures(names.empty() ? std::vector<std::string>{"all"} : names, friction_of(directory));
+  const std::optional<double> friction = friction_of(directory);
   if (!fs::is_directory(directory))
     throw InputError("there is no folder " + directory);
   const fs::path snapshots = fs::path(directory) / "snapshots.h5";
@@ -85,13 +102,18 @@ void measure_snapshots(const std::string &directory,
     throw InputError(snapshots.string() + " holds no snapshot yet");
   const fs::path path = output.empty() ? fs::path(directory) / measure_table_name : fs::path(output);
   AtomicFile target(path.string());
-  {
-    const fs::path part = target.temporary_path();
-    HistoryWriter table(part.parent_path().string(), part.filename().string());
-    for (std::size_t i = 0; i < n; ++i)
-      table.write(measure_row(measures, read_snapshot(snapshots.string(), i)));
-  }
+  if (dimension_of_snapshots(snapshots.string()) == 3)
+    write_table<3>(snapshots, n, names, friction, target.temporary_path());
+  else
+    write_table<2>(snapshots, n, names, friction, target.temporary_path());
   target.commit();
   log << path.string() << ": " << n << " rows\n";
 }
+
+template std::vector<std::string> measure_columns<2>(const MeasureSetIn<2> &);
+template std::vector<std::string> measure_columns<3>(const MeasureSetIn<3> &);
+template HistoryRow measure_row<2>(MeasureSeriesIn<2> &, const Snapshot<2> &);
+template HistoryRow measure_row<3>(MeasureSeriesIn<3> &, const Snapshot<3> &);
+template void remember_snapshots<2>(MeasureSeriesIn<2> &, const std::string &, double);
+template void remember_snapshots<3>(MeasureSeriesIn<3> &, const std::string &, double);
 } // namespace softgrain

@@ -17,7 +17,17 @@ namespace
 {
 const std::string all_parts = "points, outlines, contacts, walls, deformation gradient, extra fields";
 
-void declare_output(dealii::ParameterHandler &prm)
+/// Names of all measures, with the word for all of them.
+template <int dim>
+std::string measures_to_choose()
+{
+  std::string choice = "all";
+  for (const std::string &name : Registry<MeasureIn<dim>>::instance().names())
+    choice += "|" + name;
+  return choice;
+}
+
+void declare_output(dealii::ParameterHandler &prm, const unsigned int dimension)
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Output");
@@ -34,10 +44,8 @@ void declare_output(dealii::ParameterHandler &prm)
                     "Simulated time between entries of snapshots.h5, for analysis; 0: none. Units: s.");
   prm.declare_entry("Points in snapshots", "true", Bool(),
                     "Whether snapshots.h5 contains the points. Units: none.");
-  std::string choice = "all";
-  for (const std::string &name : Registry<Measure>::instance().names())
-    choice += "|" + name;
-  prm.declare_entry("Measures", "", MultipleSelection(choice),
+  prm.declare_entry("Measures", "",
+                    MultipleSelection(dimension == 3 ? measures_to_choose<3>() : measures_to_choose<2>()),
                     "Measures written to measures.csv with every snapshot; doc/measures.md says what each "
                     "one is. Units: none.");
   prm.declare_entry("Compression level", "1", Integer(0, 9),
@@ -57,7 +65,9 @@ void declare_output(dealii::ParameterHandler &prm)
 }
 } // namespace
 
-void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std::vector<std::string> &models)
+void RunParameters::declare_parameters(dealii::ParameterHandler &prm,
+                                       const std::vector<std::string> &models,
+                                       const unsigned int dimension)
 {
   using namespace dealii::Patterns;
   std::string choice;
@@ -80,7 +90,7 @@ void RunParameters::declare_parameters(dealii::ParameterHandler &prm, const std:
   prm.declare_entry("Additional shared libraries", "", List(Anything()),
                     "Libraries with laws and other parts of your own. Units: none.");
   prm.declare_entry("Threads", "0", Integer(0), "Number of threads; 0: one per core. Units: none.");
-  declare_output(prm);
+  declare_output(prm, dimension);
 }
 
 void RunParameters::parse_parameters(dealii::ParameterHandler &prm,

@@ -100,9 +100,8 @@ void Simulation<dim>::resume_files()
   {
     measure_table.resume(model.step(), measure_columns(measures.measures()), waiting.written.measures);
     remember_snapshots(measures, parameters.output_directory, until);
-    if constexpr (dim == 2)
-      if (waiting.snapshot && waiting.parts.snapshots)
-        measures.remember(*waiting.snapshot);
+    if (waiting.snapshot && waiting.parts.snapshots)
+      measures.remember(*waiting.snapshot);
   }
   remove_unfinished_files(parameters.output_directory);
   open_log(true);

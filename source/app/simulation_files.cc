@@ -126,13 +126,10 @@ HistoryRow Simulation<dim>::history_row(const Energies &energies) const
   add_to_row(model.obstacles(), row);
   if (!path.empty())
     row.emplace_back("stage", path.number() + 1.);
-  if constexpr (dim == 2)
-  {
-    row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
-    // Where there is no box to be filled, nobody need know what fills it.
-    row.emplace_back("packing_fraction",
-                     box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
-  }
+  row.emplace_back("axial_strain", axial_strain(walls_at_start, walls).value_or(nothing));
+  // Where there is no box to be filled, nobody need know what fills it.
+  row.emplace_back("packing_fraction",
+                   box_of(walls) ? packing_fraction(walls, model.solid_area()).value_or(nothing) : nothing);
   row.emplace_back("coordination", step_given_up ? nothing : model.coordination());
   row.emplace_back("kinetic_energy_J" + per_metre, energies.kinetic);
   row.emplace_back("elastic_energy_J" + per_metre, energies.elastic);
@@ -166,9 +163,8 @@ void Simulation<dim>::prepare_output(const OutputParts &parts, const Energies &e
     waiting.history = line_of(history_row(energies));
   if (parts.fields || parts.snapshots)
     waiting.snapshot = model.snapshot();
-  if constexpr (dim == 2)
-    if (parts.measures)
-      ranks.at_first([this]() { waiting.measures = line_of(measure_row(measures, *waiting.snapshot)); });
+  if (parts.measures)
+    ranks.at_first([this]() { waiting.measures = line_of(measure_row(measures, *waiting.snapshot)); });
   statistics.add_output_seconds(seconds_since(begin));
 }
 
@@ -179,8 +175,6 @@ void Simulation<dim>::write_waiting()
   if (!(parts.history || parts.fields || parts.snapshots || parts.measures))
     return;
   const auto begin = std::chrono::steady_clock::now();
-  if (parts.fields && dim == 3 && !waiting.snapshot)
-    waiting.snapshot = model.snapshot(); // of a state that was loaded
   // A part is noted as soon as it is on the disk; the others follow the first rank when all are.
   const auto done = [](bool &waits, bool &is_there)
   {
@@ -197,9 +191,8 @@ void Simulation<dim>::write_waiting()
         if (parts.fields)
           fields.write(*waiting.snapshot);
         done(parts.fields, written.fields);
-        if constexpr (dim == 2)
-          if (parts.snapshots)
-            snapshots.append(*waiting.snapshot);
+        if (parts.snapshots)
+          snapshots.append(*waiting.snapshot);
         done(parts.snapshots, written.snapshots);
         if (parts.measures)
           measure_table.write_line(waiting.measures);

@@ -50,9 +50,8 @@ void WaitingOutput<dim>::save(CheckpointWriter &writer) const
     save_line(writer, history_name, history);
   if (parts.measures)
     save_line(writer, measures_name, measures);
-  if constexpr (dim == 2)
-    if ((parts.fields || parts.snapshots) && snapshot)
-      writer.write_snapshot(snapshot_name, *snapshot);
+  if ((parts.fields || parts.snapshots) && snapshot)
+    writer.write_snapshot(snapshot_name, *snapshot);
 }
 
 template <int dim>
@@ -67,9 +66,8 @@ WaitingOutput<dim> WaitingOutput<dim>::load(const CheckpointReader &reader, cons
     output.history = line_in(reader, history_name);
   if (output.parts.measures)
     output.measures = line_in(reader, measures_name);
-  if constexpr (dim == 2)
-    if (output.parts.fields || output.parts.snapshots)
-      output.snapshot = reader.read_snapshot(snapshot_name);
+  if (output.parts.fields || output.parts.snapshots)
+    output.snapshot = reader.read_snapshot<dim>(snapshot_name);
   return output;
 }
 

@@ -106,7 +106,8 @@ void CheckpointWriter::write_rows(const std::string &name,
   for_pieces(n_rows, width, write_piece);
 }
 
-void CheckpointWriter::write_snapshot(const std::string &group, const Snapshot<2> &snapshot)
+template <int dim>
+void CheckpointWriter::write_snapshot(const std::string &group, const Snapshot<dim> &snapshot)
 {
   softgrain::write_snapshot(*file, snapshot, true, group + "/");
   for (const std::string &name : file->array_names())
@@ -192,15 +193,21 @@ void CheckpointReader::refuse(const std::string &name, const std::string &why) c
   throw InputError("cannot read '" + name + "' from " + path + ": " + why);
 }
 
-Snapshot<2> CheckpointReader::read_snapshot(const std::string &group) const
+template <int dim>
+Snapshot<dim> CheckpointReader::read_snapshot(const std::string &group) const
 {
   for (const auto &one : listed)
     if (one.first.compare(0, group.size() + 1, group + "/") == 0)
       check_listed(one.first, file->array_type(one.first), file->array_size(one.first));
   if (!file->contains(group))
     refuse(group, "it is missing");
-  return read_snapshot_group(*file, group + "/");
+  return read_snapshot_group<dim>(*file, group + "/");
 }
+
+template void CheckpointWriter::write_snapshot<2>(const std::string &, const Snapshot<2> &);
+template void CheckpointWriter::write_snapshot<3>(const std::string &, const Snapshot<3> &);
+template Snapshot<2> CheckpointReader::read_snapshot<2>(const std::string &) const;
+template Snapshot<3> CheckpointReader::read_snapshot<3>(const std::string &) const;
 
 CheckpointReader::~CheckpointReader() = default;
 

@@ -51,7 +51,8 @@ void SnapshotFile::resume(const double time)
     entries.push_back({times[i], steps[i]});
 }
 
-void SnapshotFile::append(const Snapshot<2> &snapshot)
+template <int dim>
+void SnapshotFile::append(const Snapshot<dim> &snapshot)
 {
   while (!entries.empty() && entries.back().time >= snapshot.time)
     entries.pop_back();
@@ -113,7 +114,8 @@ std::vector<double> snapshot_times(const std::string &path)
   return file.read_doubles("time_s");
 }
 
-Snapshot<2> read_snapshot(const std::string &path, const std::size_t index)
+template <int dim>
+Snapshot<dim> read_snapshot(const std::string &path, const std::size_t index)
 {
   const Hdf5File file(path, Hdf5File::Mode::read);
   check_index(file, path);
@@ -121,6 +123,18 @@ Snapshot<2> read_snapshot(const std::string &path, const std::size_t index)
   if (!file.contains(group_name(index)))
     throw InputError(path + " has no snapshot number " + std::to_string(index) + ", it has " +
                      std::to_string(file.read_doubles("time_s").size()));
-  return read_snapshot_group(file, group);
+  return read_snapshot_group<dim>(file, group);
 }
+
+unsigned int dimension_of_snapshots(const std::string &path)
+{
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  check_index(file, path);
+  return file.contains(group_name(0)) ? dimension_of_snapshot(file, group_name(0) + "/") : 2;
+}
+
+template void SnapshotFile::append<2>(const Snapshot<2> &);
+template void SnapshotFile::append<3>(const Snapshot<3> &);
+template Snapshot<2> read_snapshot<2>(const std::string &, std::size_t);
+template Snapshot<3> read_snapshot<3>(const std::string &, std::size_t);
 } // namespace softgrain

@@ -10,7 +10,7 @@ namespace softgrain
 namespace
 {
 /// Longest first: `_m_per_s` ends with `_s`.
-constexpr std::array<std::pair<const char *, const char *>, 23> units = {{{"_kg_m_per_s", "kg m/s"},
+constexpr std::array<std::pair<const char *, const char *>, 24> units = {{{"_kg_m_per_s", "kg m/s"},
                                                                           {"_kg_per_m3", "kg/m^3"},
                                                                           {"_rad_per_s", "rad/s"},
                                                                           {"_J_per_m3", "J/m^3"},
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<const char *, const char *>, 23> units = {{{"_kg_
                                                                           {"_rad", "rad"},
                                                                           {"_Pa", "Pa"},
                                                                           {"_kg", "kg"},
+                                                                          {"_m3", "m^3"},
                                                                           {"_m2", "m^2"},
                                                                           {"_N", "N"},
                                                                           {"_J", "J"},

@@ -6,14 +6,14 @@ if(TARGET softgrain_executable AND EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
     COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/example.py ${PROJECT_SOURCE_DIR}/python
       ${CMAKE_BINARY_DIR}/tests/python/example.work ${example} $<TARGET_FILE:softgrain_executable>)
   set_tests_properties(python/example PROPERTIES FIXTURES_SETUP python_example)
-  foreach(name doctests states programs sweeps scenes pictures report study hostile verdict)
+  foreach(name doctests states space programs sweeps scenes pictures report study hostile verdict)
     add_test(NAME python/${name}
       COMMAND ${SOFTGRAIN_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}.py
         ${PROJECT_SOURCE_DIR}/python ${CMAKE_BINARY_DIR}/tests/python/${name}.run ${example}
         $<TARGET_FILE:softgrain_executable>)
     set_tests_properties(python/${name} PROPERTIES FIXTURES_REQUIRED python_example)
   endforeach()
-  set_tests_properties(python/example python/doctests python/states python/programs python/sweeps python/scenes python/pictures
+  set_tests_properties(python/example python/doctests python/states python/space python/programs python/sweeps python/scenes python/pictures
     python/report python/study python/hostile python/verdict PROPERTIES
     LABELS "quick;python" TIMEOUT ${SOFTGRAIN_TEST_TIMEOUT})
 

@@ -10,8 +10,9 @@
 namespace softgrain
 {
 /// ln(h0/h) of the distance of bottom and top; nothing without these walls.
-std::optional<double> axial_strain(const std::vector<WallState<2>> &start,
-                                   const std::vector<WallState<2>> &now);
+template <int dim>
+std::optional<double> axial_strain(const std::vector<WallState<dim>> &start,
+                                   const std::vector<WallState<dim>> &now);
 
 /// Logarithmic strains of the box since @p start, shortening positive as in the thesis: e1 along the height,
 /// e2 along the width.
@@ -41,8 +42,9 @@ struct BoxStress
 /// Stress of the box; there is none unless bottom, top, left and right are there.
 std::optional<BoxStress> box_stress(const std::vector<WallState<2>> &walls);
 
-/// @p solid_area over the area of the box; nothing unless bottom, top, left and right are there.
-std::optional<double> packing_fraction(const std::vector<WallState<2>> &walls, double solid_area);
+/// @p solid_area, in space a volume, over that of the box; nothing unless all its walls are there.
+template <int dim>
+std::optional<double> packing_fraction(const std::vector<WallState<dim>> &walls, double solid_area);
 } // namespace softgrain
 
 #endif

@@ -20,34 +20,38 @@ using MeasuredValue = std::optional<double>;
  * @brief One or several numbers that describe a state, the same for every model.
  *
  * A new measure is one source in `source/analysis/measures` that registers itself, and a row in
- * doc/measures.md.
+ * doc/measures.md. Measures of the plane and of space are families of their own.
  */
-class Measure
+template <int dim>
+class MeasureIn
 {
 public:
-  virtual ~Measure() = default;
+  virtual ~MeasureIn() = default;
 
   /// Names of the numbers, with the SI unit at their end.
   virtual std::vector<std::string> columns() const = 0;
 
   /// The numbers, one for every column.
-  virtual std::vector<MeasuredValue> evaluate(const Assembly &assembly) const = 0;
+  virtual std::vector<MeasuredValue> evaluate(const AssemblyIn<dim> &assembly) const = 0;
 };
+using Measure = MeasureIn<2>;
 
 /// @return true, so that it can initialise a namespace-scope constant.
-template <typename Member>
+template <typename Member, int dim = 2>
 bool register_measure(const std::string &name, const std::string &description)
 {
-  return Registry<Measure>::instance().add(name, description, [] { return std::make_unique<Member>(); });
+  return Registry<MeasureIn<dim>>::instance().add(name, description,
+                                                  [] { return std::make_unique<Member>(); });
 }
 
 /// The measures that a user asks for.
-class MeasureSet
+template <int dim>
+class MeasureSetIn
 {
 public:
   /// @param names of the registry; `all` stands for every one.
   /// @throw InputError when one is not known.
-  explicit MeasureSet(const std::vector<std::string> &names);
+  explicit MeasureSetIn(const std::vector<std::string> &names);
 
   bool empty() const { return measures.empty(); }
   std::vector<std::string> columns() const;
@@ -55,34 +59,47 @@ public:
   /// Columns and values in the order of columns(). A body without area or a contact without bodies is a
   /// ComputationError.
   std::vector<std::pair<std::string, MeasuredValue>>
-  evaluate(const Snapshot<2> &snapshot, const MeasureContext &context = MeasureContext()) const;
+  evaluate(const Snapshot<dim> &snapshot,
+           const MeasureContextIn<dim> &context = MeasureContextIn<dim>()) const;
 
 private:
-  std::vector<std::unique_ptr<Measure>> measures;
+  std::vector<std::unique_ptr<MeasureIn<dim>>> measures;
 };
+using MeasureSet = MeasureSetIn<2>;
 
 /// The measures of a run, snapshot after snapshot: it knows the first one and the one before.
-class MeasureSeries
+template <int dim>
+class MeasureSeriesIn
 {
 public:
-  MeasureSeries(const std::vector<std::string> &names, std::optional<double> friction)
+  MeasureSeriesIn(const std::vector<std::string> &names, std::optional<double> friction)
       : set(names), friction(friction)
   {
   }
 
-  const MeasureSet &measures() const { return set; }
+  const MeasureSetIn<dim> &measures() const { return set; }
 
   /// Values as MeasureSet::evaluate() has them; @p snapshot is the one before for the next call.
-  std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<2> &snapshot);
+  std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<dim> &snapshot);
 
   /// Takes a snapshot of the run for the first, or the one before, without measuring it.
-  void remember(const Snapshot<2> &snapshot);
+  void remember(const Snapshot<dim> &snapshot);
 
 private:
-  const MeasureSet set;
+  const MeasureSetIn<dim> set;
   const std::optional<double> friction;
-  std::optional<Snapshot<2>> first, previous; ///< without points and outlines
+  std::optional<Snapshot<dim>> first, previous; ///< without points and outlines
 };
+using MeasureSeries = MeasureSeriesIn<2>;
+
+template <>
+Registry<MeasureIn<2>> &Registry<MeasureIn<2>>::instance();
+template <>
+Registry<MeasureIn<3>> &Registry<MeasureIn<3>>::instance();
+extern template class MeasureSetIn<2>;
+extern template class MeasureSetIn<3>;
+extern template class MeasureSeriesIn<2>;
+extern template class MeasureSeriesIn<3>;
 } // namespace softgrain
 
 #endif

@@ -15,14 +15,17 @@ namespace softgrain
 constexpr const char *measure_table_name = "measures.csv";
 
 /// Columns of the table: time_s, step, and those of the measures.
-std::vector<std::string> measure_columns(const MeasureSet &measures);
+template <int dim>
+std::vector<std::string> measure_columns(const MeasureSetIn<dim> &measures);
 
 /// A row of the table; what is not defined is not a number, and its field stays empty.
-HistoryRow measure_row(MeasureSeries &measures, const Snapshot<2> &snapshot);
+template <int dim>
+HistoryRow measure_row(MeasureSeriesIn<dim> &measures, const Snapshot<dim> &snapshot);
 
 /// Has @p measures remember the first and the last of the snapshots in @p directory up to @p time [s], if
 /// there are any.
-void remember_snapshots(MeasureSeries &measures, const std::string &directory, double time);
+template <int dim>
+void remember_snapshots(MeasureSeriesIn<dim> &measures, const std::string &directory, double time);
 
 /**
  * @brief Takes measures from every snapshot of `snapshots.h5` in @p directory and writes them as a table.

@@ -34,7 +34,9 @@ struct RunParameters
   std::vector<std::string> measures; ///< names of the registry, or all; taken with every snapshot
 
   /// @param models what `Model` may say
-  static void declare_parameters(dealii::ParameterHandler &prm, const std::vector<std::string> &models);
+  static void declare_parameters(dealii::ParameterHandler &prm,
+                                 const std::vector<std::string> &models,
+                                 unsigned int dimension = 2);
 
   /// @param file_name of the parameter file: names the output folder when nothing else does.
   /// @param end_time of the scene, over which a number of outputs is spread; 0: none

@@ -136,7 +136,7 @@ private:
   FieldWriter fields;
   SnapshotFile snapshots;
   ContactLoads loads; ///< columns of the history
-  MeasureSeries measures;
+  MeasureSeriesIn<dim> measures;
   HistoryWriter measure_table;
   OutputSchedule field_schedule;
   OutputSchedule snapshot_schedule;

@@ -28,8 +28,7 @@ struct OutputParts
  *
  * A state counts as saved when all that is due at it is on the disk. When the disk refuses some of it, the
  * rest goes into the checkpoint of that state as it was to be written: not all of it can be made again from
- * the state, for that has no memory of the step that led to it. The run that goes on writes it first. In
- * space the state keeps the forces of contacts, and pictures are made again from it.
+ * the state, for that has no memory of the step that led to it. The run that goes on writes it first.
  */
 template <int dim>
 struct WaitingOutput

@@ -35,14 +35,24 @@ wall_distance(const std::vector<Wall> &walls, const std::string &from, const std
   return (second->point - first->point) * first->normal;
 }
 
-/// The box between the walls left and right, bottom and top, and in space back and front.
+/// The box between the walls left and right, bottom and top; in space front and back are beside these.
 template <int dim>
 struct Box
 {
+  /// The box has two walls for each edge: `bottom` and `top` look along the last axis.
+  static constexpr std::array<const char *, 2 *dim> sides = []() constexpr
+  {
+    if constexpr (dim == 2)
+      return std::array<const char *, 4>{{"left", "right", "bottom", "top"}};
+    else
+      return std::array<const char *, 6>{{"left", "right", "front", "back", "bottom", "top"}};
+  }
+  ();
+
   std::array<double, dim> edge{}; ///< along x, y and z [m]
 
-  double width() const { return edge[0]; }  ///< [m]
-  double height() const { return edge[1]; } ///< [m]
+  double width() const { return edge[0]; }        ///< [m]
+  double height() const { return edge[dim - 1]; } ///< between bottom and top [m]
 
   /// [m^dim]
   double volume() const
@@ -59,10 +69,9 @@ template <typename Wall>
 auto box_of(const std::vector<Wall> &walls)
 {
   constexpr int dim = decltype(Wall::normal)::dimension;
-  constexpr std::array<const char *, 6> sides = {{"left", "right", "bottom", "top", "back", "front"}};
   std::optional<Box<dim>> box{Box<dim>{}};
   for (int d = 0; d < dim && box; ++d)
-    if (const auto edge = wall_distance(walls, sides[2 * d], sides[2 * d + 1]))
+    if (const auto edge = wall_distance(walls, Box<dim>::sides[2 * d], Box<dim>::sides[2 * d + 1]))
       box->edge[d] = *edge;
     else
       box.reset();

@@ -36,7 +36,8 @@ public:
   void write(const std::string &name, const std::string &text) override;
   void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill) override;
   /// A whole snapshot, in a group of its own.
-  void write_snapshot(const std::string &group, const Snapshot<2> &snapshot);
+  template <int dim>
+  void write_snapshot(const std::string &group, const Snapshot<dim> &snapshot);
 
   /**
    * @brief Seals the file with a checksum, brings it to the disk and renames it.
@@ -68,7 +69,8 @@ public:
   bool contains(const std::string &name) const override;
   [[noreturn]] void refuse(const std::string &name, const std::string &why) const override;
   /// What write_snapshot() wrote.
-  Snapshot<2> read_snapshot(const std::string &group) const;
+  template <int dim>
+  Snapshot<dim> read_snapshot(const std::string &group) const;
 
 protected:
   std::size_t size(const std::string &name) const override;

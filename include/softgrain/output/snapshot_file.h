@@ -37,7 +37,8 @@ public:
 
   /// Adds one; snapshots at this time or later are replaced by it. @throw ComputationError when the disk
   /// refuses.
-  void append(const Snapshot<2> &snapshot);
+  template <int dim>
+  void append(const Snapshot<dim> &snapshot);
 
   /// Waits for the disk to have all that were added. @throw ComputationError when it refuses.
   void bring_to_disk() { late.bring_to_disk(); }
@@ -64,9 +65,13 @@ private:
 /// Times of the snapshots in a `snapshots.h5` [s]. @throw InputError when it cannot be read.
 std::vector<double> snapshot_times(const std::string &path);
 
+/// Whether the snapshots in a `snapshots.h5` are of the plane, 2, or of space, 3; 2 of one without any.
+unsigned int dimension_of_snapshots(const std::string &path);
+
 /// Snapshot number @p index of a `snapshots.h5`, as it was written, bit for bit.
-/// @throw InputError when it cannot be read.
-Snapshot<2> read_snapshot(const std::string &path, std::size_t index);
+/// @throw InputError when it cannot be read, or is of another dimension.
+template <int dim = 2>
+Snapshot<dim> read_snapshot(const std::string &path, std::size_t index);
 
 /// Removes the snapshots of a run from its output folder, and nothing else.
 void remove_snapshots(const std::string &directory);

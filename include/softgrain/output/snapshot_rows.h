@@ -39,37 +39,53 @@ inline void put(std::vector<double> &row, const double value)
 {
   row.push_back(value);
 }
-inline void put(std::vector<double> &row, const dealii::Tensor<1, 2> &value)
+template <int dim>
+void put(std::vector<double> &row, const dealii::Tensor<1, dim> &value)
 {
-  row.insert(row.end(), {value[0], value[1]});
+  for (unsigned int d = 0; d < dim; ++d)
+    row.push_back(value[d]);
 }
-inline void put(std::vector<double> &row, const dealii::SymmetricTensor<2, 2> &value)
+/// xx, yy, xy; in space xx, yy, zz, xy, xz, yz.
+template <int dim>
+void put(std::vector<double> &row, const dealii::SymmetricTensor<2, dim> &value)
 {
-  row.insert(row.end(), {value[0][0], value[1][1], value[0][1]});
+  for (unsigned int d = 0; d < dim; ++d)
+    row.push_back(value[d][d]);
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = i + 1; j < dim; ++j)
+      row.push_back(value[i][j]);
 }
-inline void put(std::vector<double> &row, const dealii::Tensor<2, 2> &value)
+template <int dim>
+void put(std::vector<double> &row, const dealii::Tensor<2, dim> &value)
 {
-  row.insert(row.end(), {value[0][0], value[0][1], value[1][0], value[1][1]});
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < dim; ++j)
+      row.push_back(value[i][j]);
 }
 inline void take(const double *row, double &value)
 {
   value = row[0];
 }
-inline void take(const double *row, dealii::Tensor<1, 2> &value)
+template <int dim>
+void take(const double *row, dealii::Tensor<1, dim> &value)
 {
-  value[0] = row[0];
-  value[1] = row[1];
+  for (unsigned int d = 0; d < dim; ++d)
+    value[d] = row[d];
 }
-inline void take(const double *row, dealii::SymmetricTensor<2, 2> &value)
+template <int dim>
+void take(const double *row, dealii::SymmetricTensor<2, dim> &value)
 {
-  value[0][0] = row[0];
-  value[1][1] = row[1];
-  value[0][1] = row[2];
+  for (unsigned int d = 0; d < dim; ++d)
+    value[d][d] = *row++;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = i + 1; j < dim; ++j)
+      value[i][j] = *row++;
 }
-inline void take(const double *row, dealii::Tensor<2, 2> &value)
+template <int dim>
+void take(const double *row, dealii::Tensor<2, dim> &value)
 {
-  for (unsigned int i = 0; i < 4; ++i)
-    value[i / 2][i % 2] = row[i];
+  for (unsigned int i = 0; i < dim * dim; ++i)
+    value[i / dim][i % dim] = row[i];
 }
 
 /// Numbers per row of a type.

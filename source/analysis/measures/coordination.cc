@@ -12,7 +12,8 @@ namespace
  * A body with fewer than two contacts cannot be in equilibrium: it is a rattler, as are those that hang on
  * rattlers only.
  */
-class Coordination final : public Measure
+template <int dim>
+class Coordination final : public MeasureIn<dim>
 {
 public:
   std::vector<std::string> columns() const override
@@ -20,7 +21,7 @@ public:
     return {"coordination", "coordination_of_bodies", "coordination_without_rattlers", "rattler_fraction"};
   }
 
-  std::vector<MeasuredValue> evaluate(const Assembly &assembly) const override
+  std::vector<MeasuredValue> evaluate(const AssemblyIn<dim> &assembly) const override
   {
     const std::size_t n = assembly.snapshot.bodies.size();
     if (n == 0)
@@ -29,7 +30,7 @@ public:
     double between_bodies = 0.;
     std::vector<unsigned int> degree(n, 0);
     std::vector<std::vector<unsigned int>> neighbours(n);
-    for (const BodyContact &contact : assembly.contacts)
+    for (const BodyContactIn<dim> &contact : assembly.contacts)
     {
       ++degree[contact.body_a];
       if (contact.with_wall())
@@ -74,7 +75,9 @@ public:
   }
 };
 
-[[maybe_unused]] const bool registered =
-    register_measure<Coordination>("coordination", "contacts per body, with and without walls and rattlers");
+constexpr const char *name = "coordination",
+                     *description = "contacts per body, with and without walls and rattlers";
+[[maybe_unused]] const bool registered = register_measure<Coordination<2>>(name, description),
+                            registered_in_space = register_measure<Coordination<3>, 3>(name, description);
 } // namespace
 } // namespace softgrain

@@ -6,26 +6,30 @@ namespace softgrain
 namespace
 {
 /// Energies of the scene, and the part of the kinetic one that is in the translation of whole bodies.
-class EnergyTerms final : public Measure
+template <int dim>
+class EnergyTerms final : public MeasureIn<dim>
 {
 public:
   std::vector<std::string> columns() const override
   {
-    return {"kinetic_energy_J_per_m", "kinetic_energy_of_translation_J_per_m", "elastic_energy_J_per_m",
-            "dissipated_energy_J_per_m", "external_work_J_per_m"};
+    const std::string unit = dim == 2 ? "_J_per_m" : "_J";
+    return {"kinetic_energy" + unit, "kinetic_energy_of_translation" + unit, "elastic_energy" + unit,
+            "dissipated_energy" + unit, "external_work" + unit};
   }
 
-  std::vector<MeasuredValue> evaluate(const Assembly &assembly) const override
+  std::vector<MeasuredValue> evaluate(const AssemblyIn<dim> &assembly) const override
   {
     const Energies &energies = assembly.snapshot.energies;
     double translation = 0.;
-    for (const BodyState<2> &body : assembly.snapshot.bodies)
+    for (const BodyState<dim> &body : assembly.snapshot.bodies)
       translation += 0.5 * body.mass * body.velocity.norm_square();
     return {energies.kinetic, translation, energies.elastic, energies.dissipated, energies.external_work};
   }
 };
 
-[[maybe_unused]] const bool registered = register_measure<EnergyTerms>(
-    "energies", "kinetic, elastic and dissipated energy, work of walls and loads");
+constexpr const char *name = "energies",
+                     *description = "kinetic, elastic and dissipated energy, work of walls and loads";
+[[maybe_unused]] const bool registered = register_measure<EnergyTerms<2>>(name, description),
+                            registered_in_space = register_measure<EnergyTerms<3>, 3>(name, description);
 } // namespace
 } // namespace softgrain

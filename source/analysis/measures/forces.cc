@@ -11,22 +11,24 @@ namespace
 {
 /// Normal forces between bodies: mean, largest, their probability density over the mean, and the fit
 /// @cite nguyen2016, eqs. (2.32)-(2.33).
-class Forces final : public Measure
+template <int dim>
+class Forces final : public MeasureIn<dim>
 {
 public:
   std::vector<std::string> columns() const override
   {
-    std::vector<std::string> names = {"mean_normal_force_N_per_m", "largest_normal_force_N_per_m",
+    const std::string unit = dim == 2 ? "_N_per_m" : "_N";
+    std::vector<std::string> names = {"mean_normal_force" + unit, "largest_normal_force" + unit,
                                       "force_fit_gamma", "force_fit_beta"};
     for (unsigned int b = 0; b < n_bins; ++b)
       names.push_back("force_density_at_" + std::to_string(b / 5) + "." + std::to_string(2 * (b % 5) + 1));
     return names;
   }
 
-  std::vector<MeasuredValue> evaluate(const Assembly &assembly) const override
+  std::vector<MeasuredValue> evaluate(const AssemblyIn<dim> &assembly) const override
   {
     std::vector<double> forces;
-    for (const BodyContact &contact : assembly.contacts)
+    for (const BodyContactIn<dim> &contact : assembly.contacts)
       if (!contact.with_wall() && contact.normal_force > 0.)
         forces.push_back(contact.normal_force);
     std::vector<MeasuredValue> result(4 + n_bins);
@@ -57,7 +59,10 @@ private:
   static constexpr double width = 0.2; ///< of a bin, in units of the mean force
 };
 
-[[maybe_unused]] const bool registered = register_measure<Forces>(
-    "forces", "normal forces between bodies: mean, largest, probability density and its fit");
+constexpr const char *name = "forces",
+                     *description =
+                         "normal forces between bodies: mean, largest, probability density and its fit";
+[[maybe_unused]] const bool registered = register_measure<Forces<2>>(name, description),
+                            registered_in_space = register_measure<Forces<3>, 3>(name, description);
 } // namespace
 } // namespace softgrain

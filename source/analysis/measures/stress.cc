@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/anisotropy.h>
+#include <softgrain/analysis/internal_moments.h>
 #include <softgrain/analysis/measure.h>
 
 #include <algorithm>
@@ -28,17 +29,7 @@ public:
     if (!assembly.box || assembly.snapshot.bodies.empty())
       return result;
     const Snapshot<2> &snapshot = assembly.snapshot;
-    dealii::Tensor<2, 2> moment;
-    for (const ContactState<2> &contact : snapshot.contacts)
-    {
-      if (contact.body_a == contact.body_b)
-        continue;
-      moment += outer_product(contact.force, contact.place - snapshot.bodies[contact.body_a].center);
-      if (contact.wall == ContactState<2>::not_a_body)
-        moment -= outer_product(contact.force,
-                                contact.place - snapshot.bodies[contact.body_b].center - contact.image);
-    }
-    const dealii::SymmetricTensor<2, 2> stress = symmetrize(moment) / assembly.box->volume();
+    const dealii::SymmetricTensor<2, 2> stress = stress_of_box(assembly);
     const double p = -0.5 * trace(stress), q = 0.5 * eigenvalue_difference(stress);
     result[0] = stress[0][0];
     result[1] = stress[1][1];
@@ -55,26 +46,6 @@ public:
       result[10] = inertial_number(assembly, p);
     }
     return result;
-  }
-
-private:
-  /// Strain rate times the time a body needs to fill a gap under the pressure @p p
-  /// @cite nguyen2016, eq. (2.19); the rate is that of the walls that move faster, along their normal or
-  /// their tangent.
-  static double inertial_number(const Assembly &assembly, const double p)
-  {
-    double mass = 0., area = 0., diameter = 0.;
-    for (unsigned int b = 0; b < assembly.snapshot.bodies.size(); ++b)
-    {
-      mass += assembly.snapshot.bodies[b].mass;
-      area += assembly.snapshot.bodies[b].reference_area;
-      diameter += assembly.rest_diameter(b) / assembly.snapshot.bodies.size();
-    }
-    const MovingBox &box = *assembly.box;
-    const double rate =
-        std::max({std::abs(box.height_rate) / box.height(), std::abs(box.width_rate) / box.width(),
-                  std::abs(box.slide_rate) / box.height()});
-    return rate * diameter * std::sqrt(mass / area / p);
   }
 };
 

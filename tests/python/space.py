@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A short run in space: its arrays against measures.csv and against the other kind of file. Arguments: see common.py."""
+
+import subprocess
+import sys
+import unittest
+
+import common
+import numpy as np
+import softgrain
+
+SCENE = """
+set Dimension = 3
+subsection Materials
+  set Names = gel
+  subsection gel
+    set Law     = neo_hookean
+    set Density = 1000
+    subsection Neo-Hookean
+      set Young's modulus = 1
+      set Poisson's ratio = 0.4
+    end
+  end
+end
+subsection Packing
+  set File = balls.csv
+end
+subsection Walls
+  set Names = bottom, top, left, right, front, back
+  subsection bottom
+  end
+  subsection top
+    set Point    = 0, 0, 10
+    set Velocity = 1
+  end
+  subsection left
+    set Point = -2.8, 0, 0
+  end
+  subsection right
+    set Point = 2.8, 0, 0
+  end
+  subsection front
+    set Point = 0, -2.8, 0
+  end
+  subsection back
+    set Point = 0, 2.8, 0
+  end
+end
+subsection Mesh
+  set Lower     = -6, -6, -1
+  set Upper     = 6, 6, 11
+  set Cell size = 1
+end
+subsection Time
+  set Scheme   = quasi_static
+  set Wall way = 0.3
+end
+subsection Stop
+  set End time = 1.44
+end
+subsection Output
+  set Fields every    = 0.72
+  set Snapshots every = 0.72
+  set Measures        = all
+end
+"""
+BALLS = "x_m,y_m,z_m,radius_m\n0.12,-0.08,2.4,2.3\n-0.21,0.13,7.3,2.5\n"
+
+
+class Space(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with open("balls.csv", "w", encoding="utf-8") as file:
+            file.write(BALLS)
+        with open("two.prm", "w", encoding="utf-8") as file:
+            file.write(SCENE)
+        subprocess.run([common.PROGRAM, "run", "two.prm", "--threads", "1", "--output", "out"], check=True,
+                       stdout=subprocess.DEVNULL)
+        cls.found = softgrain.open("out")
+
+    def test_measures_are_those_of_the_program(self):
+        for state in self.found:
+            told, bodies, pairs = state.measures, state.bodies, state.pairs
+            box = state.box()
+            self.assertAlmostEqual(told["packing_fraction"], bodies["volume_m3"].sum() / np.prod(box), 9)
+            self.assertAlmostEqual(told["coordination"], bodies["coordination"].mean(), 9)
+            if told["coordination_of_bodies"] > 0:
+                row = pairs.where(pairs["wall"] == -1)
+                self.assertEqual(len(row), 1)
+                self.assertAlmostEqual(told["mean_normal_force_N"] / row["normal_force_N"][0], 1, 6)
+                self.assertAlmostEqual(told["fabric_1"], 1, 9)
+            # Stress of the box from the stresses of the bodies: those around them are empty.
+            stress = (bodies["mean_stress_Pa"] * bodies["volume_m3"][:, None]).sum(axis=0) / np.prod(box)
+            for i, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz")):
+                self.assertAlmostEqual(told[f"stress_{name}_Pa"], stress[i], delta=0.03 * np.abs(stress).max() + 1e-9)
+        self.assertGreater(told["top_pressure_Pa"], 0.005)
+        self.assertAlmostEqual(told["mean_pressure_Pa"] / told["wall_pressure_Pa"], 1, delta=5e-3)
+        self.assertAlmostEqual(told["stress_1_Pa"] + told["stress_2_Pa"] + told["stress_3_Pa"],
+                               3 * told["mean_pressure_Pa"], 9)
+
+    def test_history_has_units_of_space(self):
+        history = self.found.history_table
+        for name, unit in (("top_force_N", "N"), ("elastic_energy_J", "J"), ("axial_strain", ""), ("packing_fraction", "")):
+            self.assertEqual(history.unit(name), unit)
+        self.assertAlmostEqual(history["axial_strain"][-1], np.log(10 / 8.56), 9)
+        self.assertAlmostEqual(history["packing_fraction"][-1], self.found[-1].measures["packing_fraction"], 8)
+        self.assertAlmostEqual(history["elastic_energy_J"][-1], self.found[-1].energies["elastic_energy_J"], 8)
+
+    def test_both_files_tell_the_same(self):
+        ours, fields = self.found.snapshots[-1], self.found.fields[-1]
+        for part in ("bodies", "points", "contacts"):
+            one, other = getattr(ours, part), getattr(fields, part)
+            self.assertEqual(len(one), len(other), part)
+            shared = [name for name in one if name in other]
+            self.assertGreater(len(shared), 4, part)
+            for name in shared:
+                scale = np.abs(one[name]).max()
+                np.testing.assert_allclose(other[name], one[name], atol=3e-6 * scale, rtol=0, err_msg=f"{part} {name}")
+        self.assertEqual(len(ours.surfaces), len(fields.surfaces))
+        for b in (0, 1):
+            vertices, triangles = ours.surfaces[b]
+            corners = vertices[triangles]
+            volume = (corners[:, 0] * np.cross(corners[:, 1], corners[:, 2])).sum() / 6
+            self.assertAlmostEqual(volume / ours.bodies["volume_m3"][b], 1, 1)
+            np.testing.assert_allclose(fields.surfaces[b][0][fields.surfaces[b][1]], corners, atol=1e-5)
+
+    def test_components_and_units(self):
+        state = self.found[-1]
+        self.assertIn("center_z_m", state.bodies.flat())
+        self.assertIn("stress_yz_Pa", state.points.flat())
+        self.assertIn("deformation_gradient_zx", state.points.flat())
+        self.assertEqual(state.bodies.units["volume_m3"], "m³")
+        self.assertEqual(state.contacts.units["force_N"], "N")
+        J = np.linalg.det(state.points["deformation_gradient"].reshape(-1, 3, 3))
+        np.testing.assert_allclose(state.points["volume_strain"], np.log(J), atol=1e-12)
+        self.assertEqual(self.found.dimension, 3)
+
+    def test_what_is_not_there_is_said(self):
+        state = self.found[-1]
+        for what in (lambda: state.outlines, lambda: state.loads, lambda: state.contact_pressures, state.to_xarray,
+                     lambda: state.to_vtk("points")):
+            with self.assertRaisesRegex(softgrain.InputError, "not there yet"):
+                what()
+        with self.assertRaisesRegex(softgrain.InputError, "no surface of a body 2; there are 2 bodies"):
+            state.surfaces[2]
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
