@@ -34,8 +34,9 @@ def parse_arguments():
             " softgrain render out --field strain --zoom 3      the middle, three times as large\n "
             " softgrain render out --field coordination         number of contacts of every body\n "
             " softgrain render out --field body --contacts inner --attraction\n  softgrain render"
-            " out --contacts chains --output poster.pdf --dpi 300\n  softgrain render out --list   "
-            "                    frames and fields there are\n"
+            " out --contacts chains --output poster.pdf --dpi 300\n  softgrain render out --cut"
+            " y=0.01 --view -70 30      the inside of grains in space\n  softgrain render out"
+            " --list                       frames and fields there are\n"
         ),
     )
     parser.add_argument("directory", metavar="DIR", nargs="?", help="output folder of a run")
@@ -75,6 +76,24 @@ def parse_arguments():
         type=float,
         metavar="NUMBER",
         help="shows a part: N enlarges the middle N times; X0 Y0 X1 Y1 are two corners in metres",
+    )
+    parser.add_argument(
+        "--view",
+        nargs=2,
+        type=float,
+        metavar=("AZIMUTH", "ELEVATION"),
+        help=(
+            "of runs in space: where the viewer stands, in degrees about z and above the plane of"
+            " x and y (default: -60 20)"
+        ),
+    )
+    parser.add_argument(
+        "--cut",
+        metavar="AXIS=PLACE",
+        help=(
+            "of runs in space: shows the inside in a plane across x, y or z at a place in metres,"
+            " as y=0.01; what lies before it is left out"
+        ),
     )
     parser.add_argument(
         "--colours",
@@ -202,13 +221,14 @@ def prepare(arguments, states):
 
 def print_list(run):
     for state in run:
-        parts = [part for part in ("points", "outlines", "contacts", "walls") if state.has(part)]
+        of_bodies = "outlines" if run.dimension == 2 else "surfaces"
+        parts = [part for part in ("points", of_bodies, "contacts", "walls") if state.has(part)]
         print(f"{state.number:6d}  t = {state.time:g} s  {', '.join(parts)}")
     last = run[-1]
     for part, text in (("points", "fields"), ("bodies", "fields of whole bodies")):
         if names := columns_of(last, part):
             print(f"{text}: " + ", ".join(sorted(names)))
-    if last.has("contacts"):
+    if last.has("contacts") and run.dimension == 2:
         print("fields along contacts: " + ", ".join(ALONG_CONTACTS))
 
 

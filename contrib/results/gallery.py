@@ -6,14 +6,15 @@ import pathlib
 import subprocess
 import sys
 
-import sphere_between_plates
 from running import PARAMETERS, RunFailed, run
 
 # How a scene is drawn, where `softgrain render` does not choose it well by itself.
 DRAWING = {
     "bar_period": ["--field", "velocity_m_per_s:x", "--frame", "0"],
+    "eight_spheres": ["--cut", "y=6e-3"],
     "diametral_compression_mpm_thesis_method": ["--contacts", "none"],
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],
+    "sphere_between_plates": ["--cut", "y=0"],
     "spinning_disk": ["--field", "velocity_m_per_s"],
     "patch_test": ["--range", "0", "3e5"],
     "plastic_block": ["--range", "0", "3e8"],
@@ -25,9 +26,6 @@ DRAWING = {
 def draw(program, folder, picture):
     """The picture of one run, small enough for a page."""
     picture.parent.mkdir(parents=True, exist_ok=True)
-    if picture.stem in ("sphere_between_plates", "eight_spheres"):  # `softgrain render` draws the plane alone
-        sphere_between_plates.draw(folder, picture)
-        return
     subprocess.run([program, "render", folder, "--output", picture, "--width", "4.5", "--dpi", "110",
                     *DRAWING.get(picture.stem, [])], check=True, stdout=subprocess.DEVNULL)
 

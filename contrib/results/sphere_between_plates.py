@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Force of a sphere between two plates on grids of several sizes and cuts, against axisymmetric finite elements: the tables of
-doc/results/three-dimensions.md. With --picture it draws the surface of the last state of a run instead."""
+doc/results/three-dimensions.md."""
 import argparse
 import itertools
 import pathlib
@@ -34,31 +34,6 @@ def forces(program, folder, poisson, cells, cut, last):
             for at in ELEMENTS[poisson] if at <= last + 1e-9}, summary
 
 
-def draw(folder, picture):
-    """The surfaces of all bodies in the last picture of a run, coloured by height."""
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    import matplotlib.ticker
-    import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(sorted((folder / "fields").glob("outlines-*.vtu"))[-1]))
-    reader.Update()
-    grid = reader.GetOutput()
-    places = 1e3 * vtk_to_numpy(grid.GetPoints().GetData())
-    triangles = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 3)
-    figure = plt.figure(figsize=(4.5, 3.2))
-    axes = figure.add_subplot(projection="3d")
-    axes.plot_trisurf(*places.T, triangles=triangles, cmap="viridis", edgecolor="0.3", linewidth=0.2)
-    axes.set_box_aspect(places.max(axis=0) - places.min(axis=0))
-    axes.set(xlabel="x [mm]", ylabel="y [mm]", zlabel="z [mm]")
-    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
-        axis.set_major_locator(matplotlib.ticker.MultipleLocator(5))
-    axes.view_init(elev=15)
-    figure.savefig(picture, dpi=110)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="build/release/bin/softgrain")
@@ -68,11 +43,7 @@ def main():
     parser.add_argument("--cells", type=float, nargs="+", default=(3, 4, 6), help="in the radius")
     parser.add_argument("--cuts", type=float, nargs="+", default=CUTS, help="shifts of the grid in cells")
     parser.add_argument("--last", type=float, default=0.3, help="travel of each plate over the radius")
-    parser.add_argument("--picture", type=pathlib.Path, metavar="FILE", help="draw the run in FOLDER")
     arguments = parser.parse_args()
-    if arguments.picture:
-        draw(arguments.folder, arguments.picture)
-        return
     for poisson, cells in itertools.product(arguments.poisson, arguments.cells):
         found, seconds = [], []
         for cut in arguments.cuts:

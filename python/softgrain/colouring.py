@@ -38,7 +38,7 @@ class Field:
             return values.astype(float)
         if not self.component:
             return np.linalg.norm(values, axis=1)
-        names = COMPONENTS[values.shape[1]]
+        names = table.COMPONENTS[values.shape[1]]
         if self.component not in names:
             raise InputError(
                 f"'{self.component}' is no component of '{self.name}': it has {', '.join(names)}"

@@ -197,11 +197,8 @@ class Run:
 
     def for_pictures(self):
         """The run with the states of fields.pvd, or of snapshots.h5 when there are no fields."""
-        if self.dimension == 3:
-            raise InputError(
-                f"{self.directory} has a scene in space ('Dimension' = '3'), which is not drawn:"
-                " open its fields.pvd in ParaView"
-            )
+        if self.dimension == 3 and len(self):
+            return self
         if (
             self.source == "snapshots"
             and os.path.exists(self.path("fields.pvd"))

@@ -5,7 +5,7 @@ same scales.
 """
 
 from dataclasses import dataclass, replace
-from typing import Any, Optional
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,30 +13,14 @@ import numpy as np
 from . import drawing, primaries
 from .cell import SpreadState, cell_of
 from .colouring import Scale, colour_map, find_field
-from .command import save_figure
-from .coordinate import coordinate_at
 from .errors import InputError
 from .picture_fill import fill
-from .units import scaled_unit
+from .picture_options import Options, save, title_of
+from .space_picture import SpacePicture
 
 # In inches: of a picture, of one of several, of the scene in it.
 WIDTH, PANEL_WIDTH, LEAST_DRAWN = 7.0, 4.2, 0.8
 LEGEND_WIDTH = 3.2  # inches that legend and scale bar need side by side
-
-
-@dataclass
-class Options:
-    """What a picture shows; the names are those of the options of `softgrain render`."""
-
-    field: Optional[str] = None
-    range: Optional[tuple] = None
-    colours: Optional[str] = None
-    contacts: str = "auto"
-    attraction: Optional[bool] = None
-    style: Optional[str] = None
-    title: Optional[str] = None
-    width: Optional[float] = None  # inches
-    zoom: Optional[tuple] = None
 
 
 @dataclass
@@ -78,7 +62,6 @@ class Picture:
         self.contacts = options.contacts
         self.full_force = self.strongest_attraction = 0.0
         self.longest, self.with_legend = max(abs(state.time) for state in states), True
-        self.time_scale, self.time_unit = scaled_unit("s", self.longest)
         self.n_bodies = (
             max(1, len(first.outlines))
             if first.has("outlines")
@@ -379,22 +362,8 @@ class Picture:
             )
 
     def title(self, state):
-        """
-        Time, in one unit for the whole series, and packing fraction or strain where the scene goes
-        by it.
-        """
-        if self.options.title is not None:
-            return self.options.title
-        time = state.time / self.time_scale
-        longest = self.longest / self.time_scale
-        decimals = max(0, 3 - int(np.floor(np.log10(longest)))) if longest > 0 else 0
-        title = (
-            f"$t$ = {time:.{decimals}f} {self.time_unit}"
-            if self.several
-            else f"$t$ = {time:.4g} {self.time_unit}"
-        )
-        coordinate = coordinate_at(state.run, state.time) if getattr(state, "run", None) else ""
-        return title + ("      " + coordinate if coordinate else "")
+        """The text above the picture."""
+        return title_of(state, self.options.title, self.longest, self.several)
 
 
 class SideBySide:
@@ -442,17 +411,13 @@ class SideBySide:
             state.forget()
 
 
-def save(picture, state, path, dpi):
-    with plt.rc_context(drawing.STYLE):
-        figure = picture.figure(state)
-        try:
-            save_figure(figure, path, dpi)
-        finally:
-            plt.close(figure)
-
-
 def picture_of(options, states):
     """A Picture of the states; of several fields, separated by commas, one beside the other."""
+    if states[0].dimension == 3:
+        return SpacePicture(options, states)
+    for name in ("view", "cut"):
+        if getattr(options, name):
+            raise InputError(f"--{name} is for runs in space ('Dimension' = '3'): leave it out")
     if options.field and "," in options.field:
         if options.range:
             raise InputError("--range is for one field")

@@ -50,7 +50,9 @@ def add_contacts(page, entries, problems):
             },
         )
         n = 9 if min(len(force) for *_, force in inner) < 300 else 18
-        roses = [rose(entry, normal, n) for entry, normal, _ in inner]
+        roses = [rose(entry, normal, n) for entry, normal, _ in inner if normal.shape[1] == 2]
+        if not roses:
+            return
         reach = 1.05 * max(np.abs(one[axis]).max() for one in roses for axis in "xy")
         section.traces(
             "Where contacts point",
@@ -79,8 +81,9 @@ def last_with_contacts(run):
 
 def between_bodies(pairs):
     """Normals and normal forces of contacts between bodies that press."""
-    kept = (pairs["body_b"] != NONE) & (pairs["normal_force_N_per_m"] > 0)
-    return pairs["normal"][kept], pairs["normal_force_N_per_m"][kept]
+    force = pairs["normal_force"]  # per metre of thickness in the plane
+    kept = (pairs["body_b"] != NONE) & (force > 0)
+    return pairs["normal"][kept], force[kept]
 
 
 def numbers_of_contacts(state, pairs):
@@ -91,10 +94,10 @@ def numbers_of_contacts(state, pairs):
         "contacts between bodies": f"{inner.sum():,}",
         "contacts with walls": f"{(~inner).sum():,}",
     }
-    force = pairs["normal_force_N_per_m"][inner]
+    force, unit = pairs["normal_force"][inner], pairs.unit(pairs.resolve("normal_force"))
     if len(force):
-        result["mean normal force"] = with_prefix(force.mean(), "N/m")
-        result["largest normal force"] = with_prefix(force.max(), "N/m")
+        result["mean normal force"] = with_prefix(force.mean(), unit)
+        result["largest normal force"] = with_prefix(force.max(), unit)
     if state.has("bodies"):
         found = coordination(state)
         result["contacts per body, walls too"] = f"{found['coordination']:.3g}"

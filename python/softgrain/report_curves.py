@@ -65,10 +65,10 @@ def add_tables(page, entries):
 
 
 PANELS: Tuple[Tuple[str, str, dict], ...] = (  # heading, columns, options
-    ("Forces on the walls", r".*(?<!normal)_force_N_per_m$", {}),
+    ("Forces on the walls", r".*(?<!normal)_force_N(_per_m)?$", {}),
     ("Packing fraction", r"packing_fraction$", {}),
     ("Coordination", r"coordination$", {}),
-    ("Energies", r"(kinetic|elastic|dissipated)_energy_J_per_m$", {}),
+    ("Energies", r"(kinetic|elastic|dissipated)_energy_J(_per_m)?$", {}),
     ("Stress of the box", r"(mean_pressure|deviator)_Pa$", {}),
     ("Anisotropy", r"(contact|normal_force)_anisotropy$", {}),
     ("Work of the solvers", r"(newton_iterations|contact_sweeps)$", {}),
@@ -125,7 +125,10 @@ def add_curves(page, entries):
         "Any column against any other",
         every,
         first(x_choices[0], columns),
-        first("elastic_energy_J_per_m", columns),
+        first(
+            "elastic_energy_J" if "elastic_energy_J" in columns else "elastic_energy_J_per_m",
+            columns,
+        ),
         wide=True,
     )
 

@@ -64,8 +64,10 @@ def states_of(entry, run, choices, problems):
 def picture_of_all(series, choices, alike=0.2):
     """
     What pictures of several runs have in common; None when one run differs in model or by so much
-    in size.
+    in size, and in space, where each picture has a view of its own.
     """
+    if any(states[0].dimension == 3 for states in series):
+        return None
     if len({(states[0].run.model, states[0].has("points")) for states in series}) > 1:
         return None
     try:
@@ -134,7 +136,9 @@ def when(picture, state):
 
 
 def shows_pressures(state, picture, choices):
-    """Material points that touch, unless the page shows that already."""
+    """Material points of the plane that touch, unless the page shows that already."""
+    if state.dimension == 3:
+        return False
     first = getattr(picture, "pictures", [picture])[0]
     return (
         (choices.field or "") != "contact_pressure"

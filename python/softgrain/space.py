@@ -233,6 +233,8 @@ class SpaceState(State):
     xz, yz.
     """
 
+    dimension = 3
+
     def forget(self):
         super().forget()
         self.__dict__.pop("surfaces", None)
@@ -325,10 +327,6 @@ class SpaceState(State):
     def contact_profile(self, body, partner, smooth=True):
         """Not there yet."""
         return self.refuse("the pressure along a contact")
-
-    def plot(self, field=None, **options):
-        """Not there yet."""
-        return self.refuse("a picture")
 
     def to_pyvista(self, part="points"):
         """Not there yet: fields.pvd can be opened."""

@@ -29,6 +29,8 @@ class State:
     True
     """
 
+    dimension = 2
+
     def __init__(self, run, source, number, time):
         self.run, self.source, self.number, self.time = run, source, number, time
 
@@ -210,7 +212,8 @@ class State:
         """
         A picture of the grains as `softgrain render` draws it; returns the matplotlib figure.
         Options are those of the command: field, contacts, attraction, style, range, colours, zoom,
-        title, width; of a list of fields there is a picture each, one beside the other.
+        title, width, in space view and cut; of a list of fields there is a picture each, one beside
+        the other.
         """
         from .picture import Options, picture_of
 

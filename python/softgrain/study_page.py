@@ -13,7 +13,7 @@ import numpy as np
 from .curves import COLOURS
 from .errors import InputError
 from .page import Page, data_address, escape, joined, tag
-from .picture import Options, Picture
+from .picture import Options, picture_of
 from .report import add_parameters
 from .report_curves import thinned
 from .report_entry import Entry, in_words
@@ -380,7 +380,7 @@ def add_pictures(page, findings, entries):
         for number, (entry, state) in enumerate(chosen):
             path = os.path.join(folder, f"{number}.png")
             try:
-                picture = picture or Picture(Options(), [one for _, one in chosen])
+                picture = picture or picture_of(Options(), [one for _, one in chosen])
                 picture.save(state, path, 90)
             except InputError:
                 continue

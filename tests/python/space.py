@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A short run in space: its arrays against measures.csv and against the other kind of file. Arguments: see common.py."""
 
+import os
 import subprocess
 import sys
 import unittest
 
 import common
+import matplotlib.image
 import numpy as np
 import softgrain
+import tool_runs
+from softgrain import raster
+from softgrain.space_picture import cut_through
 
 SCENE = """
 set Dimension = 3
@@ -65,6 +70,10 @@ subsection Output
 end
 """
 BALLS = "x_m,y_m,z_m,radius_m\n0.12,-0.08,2.4,2.3\n-0.21,0.13,7.3,2.5\n"
+
+
+def place_of(seen, vertices, triangles):
+    return (seen.weight[:, :, None] * vertices[triangles[seen.triangle]]).sum(axis=1)
 
 
 class Space(unittest.TestCase):
@@ -143,6 +152,65 @@ class Space(unittest.TestCase):
                 what()
         with self.assertRaisesRegex(softgrain.InputError, "no surface of a body 2; there are 2 bodies"):
             state.surfaces[2]
+
+    def test_a_ball_fills_its_pixels(self):
+        vertices, triangles = self.found[0].surfaces[0]  # at rest
+        center, radius = np.array([0.12, -0.08, 2.4]), 2.3
+        for angles in ((-90, 0), (20, 50)):
+            camera = raster.camera_around(vertices, raster.directions(*angles), 200)
+            facing = np.sign(raster.normals_of(vertices, triangles) @ camera.axes[2])
+            every = raster.fragments(camera, vertices, triangles)
+            seen = raster.nearest(every)
+            area = len(seen.pixel) * camera.pixel**2
+            self.assertAlmostEqual(area / (np.pi * radius**2), 1, delta=0.02)
+            self.assertAlmostEqual(seen.depth.max(), center @ camera.axes[2] + radius, delta=0.02 * radius)
+            self.assertEqual(len(np.unique(seen.pixel)), len(seen.pixel))
+            place = place_of(seen, vertices, triangles)
+            np.testing.assert_allclose(camera.places(seen.pixel, seen.depth), place, atol=1.01 * camera.pixel)
+            # Behind a plane through the ball, beside its middle, a disk of the ball is cut.
+            beside, side = 0.4 * radius, np.sign(camera.axes[2][1])
+            behind = every.where(side * (place_of(every, vertices, triangles)[:, 1] - center[1]) < beside)
+            pixel, own = cut_through(behind, np.zeros(len(triangles), dtype=int), facing, 1)
+            cut = len(pixel) * camera.pixel**2 / abs(camera.axes[2][1])
+            self.assertAlmostEqual(cut / (np.pi * (radius**2 - beside**2)), 1, delta=0.03)
+            self.assertTrue((own == 0).all())
+
+    def test_pictures_show_what_they_are_asked_for(self):
+        def picture(*words):
+            file = os.path.abspath("picture.png")
+            self.assertEqual(tool_runs.run("render.py", "out", "--output", file, "--dpi", "60", *words)[0], 0)
+            return matplotlib.image.imread(file)[:, :, :3]
+
+        plain, again = picture("--field", "none"), picture("--field", "none")
+        self.assertTrue((plain == again).all())
+        red = lambda image: ((image[:, :, 0] > 0.4) & (image[:, :, 1] < 0.25)).mean()  # noqa: E731
+        self.assertEqual(red(plain), 0)
+        self.assertGreater(red(picture("--field", "none", "--contacts", "chains")), 0.002)
+        self.assertGreater(np.abs(picture("--field", "pressure") - picture("--field", "von_mises")).mean(), 0.02)
+        whole, cut = picture("--field", "body"), picture("--field", "body", "--cut", "y=0")
+        self.assertEqual(whole.shape, cut.shape)
+        self.assertGreater(np.abs(whole - cut).mean(), 0.005)
+        words = ("--frame", "all", "--field", "coordination", "--dpi", "40")
+        self.assertEqual(tool_runs.run("render.py", "out", *words)[0], 0)
+        self.assertEqual(len(os.listdir("out/pictures")), 3)
+
+    def test_the_report_shows_them(self):
+        self.assertEqual(tool_runs.run("report.py", "out", "--no-film")[0], 0)
+        with open("out/report.html", encoding="utf-8") as file:
+            page = file.read()
+        for text in ("data:image/png", "Forces on the walls", "top_force_N", "mean normal force"):
+            self.assertIn(text, page)
+
+    def test_words_of_the_plane_are_refused(self):
+        for words, text in ((("--zoom", "2"), "is for the plane"), (("--contacts", "arrows"), "is for the plane"),
+                            (("--field", "pressure,body"), "one field at a time"), (("--cut", "w=1"), "an axis and a place"),
+                            (("--cut", "z=1", "--view", "0", "0"), "choose another --view")):
+            code, _, error = tool_runs.run("render.py", "out", *words)
+            self.assertEqual(code, 2)
+            self.assertIn(text, error)
+        code, _, error = tool_runs.run("render.py", common.EXAMPLE, "--cut", "x=0")
+        self.assertEqual(code, 2)
+        self.assertIn("--cut is for runs in space", error)
 
 
 if __name__ == "__main__":
