@@ -165,7 +165,7 @@ void Input::check_all(const ModelFactory &factory)
     if (space)
     {
       mistakes.attempt([&]() { check_scene_in_space(*space, parameter_tree(prm)); });
-      mistakes.attempt([&]() { stop_conditions.check_in_space(); });
+      mistakes.attempt([&]() { stop_conditions.check_in_space(*space); });
       mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
       mistakes.end();
       factory.check_in_space(*space, prm);
@@ -324,6 +324,7 @@ void Input::complete_scene_in_space()
     return;
   packing_in_space = add_packing(*space);
   check_scene_in_space(*space, parameter_tree(prm));
+  stop_conditions.check_in_space(*space);
 }
 
 std::unique_ptr<Model<2>> Input::create_model(const StateReader *state)

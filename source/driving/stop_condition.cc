@@ -65,14 +65,15 @@ void StopConditions::check(const Scene<2> &scene) const
     one.condition->check(scene, one.limit);
 }
 
-void StopConditions::check_in_space() const
+void StopConditions::check_in_space(const Scene<3> &scene) const
 {
   for (const Asked &one : asked)
+  {
     if (!one.condition->works_in_space())
-      throw InputError(
-          "'Stop/" + one.condition->key() +
-          "' is not allowed with 'Dimension' = '3', where 'Stop/End time' alone ends a run: leave "
-          "it at 0");
+      throw InputError("'Stop/" + one.condition->key() +
+                       "' is not allowed with 'Dimension' = '3', where it is not there yet: leave it at 0");
+    one.condition->check_in_space(scene, one.limit);
+  }
 }
 
 double StopConditions::fraction_done(const RunStateIn<3> &state, const StopMemory &) const
@@ -176,12 +177,16 @@ std::string StopConditions::in_words() const
   return join(words);
 }
 
-void need_walls(const Scene<2> &scene, const std::string &key, const std::vector<std::string> &names)
+template <int dim>
+void need_walls(const Scene<dim> &scene, const std::string &key, const std::vector<std::string> &names)
 {
   for (const std::string &name : names)
     if (find_wall(scene.walls, name) == nullptr)
       throw InputError("'Stop/" + key + "' cannot be measured: there is no wall named '" + name + "'");
 }
+
+template void need_walls<2>(const Scene<2> &, const std::string &, const std::vector<std::string> &);
+template void need_walls<3>(const Scene<3> &, const std::string &, const std::vector<std::string> &);
 
 std::string number_in_words(const double value, const std::string &unit)
 {

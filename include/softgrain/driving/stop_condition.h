@@ -75,6 +75,8 @@ public:
 
   /// Whether it can be measured where 'Dimension' is 3.
   virtual bool works_in_space() const { return false; }
+  /// check() and check_start() there; a packing may still be missing. @throw InputError
+  virtual void check_in_space(const Scene<3> &, const double) const {}
   /// The same part there, of conditions that work there.
   virtual double fraction_done_in_space(const RunStateIn<3> &, double) const { return 0.; }
 };
@@ -101,8 +103,9 @@ public:
   bool empty() const { return asked.empty(); }
 
   void check(const Scene<2> &scene) const;
-  /// @throw InputError for conditions that do not work in space
-  void check_in_space() const;
+  /// check() and check_start() where 'Dimension' is 3. @throw InputError for conditions that do not work
+  /// there, too
+  void check_in_space(const Scene<3> &scene) const;
   void check_start(const Scene<2> &scene) const;
 
   /// The earliest end that is known beforehand [s]; 0: none.
@@ -128,7 +131,8 @@ private:
 };
 
 /// @throw InputError unless @p scene has walls of these @p names, which 'Stop/KEY' is measured between
-void need_walls(const Scene<2> &scene, const std::string &key, const std::vector<std::string> &names);
+template <int dim>
+void need_walls(const Scene<dim> &scene, const std::string &key, const std::vector<std::string> &names);
 
 /// "0.3", or "2 s" with a unit.
 std::string number_in_words(double value, const std::string &unit = "");

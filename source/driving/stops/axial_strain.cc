@@ -32,6 +32,16 @@ public:
   {
     return axial_strain(state.walls_at_start, state.model.walls()).value_or(0.) / limit;
   }
+
+  bool works_in_space() const override { return true; }
+  void check_in_space(const Scene<3> &scene, const double) const override
+  {
+    need_walls(scene, key(), {"bottom", "top"});
+  }
+  double fraction_done_in_space(const RunStateIn<3> &state, const double limit) const override
+  {
+    return axial_strain(state.walls_at_start, state.model.walls()).value_or(0.) / limit;
+  }
 };
 
 [[maybe_unused]] const bool registered = Registry<StopCondition>::instance().add(

@@ -4,6 +4,7 @@
 #include <softgrain/driving/stop_condition.h>
 #include <softgrain/geometry/box.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -30,7 +31,7 @@ public:
     prm.declare_entry(
         key(), "0", dealii::Patterns::Double(0),
         "The run ends when the bodies fill this share of the box of the walls bottom, top, left "
-        "and right; 0: no such condition. Units: none.");
+        "and right, in space front and back too; 0: no such condition. Units: none.");
   }
 
   std::string in_words(const double limit) const override
@@ -48,11 +49,7 @@ public:
     double solid = 0.;
     for (const BodyDescription<2> &body : scene.bodies)
       solid += body.shape->area();
-    const double fraction = solid / std::abs(box_of(scene.walls)->volume());
-    if (fraction >= limit)
-      throw InputError("'Stop/" + key() + "' = '" + number_in_words(limit) +
-                       "' is already reached: the bodies fill " + number_in_words(fraction) +
-                       " of the box at the start");
+    check_fraction(solid / std::abs(box_of(scene.walls)->volume()), limit);
   }
 
   void note(const RunState &state, const double limit, std::vector<double> &memory) const override
@@ -76,12 +73,42 @@ public:
 
   double fraction_done(const RunState &state, const double limit) const override
   {
-    const double area = state.model.solid_area();
-    const double packing = packing_fraction(state.model.walls(), area).value_or(0.);
+    return part_of_way(state, limit);
+  }
+
+  bool works_in_space() const override { return true; }
+  void check_in_space(const Scene<3> &scene, const double limit) const override
+  {
+    need_walls(scene, key(), {Box<3>::sides.begin(), Box<3>::sides.end()});
+    double solid = 0.;
+    for (const BodyDescription<3> &body : scene.bodies)
+      solid += body.shape->volume();
+    check_fraction(solid / std::abs(box_of(scene.walls)->volume()), limit);
+  }
+  double fraction_done_in_space(const RunStateIn<3> &state, const double limit) const override
+  {
+    return part_of_way(state, limit);
+  }
+
+private:
+  /// @param fraction at the start
+  void check_fraction(const double fraction, const double limit) const
+  {
+    if (fraction >= limit)
+      throw InputError("'Stop/" + key() + "' = '" + number_in_words(limit) +
+                       "' is already reached: the bodies fill " + number_in_words(fraction) +
+                       " of the box at the start");
+  }
+
+  template <int dim>
+  static double part_of_way(const RunStateIn<dim> &state, const double limit)
+  {
+    const double solid = state.model.solid_area();
+    const double packing = packing_fraction(state.model.walls(), solid).value_or(0.);
     if (packing >= limit)
       return 1.;
     // The box shrinks like 1/packing: this measures the way of the walls.
-    const double start = packing_fraction(state.walls_at_start, area).value_or(packing);
+    const double start = packing_fraction(state.walls_at_start, solid).value_or(packing);
     return packing > 0. ? std::max(0., (1. / start - 1. / packing) / (1. / start - 1. / limit)) : 0.;
   }
 };
