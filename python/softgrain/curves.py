@@ -62,10 +62,12 @@ class Curves:
 
     def pair(self, x, y):
         """
-        x and y row by row; when one is of measures.csv and the other of history.csv, that of
-        history.csv is read at the times of the measures.
+        x and y row by row, x at the instants of forces where y is one; when one is of measures.csv
+        and the other of history.csv, that of history.csv is read at the times of the measures.
         """
         (y_values, table), (x_values, other) = self.find(y), self.find(x)
+        if is_force(y) and not is_force(x) and not is_measures(table) and x in table:
+            return self.run.at_forces(x), y_values, False
         if x in table:
             return table[x], y_values, table is not other or is_measures(table)
         if table is other:
@@ -73,6 +75,11 @@ class Curves:
         if is_measures(table):
             return np.interp(table["time_s"], other["time_s"], x_values), y_values, True
         return x_values, np.interp(other["time_s"], table["time_s"], y_values), True
+
+
+def is_force(name):
+    """Whether a column of history.csv is a force of the step, or made of one."""
+    return name == DIAMETRAL or bool(re.search(r"_(force|force_[xy]|torque)_N(_per_m)?$", name))
 
 
 def is_measures(table):

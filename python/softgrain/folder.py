@@ -285,6 +285,27 @@ class Run:
         known = np.isfinite(values)
         return float(np.interp(time, times[known], values[known])) if known.any() else None
 
+    def at_forces(self, name):
+        """
+        A column of history.csv at the instants that the forces in its rows belong to, by straight
+        lines between rows: draw forces against this.
+
+        With inertia the force of a row is one for all of the step before it, and belongs to some
+        instant within (column force_time_s); all else in the row is of the end of the step.
+
+        >>> strain, table = example.at_forces("axial_strain"), example.history_table
+        >>> bool((strain <= table["axial_strain"]).all())
+        True
+        """
+        values, table = self.column(name)
+        if table is not self.history_table or "force_time_s" not in table:
+            return values
+        known = np.isfinite(values)
+        if not known.any():
+            return values
+        found = np.interp(table["force_time_s"], table["time_s"][known], values[known])
+        return np.where(np.isfinite(table["force_time_s"]) & known, found, values)
+
     def strain_at(self, time):
         """ln(h0/h) at a time; None when history.csv does not say."""
         return self.value_at("axial_strain", time)
