@@ -2,7 +2,9 @@
 // Measures in space of eight balls on a cubic lattice in a box: with forces along the axes all of them are
 // known.
 #include <softgrain/analysis/measure.h>
+#include <softgrain/geometry/solid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -23,7 +25,13 @@ Snapshot<3> lattice(const dealii::Tensor<1, 3> &force)
   {
     BodyState<3> body;
     body.name = "ball";
-    body.outline = {{dealii::Point<3>()}};
+    // An ellipsoid with the semi-axes .5, .4 and .25, the longest along z or, of every fourth, along x.
+    const TriangulatedSurface surface = Sphere(dealii::Point<3>(), 0.5).surface(0.1);
+    body.triangles = surface.triangles;
+    body.outline.emplace_back();
+    for (const dealii::Point<3> &x : surface.vertices)
+      body.outline[0].push_back(b % 4 == 0 ? dealii::Point<3>(x[0], 0.5 * x[1], 0.8 * x[2])
+                                           : dealii::Point<3>(0.5 * x[0], 0.8 * x[1], x[2]));
     body.area = body.reference_area = 4. / 3. * M_PI * R * R * R;
     body.mass = 1000. * body.area;
     body.velocity[0] = 2.;
@@ -84,6 +92,27 @@ void print(const char *title, const Snapshot<3> &snapshot)
         std::cout << "-\n";
     }
 }
+/// The box halves its height and doubles its width; the bodies follow but for the last, which goes its own
+/// way by a diameter along x and loses a contact.
+void moved()
+{
+  const Snapshot<3> before = lattice(dealii::Tensor<1, 3>({1., 1., 1.}));
+  Snapshot<3> now = before;
+  for (BodyState<3> &body : now.bodies)
+  {
+    body.center[0] *= 2.;
+    body.center[2] = 0.5 * body.center[2] + 1.; // the bottom comes up
+  }
+  now.bodies.back().center[0] += 1.;
+  now.walls[1].point[0] = 4.;
+  now.walls[4].point[2] = 1.;
+  const auto last = [](const ContactState<3> &contact) { return contact.body_a == 6 && contact.body_b == 7; };
+  now.contacts.erase(std::remove_if(now.contacts.begin(), now.contacts.end(), last), now.contacts.end());
+  MeasureSeriesIn<3> series({"rearrangements"}, 0.);
+  for (const Snapshot<3> &snapshot : {before, now})
+    for (const auto &[name, value] : series.evaluate(snapshot))
+      std::cout << "  " << name << ' ' << (value ? std::to_string(*value) : "-") << '\n';
+}
 } // namespace
 
 int main()
@@ -101,5 +130,6 @@ int main()
   columns.contacts.pop_back(); // of the last wall: its ball and the one below hang on nothing more
   columns.contacts.pop_back();
   columns.walls.back().name = "lid";
+  moved();
   print("columns, one without its end, no box", columns);
 }
