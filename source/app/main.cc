@@ -13,6 +13,19 @@ namespace
 /// What libraries need that would end the program in words of their own, and some for the files of a run.
 constexpr rlim_t fewest_open_files = 40;
 
+bool hang_up_ignored = false;
+
+/// Notes whether a hang-up is to be ignored, as nohup wants it. This runs before libraries begin: on Debian
+/// 13 one of them takes the signal for itself while it is loaded, and the default is there when main()
+/// begins.
+void note_hang_up(int, char **, char **)
+{
+  struct sigaction action = {};
+  hang_up_ignored = sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const before_libraries)(int, char **, char **) = note_hang_up;
+
 bool has_few_files()
 {
   rlimit files{};
@@ -39,6 +52,8 @@ int main(int argc, char **argv)
       return 1;
     }
     mpi.emplace(argv);
+    if (hang_up_ignored)
+      std::signal(SIGHUP, SIG_IGN);
   }
   return command_line.execute();
 }
