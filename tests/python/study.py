@@ -6,6 +6,7 @@ Arguments: see common.py.
 
 import csv
 import json
+import math
 import os
 import re
 import shutil
@@ -125,7 +126,7 @@ class Orders(Unchecked):
     def test_exact_reference(self):
         """Against the formula of the first mode, and against the same as a table."""
         t = np.linspace(0, 0.2, 401)
-        write("curve.csv", "t,E\n" + "".join(f"{a!r},{3.75e-5 * np.cos(10 * np.pi * a)**2!r}\n" for a in t))
+        write("curve.csv", "t,E\n" + "".join(f"{a!r},{3.75e-5 * math.cos(10 * math.pi * a)**2!r}\n" for a in t.tolist()))
         errors = []
         for kind in ("Formula = 3.75e-5*cos(2*pi*x/0.2)^2", "Curve = curve.csv"):
             name = bar("exact.prm", change=lambda text, kind=kind: text.replace("set Reference = step = 1e-3", "").replace(
