@@ -17,7 +17,6 @@ REFUSED = {
     "Walls/top/Point=0, 0": "'Walls/top/Point' = '0, 0'",
     "Mesh/Lower=-6e-3, -6e-3": "'Mesh/Lower' = '-6e-3, -6e-3'",
     "Materials/gel/Law=j2_plastic": "'Materials/gel/Law' = 'j2_plastic'",
-    "Output/Snapshots every=0.1": "'Output/Snapshots every' = '0.1'",
     "Bodies/ball/Center=0, 0, 4e-3": "'Bodies/ball' reaches",
 }
 
