@@ -107,7 +107,8 @@ std::optional<double> uniform_friction(const Scene<2> &scene)
   return scene.friction;
 }
 
-ContactPairs::ContactPairs(const Scene<2> &scene)
+template <int dim>
+ContactPairs::ContactPairs(const Scene<dim> &scene)
 {
   std::set<std::string> named;
   for (const auto *table : {&scene.friction_pairs, &scene.adhesion_pairs})
@@ -115,7 +116,7 @@ ContactPairs::ContactPairs(const Scene<2> &scene)
       named.insert({entry.first, entry.second});
   std::vector<std::pair<unsigned int, std::string>> keys; // material and, where an entry names it, body
   std::vector<Side> sides;
-  for (const BodyDescription<2> &body : scene.bodies)
+  for (const BodyDescription<dim> &body : scene.bodies)
   {
     const std::pair<unsigned int, std::string> key = {body.material,
                                                       named.count(body.name) > 0 ? body.name : ""};
@@ -128,7 +129,7 @@ ContactPairs::ContactPairs(const Scene<2> &scene)
   }
   n_groups = sides.size();
   columns = n_groups + scene.walls.size();
-  for (const WallDescription<2> &wall : scene.walls)
+  for (const WallDescription<dim> &wall : scene.walls)
     sides.push_back({"", "", wall.name});
   const bool adheres = scene.contact_law != nullptr && scene.contact_law->adheres();
   for (unsigned int i = 0; i < n_groups; ++i)
@@ -145,4 +146,9 @@ ContactPairs::ContactPairs(const Scene<2> &scene)
       any_adhesion = any_adhesion || adhesions.back() > 0.;
     }
 }
+
+#ifdef __cplusplus // Doxygen, which has none, takes instantiations of constructors for others
+template ContactPairs::ContactPairs(const Scene<2> &);
+template ContactPairs::ContactPairs(const Scene<3> &);
+#endif
 } // namespace softgrain

@@ -61,7 +61,8 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
   prm.leave_subsection();
 }
 
-void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const
+template <int dim>
+void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<dim> &scene) const
 {
   const WithinSection section(prm, "Contact");
   scene.friction = prm.get_double("Friction");
@@ -78,7 +79,8 @@ void SceneParameters::parse_contact(dealii::ParameterHandler &prm, Scene<2> &sce
   }
 }
 
-void SceneParameters::rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scene) const
+template <int dim>
+void SceneParameters::rub_at_walls(dealii::ParameterHandler &prm, Scene<dim> &scene) const
 {
   if (prm.get({"Contact"}, "Friction at walls") != "same")
     return;
@@ -90,10 +92,10 @@ void SceneParameters::rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scen
           "/Friction' has no effect with 'Contact/Friction at walls' = 'same': leave one of them out");
     friction = scene.friction;
   };
-  for (WallDescription<2> &wall : scene.walls)
-    if (wall.type != WallDescription<2>::Type::periodic)
+  for (WallDescription<dim> &wall : scene.walls)
+    if (wall.type != WallDescription<dim>::Type::periodic)
       take("Walls/" + wall.name, wall.friction);
-  for (ObstacleDescription<2> &obstacle : scene.obstacles)
+  for (ObstacleDescription<dim> &obstacle : scene.obstacles)
     take("Obstacles/" + obstacle.name, obstacle.friction);
 }
 
@@ -123,6 +125,8 @@ Scene<3> SceneParameters::parse_parameters_in_space(dealii::ParameterHandler &pr
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<3>(prm); });
   mistakes.end();
   scene.gravity = vector_of_numbers<3>(prm.get({"Loads"}, "Gravity"));
+  parse_contact(prm, scene);
+  rub_at_walls(prm, scene);
   return scene;
 }
 } // namespace softgrain

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/solid.h>
+#include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/space_checks.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -44,6 +45,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Walls/*/Normal",
                                         "Walls/*/Drive",
                                         "Walls/*/Velocity",
+                                        "Walls/*/Friction",
                                         "Walls/*/Position",
                                         "Mesh/Lower",
                                         "Mesh/Upper",
@@ -63,6 +65,9 @@ const std::vector<std::string> known = {"Dimension",
                                         "Quasi-static/Unbalanced force",
                                         "Quasi-static/Held steps",
                                         "Contact/Sub-grid compliance",
+                                        "Contact/Friction",
+                                        "Contact/Friction at walls",
+                                        "Contact/Friction of pairs",
                                         "Stop/"};
 
 bool matches(const std::vector<std::string> &path, const std::string &pattern)
@@ -175,6 +180,7 @@ void check_scene_in_space(const Scene<3> &scene, const ParameterSection &paramet
   check_section(parameters, path, mistakes);
   check_bodies(scene, mistakes);
   check_walls(scene, mistakes);
+  mistakes.attempt([&]() { (void) ContactPairs(scene); });
   mistakes.end();
 }
 } // namespace softgrain

@@ -74,7 +74,7 @@ void carry(const std::string &name,
   for (unsigned int k = 0; k < contact.forces.size(); ++k)
   {
     gap += contact.forces[k] * (at.gap_by(k, moves) + at.ray(k).by_motion * at.motion_by(moves));
-    slide += at.slide_by(k, moves);
+    slide += at.slide_by(k, moves)[0];
   }
   for (const double sign : {1., -1.})
   {
@@ -83,7 +83,7 @@ void carry(const std::string &name,
     contact.go(here);
     difference += sign / (2. * little) * contact.gaps();
     for (unsigned int k = 0; k < contact.forces.size(); ++k)
-      slid += sign / (2. * little) * contact.frame.ray(k).slide;
+      slid += sign / (2. * little) * contact.frame.ray(k).slide[0];
   }
   std::cout << name << ": carried, gaps off by " << below(1e-7, std::abs(gap / difference - 1.))
             << ", slides by " << below(1e-7, std::abs(slide - slid)) << '\n';

@@ -32,7 +32,8 @@ public:
   ContactPairs() = default;
 
   /// @throw InputError when two entries that fit a pair equally well differ
-  explicit ContactPairs(const Scene<2> &scene);
+  template <int dim>
+  explicit ContactPairs(const Scene<dim> &scene);
 
   double friction(const unsigned int a, const unsigned int b) const { return value(frictions, a, b); }
   double friction_at_wall(const unsigned int body, const unsigned int wall) const

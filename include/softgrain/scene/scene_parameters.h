@@ -42,9 +42,11 @@ public:
   Scene<3> parse_parameters_in_space(dealii::ParameterHandler &prm) const;
 
 private:
-  void parse_contact(dealii::ParameterHandler &prm, Scene<2> &scene) const;
+  template <int dim>
+  void parse_contact(dealii::ParameterHandler &prm, Scene<dim> &scene) const;
   /// Where walls and obstacles are to rub as bodies do.
-  void rub_at_walls(dealii::ParameterHandler &prm, Scene<2> &scene) const;
+  template <int dim>
+  void rub_at_walls(dealii::ParameterHandler &prm, Scene<dim> &scene) const;
 
   const SceneNames names;
   const unsigned int dimension;

@@ -13,8 +13,16 @@ void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &w
       here.start[side] = here.side[side].place;
   const Vector pushed = resultant(k);
   here.bound = friction * pushed.norm();
+  const Vector normal = pushed / pushed.norm();
   if constexpr (dim == 2)
-    here.e = Vector({pushed[1], -pushed[0]}) / pushed.norm();
+    here.e[0] = Vector({normal[1], -normal[0]});
+  else
+  {
+    // As the frame's own from step to step, so friction that a ray carries on keeps its direction.
+    const Vector along = frame.across[0] - (frame.across[0] * normal) * normal;
+    here.e[0] = along / along.norm();
+    here.e[1] = dealii::cross_product_3d(normal, here.e[0]);
+  }
   if (theta < 1.)
     hold_at(scene, here.start, wall_way, k);
 }
@@ -36,7 +44,7 @@ void FrameState<dim>::hold_at(const FrameScene<dim> &scene,
       if (unknown(side) != none && theta < 1.)
         apart_by += sign(side) * scene.dt * here.hold[side].at(scene.bodies[b].velocity);
     }
-  here.known_slide = theta < 1. ? (1. - theta) * (apart_by * here.e) : 0.;
+  here.known_slide = (1. - theta) * along_slides(k, apart_by);
 }
 
 template <int dim>
@@ -52,10 +60,11 @@ void FrameState<dim>::look_for_slide(const FrameScene<dim> &scene,
     place[side] = here.side[side].place;
   if (follows || here.hold[1].node.empty())
     hold_at(scene, place, wall_way, k);
-  here.slide = -(way_of_partner(wall_way, place[0]) * here.e);
+  Vector slid = -1. * way_of_partner(wall_way, place[0]);
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
-      here.slide += sign(side) * ((here.hold[side].at(increment[b]) + carried[side]) * here.e);
+      slid += sign(side) * (here.hold[side].at(increment[b]) + carried[side]);
+  here.slide = along_slides(k, slid);
 }
 
 template void FrameState<2>::begin_to_rub(const FrameScene<2> &, const FrameState<2>::Vector &, unsigned int);

@@ -18,7 +18,7 @@ void FrameState<dim>::note_gap_at_start(const Vector &wall_way, const unsigned i
 
 template <int dim>
 void FrameState<dim>::add_kinks(const std::vector<double> &force,
-                                const std::vector<double> &rubbing,
+                                const std::vector<Across> &rubbing,
                                 ContactKinks &kinks) const
 {
   constexpr double near_bound = 1. - 1e-6; // of friction: solutions have tolerances
@@ -32,9 +32,9 @@ void FrameState<dim>::add_kinks(const std::vector<double> &force,
       kinks.of_gaps -= 0.5 * now * std::max(0., rays[k].at_start + dent_at_start);
     else if (before > 0. && now == 0.)
       kinks.of_gaps += 0.5 * before * std::max(0., free_gap(k));
-    if (!rubs(k) || now <= 0. || std::abs(rubbing[k]) < near_bound * most_friction(k, now))
+    if (!rubs(k) || now <= 0. || rubbing[k].norm() < near_bound * most_friction(k, now))
       continue;
-    const double mean = 0.5 * (frame.rays[k].friction + rubbing[k]),
+    const Across mean = 0.5 * (frame.rays[k].friction + rubbing[k]),
                  sliding = 0.5 * (before + now) / now * rubbing[k];
     kinks.of_slides -= (sliding - mean) * (rays[k].slide - rays[k].known_slide);
   }
@@ -42,8 +42,10 @@ void FrameState<dim>::add_kinks(const std::vector<double> &force,
 
 template void FrameState<2>::note_gap_at_start(const FrameState<2>::Vector &, unsigned int);
 template void FrameState<3>::note_gap_at_start(const FrameState<3>::Vector &, unsigned int);
-template void
-FrameState<2>::add_kinks(const std::vector<double> &, const std::vector<double> &, ContactKinks &) const;
-template void
-FrameState<3>::add_kinks(const std::vector<double> &, const std::vector<double> &, ContactKinks &) const;
+template void FrameState<2>::add_kinks(const std::vector<double> &,
+                                       const std::vector<FrameState<2>::Across> &,
+                                       ContactKinks &) const;
+template void FrameState<3>::add_kinks(const std::vector<double> &,
+                                       const std::vector<FrameState<3>::Across> &,
+                                       ContactKinks &) const;
 } // namespace softgrain::mpm

@@ -47,8 +47,8 @@ void save_frames(StateWriter &out,
     for (const Frame::RayPlace &ray : frame.rays)
     {
       pieces.insert(pieces.end(), {ray.place[0].piece, ray.place[1].piece});
-      rays.insert(rays.end(), {static_cast<double>(ray.index[0]), ray.force, ray.friction, ray.place[0].along,
-                               ray.place[1].along});
+      rays.insert(rays.end(), {static_cast<double>(ray.index[0]), ray.force, ray.friction[0],
+                               ray.place[0].along, ray.place[1].along});
       adhesion.insert(adhesion.end(), {ray.pull, ray.memory});
     }
   }
@@ -119,7 +119,7 @@ void load_frames(const StateReader &in,
       const double *of_ray = &rays[numbers_of_ray * next];
       ray.index[0] = static_cast<int>(of_ray[0]);
       ray.force = of_ray[1];
-      ray.friction = of_ray[2];
+      ray.friction[0] = of_ray[2];
       if (adhere)
       {
         ray.pull = adhesion[2 * next];

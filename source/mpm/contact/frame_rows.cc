@@ -63,7 +63,7 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
 std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
                                           const std::vector<FrameState<2>> &frames,
                                           const RayForces &force,
-                                          const RayForces &rubbing,
+                                          const RayFriction<2> &rubbing,
                                           ContactMemory<2> &memory)
 {
   std::vector<ContactRow<2>> rows;
@@ -82,9 +82,9 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
       if (frame.rubs(k))
       {
         // Friction does its work between the places that it holds together.
-        row.normal = dealii::Tensor<1, 2>({-ray.e[1], ray.e[0]});
+        row.normal = dealii::Tensor<1, 2>({-ray.e[0][1], ray.e[0][0]});
         row.friction = frame.friction_coefficient();
-        given += rubbing[f][k] * ray.e;
+        given += frame.in_space(k, rubbing[f][k]);
       }
       row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function);
       if (frame.unknown(0) != FrameState<2>::none)

@@ -2,7 +2,9 @@
 // The forces of rays for given columns: which are closed, which stick and which slip.
 #include <softgrain/mpm/contact/frame_system.h>
 
-#include <unsupported/Eigen/IterativeSolvers>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,101 +17,97 @@ namespace
 constexpr unsigned int most_passes = 40;
 /// After sets have repeated only rays change sides that are wrong by that share of the worst.
 constexpr double share_of_worst = 0.5;
+/// In space sets of sides may repeat for ever where a ray hardly presses. Newton's method goes on from what
+/// is wrong by no more than this share of the largest force.
+constexpr double wrong_that_may_be = 1e-2;
 constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
 constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
+constexpr unsigned int base_of_gmres = 60, most_of_gmres = 200;
+constexpr double tolerance_of_gmres = 1e-12;
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
 
-using Matrix = Eigen::SparseMatrix<double>;
-using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-/// A factor as Eigen's iterative solvers want their preconditioner, of a matrix whose rows and columns have
-/// been given other units.
-class ByFactor
+/// One that SolverGMRES may ask for products.
+template <class Function>
+struct Product
 {
-public:
-  ByFactor() = default;
-  template <class M>
-  ByFactor &analyzePattern(const M &)
+  Function function;
+  void vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const
   {
-    return *this;
+    const Eigen::Map<const Eigen::VectorXd> given(from.begin(), from.size());
+    Eigen::Map<Eigen::VectorXd>(to.begin(), to.size()) = function(Eigen::VectorXd(given));
   }
-  template <class M>
-  ByFactor &factorize(const M &)
-  {
-    return *this;
-  }
-  template <class M>
-  ByFactor &compute(const M &)
-  {
-    return *this;
-  }
-  Eigen::VectorXd solve(const Eigen::VectorXd &b) const
-  {
-    return factor->solve(b.cwiseQuotient(*of_rows)).cwiseQuotient(*of_columns);
-  }
-  Eigen::ComputationInfo info() { return Eigen::Success; }
-
-  const Factor *factor = nullptr;
-  const Eigen::VectorXd *of_rows = nullptr, *of_columns = nullptr; ///< what the matrix was multiplied by
 };
+template <class Function>
+Product(Function) -> Product<Function>;
+
+/// Solves A x = b. @param by solves nearly. @return whether it has
+template <class Apply, class Precondition>
+bool solve_by_gmres(const Apply &A, const Precondition &by, const Eigen::VectorXd &b, Eigen::VectorXd &x)
+{
+  dealii::Vector<double> right(b.begin(), b.end()), found(b.size());
+  dealii::SolverControl control(most_of_gmres, tolerance_of_gmres * by.function(b).norm(), false, false);
+  try
+  {
+    dealii::SolverGMRES<dealii::Vector<double>> solver(
+        control, dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData(base_of_gmres));
+    solver.solve(A, found, right, by);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    return false;
+  }
+  x = Eigen::Map<const Eigen::VectorXd>(found.begin(), found.size());
+  return true;
+}
 } // namespace
 
+// In the plane: frame_solve_plane.cc.
+template <>
+bool FrameSystem<2>::solve_active();
+
 template <int dim>
-bool FrameSystem<dim>::solve_active(const Eigen::VectorXd &right)
+bool FrameSystem<dim>::solve_active()
 {
-  std::vector<int> number(columns.size(), -1);
-  int n = 0;
-  for (const unsigned int i : order)
-    if (counts(i))
-      number[i] = n++;
-  std::vector<Eigen::Triplet<double>> entries, by_slip;
-  for (const auto &entry : own)
-  {
-    const int row = number[entry.row()], column = number[entry.col()];
-    if (row >= 0 && column >= 0)
-      entries.emplace_back(std::max(row, column), std::min(row, column), entry.value());
-    // What slips gives to walls under loads.
-    if (const unsigned int i = entry.row(); column >= 0 && active[i] && slips(i) != 0 && !by_threshold)
-      by_slip.emplace_back(column, number[columns[i].mate], slips(i) * columns[i].bound * entry.value());
-  }
-  for (unsigned int b = 0; b < of_body.size(); ++b)
-    for (unsigned int j = 0; j < of_body[b].size(); ++j)
-    {
-      const unsigned int here = of_body[b][j];
-      if (number[here] >= 0)
-        for (unsigned int i = j; i < of_body[b].size(); ++i)
-          if (const int row = number[of_body[b][i]]; row >= 0)
-            entries.emplace_back(std::max(row, number[here]), std::min(row, number[here]), W[b](i, j));
-      if (active[here] && slips(here) != 0 && !by_threshold)
-        for (unsigned int i = 0; i < of_body[b].size(); ++i)
-          if (const int row = number[of_body[b][i]]; row >= 0)
-            by_slip.emplace_back(row, number[columns[here].mate],
-                                 slips(here) * columns[here].bound * W[b](std::max(i, j), std::min(i, j)));
-    }
-  Matrix N(n, n);
-  N.setFromTriplets(entries.begin(), entries.end());
-  Factor factor(N);
-  if (factor.info() != Eigen::Success)
+  if (!factorize_active())
     return false;
   n_free = 0;
   for (const FreeWay<dim> &way : ways)
     n_free += way.stopped == 0;
-  negative = (factor.vectorD().array() < 0.).count();
-  const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond(right)) : right;
+  const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond()) : right;
+  const int n = factor.first().back();
   Eigen::VectorXd b(n), x;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       b[number[i]] = known[i];
-  if (by_slip.empty())
+  // What unknowns do, with friction that goes with them where it slips.
+  const auto apply = [&](const Eigen::VectorXd &of_unknowns)
   {
-    x = factor.solve(b);
-    x += factor.solve(Eigen::VectorXd(b - N.selfadjointView<Eigen::Lower>() * x));
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.size()), result(n);
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (number[i] >= 0)
+        all[i] = of_unknowns[number[i]];
+    for (unsigned int i = 0; i < columns.size() && any_slips; ++i)
+      if (slips_with_force(i))
+        all[i] = slips(i) * columns[i].bound * all[columns[i].mate];
+    Eigen::VectorXd here = Eigen::VectorXd::Zero(columns.size());
+    add_effect(all, here);
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (number[i] >= 0)
+        result[number[i]] = here[i];
+    return result;
+  };
+  const auto solve_nearly = [&](Eigen::VectorXd of_rows)
+  {
+    (any_slips ? slip_factor : factor).solve(of_rows);
+    return of_rows;
+  };
+  if (!any_slips)
+  {
+    x = solve_nearly(b);
+    x += solve_nearly(b - apply(x));
   }
   else
   {
-    Matrix full = N.selfadjointView<Eigen::Lower>(), slipping_part(n, n);
-    slipping_part.setFromTriplets(by_slip.begin(), by_slip.end());
-    full += slipping_part;
     // GMRES adds up squares: all equations become those of ways, and all unknowns too.
     Eigen::VectorXd of_rows(n), of_columns(n);
     const double unit = unit_of_forces();
@@ -120,26 +118,24 @@ bool FrameSystem<dim>::solve_active(const Eigen::VectorXd &right)
         of_rows[number[i]] = is_way ? 1. / unit : 1.;
         of_columns[number[i]] = is_way ? 1. : unit;
       }
-    full = of_rows.asDiagonal() * full * of_columns.asDiagonal();
-    Eigen::GMRES<Matrix, ByFactor> gmres;
-    gmres.preconditioner().factor = &factor;
-    gmres.preconditioner().of_rows = &of_rows;
-    gmres.preconditioner().of_columns = &of_columns;
-    gmres.compute(full);
-    gmres.setTolerance(1e-12);
-    gmres.set_restart(60);
-    gmres.setMaxIterations(200);
-    x = of_columns.cwiseProduct(gmres.solve(of_rows.cwiseProduct(b)));
-    if (gmres.info() != Eigen::Success)
+    const Product matrix{[&](const Eigen::VectorXd &y) {
+      return Eigen::VectorXd(of_rows.cwiseProduct(apply(of_columns.cwiseProduct(y))));
+    }};
+    const Product near{[&](const Eigen::VectorXd &y) {
+      return Eigen::VectorXd(solve_nearly(y.cwiseQuotient(of_rows)).cwiseQuotient(of_columns));
+    }};
+    if (!solve_by_gmres(matrix, near, of_rows.cwiseProduct(b), x))
       return false;
+    x += near.function(of_rows.cwiseProduct(b) - matrix.function(x));
+    x = of_columns.cwiseProduct(x);
   }
   if (!x.allFinite())
     return false;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       z[i] = x[number[i]];
-  for (unsigned int i = 0; i < columns.size() && !by_threshold; ++i)
-    if (active[i] && slips(i) != 0)
+  for (unsigned int i = 0; i < columns.size() && any_slips; ++i)
+    if (slips_with_force(i))
       z[i] = slips(i) * columns[i].bound * (z[columns[i].mate] + columns[columns[i].mate].pull);
   return true;
 }
@@ -177,33 +173,46 @@ bool FrameSystem<dim>::set_known()
 }
 
 template <int dim>
-Eigen::VectorXd FrameSystem<dim>::beyond(const Eigen::VectorXd &right) const
+Eigen::VectorXd FrameSystem<dim>::beyond() const
 {
   Eigen::VectorXd here = -right;
+  add_effect(z, here);
+  return here;
+}
+
+template <int dim>
+void FrameSystem<dim>::add_effect(const Eigen::VectorXd &all, Eigen::VectorXd &here) const
+{
+  Eigen::VectorXd of_columns, effect;
   for (unsigned int b = 0; b < of_body.size(); ++b)
     if (!of_body[b].empty())
     {
-      const Eigen::VectorXd effect = W[b] * z_of(b);
+      of_columns.resize(of_body[b].size());
+      for (unsigned int i = 0; i < of_body[b].size(); ++i)
+        of_columns[i] = all[of_body[b][i]];
+      effect.noalias() = W[b] * of_columns;
       for (unsigned int i = 0; i < of_body[b].size(); ++i)
         here[of_body[b][i]] += effect[i];
     }
   for (const auto &entry : own)
   {
-    here[entry.col()] += entry.value() * z[entry.row()];
+    here[entry.col()] += entry.value() * all[entry.row()];
     if (entry.row() != entry.col())
-      here[entry.row()] += entry.value() * z[entry.col()];
+      here[entry.row()] += entry.value() * all[entry.col()];
   }
-  return here;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    here[i] += give_of(i) * all[i];
 }
 
+/// By how much rays are where they must not be, as forces. @return whether any is
 template <int dim>
-bool FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double cell_size, const double share)
+bool FrameSystem<dim>::find_wrong(const Eigen::VectorXd &here, const double cell_size)
 {
-  double largest = 0.;
+  largest = 0.;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray || columns[i].kind == Column::slide)
       largest = std::max(largest, std::abs(z[i]));
-  wrong.setZero(columns.size()); // by how much a ray is where it must not be, as a force
+  wrong.setZero(columns.size());
   for (unsigned int i = 0; i < columns.size(); ++i)
   {
     const bool sticks = slips(i) == 0;
@@ -211,28 +220,35 @@ bool FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double ce
     double amount = 0., allowed = 1e-10 * cell_size * columns[i].stiffness;
     if (columns[i].kind == Column::ray)
       amount = active[i] ? -(z[i] + columns[i].pull) : -as_force;
-    else if (columns[i].kind == Column::slide && active[i])
-      amount = sticks ? std::abs(z[i]) - most_friction(i) : slips(i) * as_force;
+    else if (columns[i].kind == Column::slide && columns[i].component == 0 && active[i])
+      amount = sticks ? found_friction(i).norm() - most_friction(i)
+                      : std::max(slips(i) * as_force, off_direction(i));
     if (active[i] && sticks)
       allowed = 1e-10 * largest;
     if (amount > allowed)
       wrong[i] = amount;
   }
-  const double worst = wrong.size() > 0 ? wrong.maxCoeff() : 0.;
+  worst = wrong.size() > 0 ? wrong.maxCoeff() : 0.;
+  return worst > 0.;
+}
+
+template <int dim>
+void FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double share)
+{
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (wrong[i] > 0. && wrong[i] >= share * worst)
     {
-      signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
       if (columns[i].kind == Column::slide)
-        slip = slip != 0 ? 0 : z[i] > 0. ? 1 : -1;
+        change_slip(here, i);
       else
       {
         active[i] = !active[i];
-        if (columns[i].mate != Column::none)
-          active[columns[i].mate] = active[i];
+        for (unsigned int m = 0; m < dim - 1 && columns[i].mate != Column::none; ++m)
+          active[columns[i].mate + m] = active[i];
       }
     }
-  return worst == 0. && walls_stay(here);
+    else if (dim == 3 && slips(i) != 0 && active[i])
+      change_slip(here, i);
 }
 
 template <int dim>
@@ -274,22 +290,25 @@ double FrameSystem<dim>::farthest_way(const Eigen::VectorXd &here) const
 }
 
 template <int dim>
-bool FrameSystem<dim>::settle(const Eigen::VectorXd &right,
-                              const double cell_size,
-                              const unsigned int negative_of_bodies)
+bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negative_of_bodies)
 {
   bool settled = false, repeats = false;
   std::set<std::vector<signed char>> seen{sides()};
   for (unsigned int pass = 0; pass < most_passes && !settled; ++pass)
   {
     ++passes;
-    if (!solve_active(right) || (pass >= most_in_saddle && wrong_inertia(negative_of_bodies) != 0))
+    if (!solve_active() || (pass >= most_in_saddle && wrong_inertia(negative_of_bodies) != 0))
       return false;
-    const Eigen::VectorXd here = beyond(right);
+    const Eigen::VectorXd here = beyond();
     // Nothing holds the bodies: no set is right where they go so far.
     if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
       return false;
-    settled = change_sides(here, cell_size, repeats ? share_of_worst : 0.);
+    const bool any_wrong = find_wrong(here, cell_size);
+    settled = !any_wrong || (dim == 3 && any_slips && repeats && worst < wrong_that_may_be * largest);
+    if (!settled)
+      change_sides(here, repeats ? share_of_worst : 0.);
+    if (!any_wrong)
+      settled = walls_stay(here);
     repeats = repeats || !seen.insert(sides()).second;
   }
   return settled;
@@ -298,18 +317,18 @@ bool FrameSystem<dim>::settle(const Eigen::VectorXd &right,
 template <int dim>
 bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative_of_bodies)
 {
-  Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
+  right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
   for (unsigned int b = 0; b < of_body.size(); ++b)
     for (unsigned int i = 0; i < of_body[b].size(); ++i)
       right[of_body[b][i]] -= moved[b][i];
   by_threshold = false;
-  bool settled = settle(right, cell_size, negative_of_bodies);
+  bool settled = settle(cell_size, negative_of_bodies);
   if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)
   {
     // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets
     // settle.
     by_threshold = true;
-    settled = settle(right, cell_size, negative_of_bodies);
+    settled = settle(cell_size, negative_of_bodies);
   }
   found_ways.resize(ways.size());
   for (unsigned int w = 0; w < ways.size(); ++w)
@@ -317,11 +336,14 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray)
       found[columns[i].frame][columns[i].ray_number] = std::max(-columns[i].pull, z[i]);
-    else if (columns[i].kind == Column::slide && active[i])
-      found_rubbing[columns[i].frame][columns[i].ray_number] = z[i];
+    else if (columns[i].kind == Column::slide && columns[i].component == 0 && active[i])
+      note_friction(i);
   return settled;
 }
 
+template bool FrameSystem<2>::set_known();
+template Eigen::VectorXd FrameSystem<2>::beyond() const;
+template double FrameSystem<2>::unit_of_forces() const;
 template bool FrameSystem<2>::solve(double, unsigned int);
 template bool FrameSystem<3>::solve(double, unsigned int);
 } // namespace softgrain::mpm

@@ -334,14 +334,15 @@ void FrameState<dim>::keep_dent()
 }
 
 template <int dim>
-bool FrameState<dim>::leave_unmet(std::vector<double> &force, std::vector<double> &rubbing)
+bool FrameState<dim>::leave_unmet(std::vector<double> &force, std::vector<Across> &rubbing)
 {
   bool any = false;
   for (unsigned int k = 0; k < rays.size(); ++k)
     if (force[k] != 0. && !rays[k].met)
     {
       any = rays[k].left = true;
-      force[k] = rubbing[k] = rays[k].pull = 0.;
+      force[k] = rays[k].pull = 0.;
+      rubbing[k] = Across();
     }
   return any;
 }
@@ -371,7 +372,7 @@ typename FrameState<dim>::Across FrameState<dim>::tangential(const std::vector<d
 template <int dim>
 ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
                                          const std::vector<double> &force,
-                                         const std::vector<double> &rubbing) const
+                                         const std::vector<Across> &rubbing) const
 {
   ContactFrame<dim> result = frame;
   for (unsigned int m = 0; m < dim - 1; ++m)
@@ -383,7 +384,7 @@ ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
     result.rays[k].friction = rubbing[k];
     result.rays[k].pull = rays[k].pull;
     if constexpr (dim == 2)
-      result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k]);
+      result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k].norm());
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)
         result.rays[k].place[side] = rays[k].side[side].place;

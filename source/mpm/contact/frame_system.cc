@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/frame_system.h>
 
+#include <Eigen/OrderingMethods>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,16 @@ namespace softgrain::mpm
 namespace
 {
 constexpr double slips_from = 1. - 1e-9; ///< share of its bound from which friction slips when a step begins
+
+/// In space friction that slips has its own direction, along which it is positive.
+signed char sign_of(const dealii::Tensor<1, 1> &friction)
+{
+  return (friction[0] > 0.) - (friction[0] < 0.);
+}
+signed char sign_of(const dealii::Tensor<1, 2> &friction)
+{
+  return friction.norm() > 0.;
+}
 } // namespace
 
 template <int dim>
@@ -31,6 +43,9 @@ template <int dim>
 void FrameSystem<dim>::take(const std::vector<FrameState<dim>> &frames)
 {
   frames_of.assign(bodies.size(), {});
+  bodies_of.clear();
+  for (const FrameState<dim> &frame : frames)
+    bodies_of.push_back({{frame.unknown(0), frame.unknown(1)}});
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int side = 0; side < 2; ++side)
       if (const unsigned int b = frames[f].unknown(side); b != FrameState<dim>::none)
@@ -50,7 +65,7 @@ void FrameSystem<dim>::find_order()
   }
   first.push_back(columns.size());
   const int n = first.size() - 1;
-  std::vector<Eigen::Triplet<double>> neighbours;
+  std::vector<Eigen::Triplet<double>> pairs;
   for (const auto &list : of_body)
   {
     std::vector<int> of_this; // frames
@@ -59,16 +74,23 @@ void FrameSystem<dim>::find_order()
         of_this.push_back(frame_of[i]);
     for (const int one : of_this)
       for (const int other : of_this)
-        neighbours.emplace_back(one, other, 1.);
+        pairs.emplace_back(one, other, 1.);
   }
   Eigen::SparseMatrix<double> graph(n, n);
-  graph.setFromTriplets(neighbours.begin(), neighbours.end());
+  graph.setFromTriplets(pairs.begin(), pairs.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int>()(graph, permutation);
   order.clear();
+  block_of.assign(columns.size(), n); // walls meet many, and come last
+  n_blocks = n + 1;
+  std::vector<int> block_of_frame(n);
   for (int f = 0; f < n; ++f)
   {
-    const unsigned int begin = first[permutation.indices()[f]], end = first[permutation.indices()[f] + 1];
+    const int frame = permutation.indices()[f];
+    block_of_frame[frame] = f;
+    const unsigned int begin = first[frame], end = first[frame + 1];
+    for (unsigned int i = begin; i < end; ++i)
+      block_of[i] = f;
     for (unsigned int i = begin; i < end; ++i)
       if (columns[i].kind != Column::motion)
         order.push_back(i);
@@ -76,9 +98,13 @@ void FrameSystem<dim>::find_order()
       if (columns[i].kind == Column::motion)
         order.push_back(i);
   }
-  // Walls meet many.
   for (unsigned int w = 0; w < ways.size(); ++w)
     order.push_back(w);
+  neighbours.clear();
+  for (const auto &pair : pairs)
+    neighbours.emplace_back(block_of_frame[pair.row()], block_of_frame[pair.col()]);
+  for (int f = 0; f < n && !ways.empty(); ++f)
+    neighbours.emplace_back(f, n);
 }
 
 /// Columns of the motion of a frame and of the force that it takes, after those of its rays.
@@ -108,25 +134,59 @@ void FrameSystem<dim>::add_motion(const FrameState<dim> &frame,
 }
 
 template <int dim>
+void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
+                                  const Across &rubbing,
+                                  const double force,
+                                  const unsigned int ray_column)
+{
+  const unsigned int f = columns[ray_column].frame, k = columns[ray_column].ray_number;
+  columns[ray_column].mate = columns.size();
+  std::array<Across, dim - 1> axes;
+  axes[0][0] = 1.;
+  double give = 0.;
+  if constexpr (dim == 3)
+  {
+    if (slipping[f][k] != 0 && rubbing.norm() > 0.)
+    {
+      axes[0] = rubbing / rubbing.norm();
+      const double way = axes[0] * (frame.free_slide(k) + frame.ray_softness() * rubbing);
+      if (const double most = frame.most_friction(k, force); way < 0. && most > 0.)
+        give = -way / most;
+    }
+    axes[1][0] = -axes[0][1];
+    axes[1][1] = axes[0][0];
+  }
+  for (unsigned int m = 0; m < dim - 1; ++m)
+  {
+    columns.push_back({Column::slide, f, k, ray_column, frame.stiffness(), frame.ray(k).bound,
+                       frame.most_friction(k, force), 0., m, axes[m], axes[m], m == 1 ? give : 0.});
+    active.push_back(active[ray_column]);
+    gap.push_back(axes[m] * frame.free_slide(k));
+  }
+  any_slides = true;
+}
+
+template <int dim>
 void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
                                    const std::vector<FrameState<dim>> &frames,
                                    const RayForces &force,
-                                   const RayForces &rubbing,
+                                   const RayFriction<dim> &rubbing,
                                    const unsigned int f,
                                    const double within)
 {
   const FrameState<dim> &frame = frames[f];
   if (slipping[f].empty())
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
-      slipping[f].push_back(frame.rubs(k) && std::abs(rubbing[f][k]) >=
-                                                 slips_from * frame.most_friction(k, force[f][k])
-                                ? (rubbing[f][k] > 0.) - (rubbing[f][k] < 0.)
+      slipping[f].push_back(frame.rubs(k) &&
+                                    rubbing[f][k].norm() >= slips_from * frame.most_friction(k, force[f][k])
+                                ? sign_of(rubbing[f][k])
                                 : 0);
   const unsigned int first = columns.size();
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
     const typename FrameState<dim>::RayHere &ray = frame.ray(k);
-    found[f][k] = found_rubbing[f][k] = 0.;
+    found[f][k] = 0.;
+    found_rubbing[f][k] = Across();
     if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
       continue;
     columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
@@ -139,14 +199,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     return;
   for (unsigned int i = first; i < motion_of_rays; ++i)
     if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
-    {
-      columns[i].mate = columns.size();
-      columns.push_back({Column::slide, f, k, i, frame.stiffness(), frame.ray(k).bound,
-                         frame.most_friction(k, force[f][k])});
-      any_slides = true;
-      active.push_back(active[i]);
-      gap.push_back(frame.free_slide(k));
-    }
+      add_slides(frame, rubbing[f][k], force[f][k], i);
   const unsigned int motion = columns.size();
   for (unsigned int i = first; i < motion; ++i)
     own.emplace_back(i, i, frame.ray_softness());
@@ -164,9 +217,10 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     for (unsigned int i = first; i < columns.size(); ++i)
       if (columns[i].kind != Column::motion)
         own.emplace_back(i, w,
-                         columns[i].kind == Column::ray     ? frame.gap_by(columns[i].ray_number, moves)
-                         : columns[i].kind == Column::slide ? frame.slide_by(columns[i].ray_number, moves)
-                                                            : -frame.motion_by(moves)[columns[i].ray_number]);
+                         columns[i].kind == Column::ray ? frame.gap_by(columns[i].ray_number, moves)
+                         : columns[i].kind == Column::slide
+                             ? columns[i].axis * frame.slide_by(columns[i].ray_number, moves)
+                             : -frame.motion_by(moves)[columns[i].ray_number]);
     for (unsigned int m = 0; m < dim - 1 && frame.rides(); ++m)
       own.emplace_back(motion + m, w,
                        frame.twice_by(force[f], {{frame.as_motion(m), frame.as_motion(m)}}, moves));
@@ -212,7 +266,7 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
         frame.for_gradient(column.ray_number, side, 1., add);
         break;
       case Column::slide:
-        frame.for_slide(column.ray_number, side, 1., add);
+        frame.for_slide(column.ray_number, side, column.axis, add);
         break;
       case Column::motion:
         frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
@@ -239,7 +293,7 @@ template <int dim>
 void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
                                 const std::vector<FrameState<dim>> &frames,
                                 const RayForces &force,
-                                const RayForces &rubbing,
+                                const RayFriction<dim> &rubbing,
                                 const double within,
                                 const std::vector<Eigen::VectorXd> &way_without)
 {

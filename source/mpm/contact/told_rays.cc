@@ -80,10 +80,13 @@ void FrameState<dim>::for_told(RayHere &ray, const Part &part) const
   part(ray.at_start);
   part(ray.beyond);
   part(ray.bound);
-  part(ray.slide);
-  part(ray.known_slide);
-  for (unsigned int d = 0; d < dim; ++d)
-    part(ray.e[d]);
+  for (unsigned int m = 0; m < dim - 1; ++m)
+  {
+    part(ray.slide[m]);
+    part(ray.known_slide[m]);
+    for (unsigned int d = 0; d < dim; ++d)
+      part(ray.e[m][d]);
+  }
   for (unsigned int s = flat_partner() ? 1 : 0; s < 2; ++s)
   {
     RaySide<dim> &side = ray.side[s];

@@ -9,8 +9,8 @@ namespace
 {
 using Frame = ContactFrame<3>;
 
-constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 9, numbers_of_wall = 6,
-                       counts_of_contact = 3, numbers_of_contact = 7;
+constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 11, numbers_of_wall = 6,
+                       counts_of_contact = 3, numbers_of_contact = 10;
 
 template <class Tensor>
 void add(const Tensor &tensor, std::vector<double> &list)
@@ -38,8 +38,8 @@ void save_frames(const std::vector<Frame> &frames, StateWriter &out)
     where.insert(where.end(), {frame.spacing, frame.log_full_width[0], frame.log_full_width[1]});
     for (const Frame::RayPlace &ray : frame.rays)
     {
-      rays.insert(rays.end(),
-                  {static_cast<double>(ray.index[0]), static_cast<double>(ray.index[1]), ray.force});
+      rays.insert(rays.end(), {static_cast<double>(ray.index[0]), static_cast<double>(ray.index[1]),
+                               ray.force, ray.friction[0], ray.friction[1]});
       add(ray.place[0].position, rays);
       add(ray.place[1].position, rays);
     }
@@ -84,7 +84,9 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
     {
       ray.index = {{static_cast<int>(of_ray[0]), static_cast<int>(of_ray[1])}};
       ray.force = of_ray[2];
-      of_ray += 3;
+      ray.friction[0] = of_ray[3];
+      ray.friction[1] = of_ray[4];
+      of_ray += 5;
       for (unsigned int side = 0; side < 2; ++side)
       {
         dealii::Point<3> position;
@@ -104,6 +106,7 @@ void save_contacts(const std::vector<SpaceContact> &contacts, StateWriter &out)
   {
     who.insert(who.end(), {contact.body, contact.partner, contact.wall});
     add(contact.place, numbers);
+    add(contact.normal, numbers);
     add(contact.force, numbers);
     numbers.push_back(contact.gap);
   }
@@ -126,8 +129,10 @@ void load_contacts(const StateReader &in, SpaceState &state)
                          static_cast<unsigned int>(who[counts_of_contact * c + 2]),
                          {},
                          {},
+                         {},
                          0.};
     take(at, contact.place);
+    take(at, contact.normal);
     take(at, contact.force);
     contact.gap = *at++;
     state.contacts.push_back(contact);
@@ -139,7 +144,7 @@ void SpaceModel::save(StateWriter &out) const
 {
   out.write("space/time",
             std::vector<double>{state.time, step_control.scale, last_dt, state.regularisation_work,
-                                state.released_energy, state.dent_energy});
+                                state.released_energy, state.dent_energy, state.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> displacement, walls;
   for (const Body<3> &body : state.bodies)
@@ -157,7 +162,7 @@ void SpaceModel::save(StateWriter &out) const
 
 void SpaceModel::load(StateReader &in)
 {
-  const std::vector<double> times = in.read_doubles("space/time", 6);
+  const std::vector<double> times = in.read_doubles("space/time", 7);
   std::size_t n_dofs = 0;
   for (const Body<3> &body : state.bodies)
     n_dofs += body.displacement.size();
@@ -179,6 +184,7 @@ void SpaceModel::load(StateReader &in)
   state.regularisation_work = times[3];
   state.released_energy = times[4];
   state.dent_energy = times[5];
+  state.rubbed = times[6];
   steps = in.read_integers("space/steps", 1)[0];
   for (std::size_t w = 0; w < driven.size(); ++w)
   {

@@ -5,6 +5,7 @@
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/stepping/driven_work.h>
 #include <softgrain/mpm/stepping/stress.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -67,6 +68,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     , function(create_shape_function(settings.shape))
     , lattice(settings.space_lower, settings.space_upper, settings.cell_size)
     , subgrid{settings.subgrid, settings.cell_size, settings.space_lower}
+    , pairs(scene)
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
@@ -169,18 +171,22 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   std::vector<WallMotion<3>> walls = motion();
   for (std::size_t w = 0; w < walls.size(); ++w)
     walls[w].velocity = driven[w].velocity(state.time, dt);
-  const StepOutcome outcome = SpaceAtRest(state, work, settings, subgrid, walls, wall_names).go(dt, wanted);
+  const StepOutcome outcome =
+      SpaceAtRest(state, work, settings, subgrid, pairs, walls, wall_names).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
+  std::vector<DrivenWork> works;
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     DrivenWall &wall = driven[w];
     wall.speed = walls[w].velocity;
     wall.travel += dt * wall.speed;
     wall.work += 0.5 * (wall.force + state.wall_force[w]) * dt * wall.speed;
+    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - wall.force) * dt * wall.speed)});
     wall.force = state.wall_force[w];
   }
+  state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
   return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
 }
 
@@ -236,7 +242,7 @@ void SpaceModel::settle(StepReport &report)
   StepOutcome outcome;
   try
   {
-    outcome = SpaceAtRest(state, work, settings, subgrid, motion(), wall_names).settle(last_dt);
+    outcome = SpaceAtRest(state, work, settings, subgrid, pairs, motion(), wall_names).settle(last_dt);
   }
   catch (...)
   {
@@ -275,7 +281,7 @@ Energies SpaceModel::energies() const
   for (const Body<3> &body : state.bodies)
     energies.elastic +=
         measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
-  energies.dissipated = state.regularisation_work + state.released_energy;
+  energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed;
   for (const DrivenWall &wall : driven)
     energies.external_work += wall.work;
   return energies;

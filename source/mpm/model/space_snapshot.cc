@@ -64,7 +64,7 @@ Snapshot<3> SpaceModel::snapshot() const
     else
       contact.wall = of_ray.wall;
     contact.place = of_ray.place;
-    contact.normal = of_ray.force / of_ray.force.norm();
+    contact.normal = of_ray.normal;
     contact.force = of_ray.force;
     contact.gap = of_ray.gap;
     result.contacts.push_back(contact);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/account_contacts.h>
 #include <softgrain/mpm/stepping/contact_work.h>
+#include <softgrain/mpm/stepping/driven_work.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 
 #include <algorithm>
@@ -8,31 +9,6 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-/// Work of something driven, and by how much it differs from that of the force at either end [J/m].
-struct DrivenWork
-{
-  double *work;
-  double most;
-};
-
-/// Gives to all that is driven what the mean of both ends lacks, in proportion to the change of its force:
-/// its work lies between those of the forces at both ends. @return the share that could be given
-double give_kinks(const ContactKinks &kinks, const std::vector<DrivenWork> &driven)
-{
-  double most = 0.;
-  for (const DrivenWork &one : driven)
-    most += one.most;
-  if (most == 0. || kinks.all() == 0.)
-    return 0.;
-  const double given = std::clamp(kinks.all(), -most, most);
-  for (const DrivenWork &one : driven)
-    *one.work += given * one.most / most;
-  return given / kinks.all();
-}
-} // namespace
-
 void account_contacts(
     const Problem &problem, State &state, const Workspace &work, const FoundStep &step, const double dt)
 {

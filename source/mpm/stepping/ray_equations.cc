@@ -60,7 +60,7 @@ void RayEquations<dim>::take_forces_of_start()
     for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
     {
       force[f][k] = frames[f].start_force(k);
-      rubbing[f][k] = frames[f].ray(k).left ? 0. : frames[f].layout().rays[k].friction;
+      rubbing[f][k] = frames[f].ray(k).left ? Across() : frames[f].layout().rays[k].friction;
     }
 }
 
@@ -155,7 +155,7 @@ Eigen::VectorXd RayEquations<dim>::contact_forces(const unsigned int b) const
     {
       if (force[f][k] != 0.)
         frame.for_gradient(k, side, force[f][k], add);
-      if (rubbing[f][k] != 0.)
+      if (rubbing[f][k] != Across())
         frame.for_slide(k, side, rubbing[f][k], add);
     }
     const typename FrameState<dim>::Across tangential = frame.tangential(force[f]);
@@ -179,12 +179,13 @@ void RayEquations<dim>::measure_frame(const unsigned int f, double &wrong_fricti
     deepest = std::max(deepest, closed ? std::abs(gap) : -gap);
     if (!frame.rubs(k) || !closed)
       continue;
-    const double most = frame.most_friction(k, force[f][k]),
-                 slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
-    wrong_friction = std::max(wrong_friction, std::abs(rubbing[f][k]) - most);
-    // Friction below its bound holds.
-    if (std::abs(rubbing[f][k]) < (1. - 1e-6) * most)
-      deepest = std::max(deepest, std::abs(slide));
+    const double most = frame.most_friction(k, force[f][k]), rubs = rubbing[f][k].norm();
+    Across slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
+    wrong_friction = std::max(wrong_friction, rubs - most);
+    // Friction below its bound holds; at its bound it holds across its own direction.
+    if (rubs >= (1. - 1e-6) * most)
+      slide -= rubs > 0. ? Across((slide * rubbing[f][k]) / (rubs * rubs) * rubbing[f][k]) : slide;
+    deepest = std::max(deepest, slide.norm());
   }
 }
 

@@ -170,7 +170,8 @@ std::string RayNewton<dim>::iterate()
     largest = std::max(largest, std::abs(system.found_ways[w] - gone[w]));
   }
   double share = largest > longest_way * h ? longest_way * h / largest : 1.;
-  const RayForces before = force, rubbed = rubbing;
+  const RayForces before = force;
+  const RayFriction<dim> rubbed = rubbing;
   const Vectors from = way;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {

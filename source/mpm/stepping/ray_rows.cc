@@ -105,11 +105,12 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
 
 std::vector<ContactFrame<2>> RayRows::frames_after() const
 {
-  RayForces normal, rubbing;
+  RayForces normal;
+  RayFriction<2> rubbing;
   for (const FrameState<2> &frame : frames)
   {
     normal.emplace_back(frame.n_rays(), 0.);
-    rubbing.emplace_back(frame.n_rays(), 0.);
+    rubbing.emplace_back(frame.n_rays());
   }
   const std::vector<double> &P = work.contact.impulses();
   const unsigned int components = work.contact.n_components();
@@ -118,7 +119,7 @@ std::vector<ContactFrame<2>> RayRows::frames_after() const
     const auto [f, k] = ray[r];
     normal[f][k] = P[r * components] / (dt * frames[f].resultant(k).norm());
     if (components > 1)
-      rubbing[f][k] = P[r * components + 1] / dt;
+      rubbing[f][k][0] = P[r * components + 1] / dt;
   }
   std::vector<ContactFrame<2>> result;
   for (unsigned int f = 0; f < frames.size(); ++f)

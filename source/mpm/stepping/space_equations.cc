@@ -56,7 +56,8 @@ Eigen::MatrixXd whole_rotations(const Body<3> &body)
 SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                                const Settings &settings,
                                SpaceWorkspace &work,
-                               const StepPlan &plan)
+                               const StepPlan &plan,
+                               const bool frictionless)
     : bodies(bodies)
     , settings(settings)
     , work(work)
@@ -69,16 +70,16 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
   increment.resize(bodies.size());
   internal.resize(bodies.size());
   external.resize(bodies.size());
-  work.share.for_mine(bodies,
-                      [&](const Body<3> &body)
-                      {
-                        const unsigned int b = body.index;
-                        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
-                        shift[b] =
-                            plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
-                        rotations[b] = whole_rotations(body);
-                        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
-                      });
+  work.share.for_mine(
+      bodies,
+      [&](const Body<3> &body)
+      {
+        const unsigned int b = body.index;
+        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
+        shift[b] = plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
+        rotations[b] = frictionless ? whole_rotations(body) : Eigen::MatrixXd(body.displacement.size(), 0);
+        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
+      });
 }
 
 bool SpaceEquations::evaluate(const Vectors &v)

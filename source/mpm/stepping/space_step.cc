@@ -15,9 +15,11 @@ public:
   SpaceStep(const RayWorld<3> &world,
             const StepPlan &plan,
             SpaceEquations &equations,
+            const ContactPairs &pairs,
             const std::vector<std::string> &wall_names)
       : RayNewton<3>(world, plan, equations), of_space(equations), wall_names(wall_names)
   {
+    scene.pairs = &pairs;
   }
 
   using RayNewton<3>::careful;
@@ -33,29 +35,42 @@ private:
     return frame.partner != none ? "body '" + world.bodies[frame.partner].name
                                  : "wall '" + wall_names[frame.wall];
   }
-  void add_contacts(const FrameState<3> &frame, const std::vector<double> &of_rays, SpaceState &state) const;
+  void add_contacts(unsigned int f, SpaceState &state) const;
+  void account_frame(unsigned int f, SpaceState &state) const;
 
   SpaceEquations &of_space;
   const std::vector<std::string> &wall_names;
 };
 
-void SpaceStep::add_contacts(const FrameState<3> &frame,
-                             const std::vector<double> &of_rays,
-                             SpaceState &state) const
+void SpaceStep::add_contacts(const unsigned int f, SpaceState &state) const
 {
+  const FrameState<3> &frame = frames[f];
+  const std::vector<double> &of_rays = force[f];
   const ContactFrame<3> &layout = frame.layout();
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
     if (of_rays[k] != 0.)
     {
-      SpaceContact contact{layout.body, layout.partner, layout.wall, layout.origin, {}, frame.ray(k).gap};
+      SpaceContact contact{layout.body, layout.partner, layout.wall, layout.origin, {}, {}, frame.ray(k).gap};
       const dealii::Tensor<1, 2> offset = layout.offset(layout.rays[k].index) + frame.motion();
       contact.place += offset[0] * layout.across[0] + offset[1] * layout.across[1] +
                        frame.ray(k).side[1].height * layout.direction;
-      contact.force = of_rays[k] * frame.resultant(k);
+      contact.normal = frame.resultant(k) / frame.resultant(k).norm();
+      contact.force = of_rays[k] * frame.resultant(k) + frame.in_space(k, rubbing[f][k]);
       if (layout.partner == none)
         state.wall_force[layout.wall] += contact.force * world.motion[layout.wall].normal;
       state.contacts.push_back(contact);
     }
+}
+
+// From balance to balance friction does the work of the mean of both ends, but for what kinks tell.
+void SpaceStep::account_frame(const unsigned int f, SpaceState &state) const
+{
+  const FrameState<3> &frame = frames[f];
+  state.dent_energy += frame.dent_energy(force[f]);
+  frame.add_kinks(force[f], rubbing[f], state.kinks);
+  for (unsigned int k = 0; k < frame.n_rays(); ++k)
+    if (frame.ray(k).met && frame.rubs(k))
+      state.rubbed -= 0.5 * (frame.layout().rays[k].friction + rubbing[f][k]) * frame.ray(k).slide;
 }
 
 void SpaceStep::accept(SpaceState &state)
@@ -71,10 +86,11 @@ void SpaceStep::accept(SpaceState &state)
   state.contacts.clear();
   state.wall_force.assign(world.motion.size(), 0.);
   state.dent_energy = 0.;
+  state.kinks = ContactKinks();
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
-    add_contacts(frames[f], force[f], state);
-    state.dent_energy += frames[f].dent_energy(force[f]);
+    add_contacts(f, state);
+    account_frame(f, state);
     kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
   }
   state.frames = std::move(kept);
@@ -110,10 +126,10 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const do
       wall.point += plan.dt * wall.velocity * wall.normal;
       wall.velocity = 0.;
     }
-  SpaceEquations equations(state.bodies, settings, work, plan);
+  SpaceEquations equations(state.bodies, settings, work, plan, pairs.frictionless());
   SpaceStep step({state.bodies, state.surfaces, state.frames, walls, settings, settings.cell_size, subgrid,
                   work.share, work.matrices, work.solvers, *work.timer},
-                 plan, equations, wall_names);
+                 plan, equations, pairs, wall_names);
   return try_ray_step(step, careful, most_resistance, state);
 }
 

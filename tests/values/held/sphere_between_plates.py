@@ -10,10 +10,10 @@ in one line that names parameter and value.
 ELEMENTS = {0.1: 0.0611559, 0.2: 0.191906, 0.3: 0.399657}
 SCENE, RADIUS, YOUNG = "sphere_between_plates.prm", 5e-3, 10e6
 REFUSED = {
-    "Contact/Friction=0.5": "'Contact/Friction' = '0.5'",
+    "Contact/Adhesion=5": "'Contact/Adhesion' = '5'",
     "Loads/Gravity=0, 0, -9.81": "'Loads/Gravity' = '0, 0, -9.81'",
     "Time/Scheme=moreau_jean": "'Time/Scheme' = 'moreau_jean'",
-    "Walls/top/Friction=1": "'Walls/top/Friction' = '1'",
+    "Walls/top/Type=periodic": "'Walls/top/Type'",
     "Walls/top/Point=0, 0": "'Walls/top/Point' = '0, 0'",
     "Mesh/Lower=-6e-3, -6e-3": "'Mesh/Lower' = '-6e-3, -6e-3'",
     "Materials/gel/Law=j2_plastic": "'Materials/gel/Law' = 'j2_plastic'",

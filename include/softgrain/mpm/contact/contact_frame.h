@@ -50,11 +50,11 @@ struct ContactFrame
 
   struct RayPlace
   {
-    std::array<int, dim - 1> index; ///< on the lattice
-    double force = 0;               ///< multiplier of its gap [N/m^(dim-2)]; adhesion makes it negative
-    double friction = 0;            ///< on the body, across the ray [N/m^(dim-2)]
-    double pull = 0;                ///< of adhesion in the step before [N/m^(dim-2)]
-    double memory = 0;              ///< of a contact law that remembers
+    std::array<int, dim - 1> index;      ///< on the lattice
+    double force = 0;                    ///< multiplier of its gap [N/m^(dim-2)]; adhesion makes it negative
+    dealii::Tensor<1, dim - 1> friction; ///< on the body, along RayHere::e [N/m^(dim-2)]
+    double pull = 0;                     ///< of adhesion in the step before [N/m^(dim-2)]
+    double memory = 0;                   ///< of a contact law that remembers
     std::array<SurfacePlace<dim>, 2> place; ///< where it meets the partner and the body
   };
   std::vector<RayPlace> rays; ///< in ascending order of their indices

@@ -30,7 +30,7 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
 std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
                                           const std::vector<FrameState<2>> &frames,
                                           const RayForces &force,
-                                          const RayForces &rubbing,
+                                          const RayFriction<2> &rubbing,
                                           ContactMemory<2> &memory);
 } // namespace softgrain::mpm
 

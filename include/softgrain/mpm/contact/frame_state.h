@@ -32,7 +32,7 @@ namespace softgrain::mpm
  * makes the forces on both sides equal and opposite: tau = -sum_k P_k dg_k/dc.
  *
  * Friction holds together the two places of the material that lay under a ray at the start of the step. Its
- * slide is what they have moved past each other since then, along the unit vector e at right angles to what
+ * slide is what they have moved past each other since then, along the unit vectors e at right angles to what
  * the ray's force does: linear in the unknowns, without a second derivative, and nothing need be remembered
  * from step to step but the force. Under a ray that follows its contact they are the places that it meets
  * halfway, so rolling is no slide.
@@ -115,7 +115,7 @@ public:
 
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end
   /// of a side: their forces become 0, and they pull no more. @return whether there are any
-  bool leave_unmet(std::vector<double> &force, std::vector<double> &rubbing);
+  bool leave_unmet(std::vector<double> &force, std::vector<Across> &rubbing);
 
   using RayHere = mpm::RayHere<dim>;
 
@@ -130,7 +130,7 @@ public:
   bool rubs(const unsigned int k) const { return rays[k].bound > 0.; }
   double friction_coefficient() const { return friction; }
   /// Slide that softness lets a force on a ray have that differs from the one at the start of the step [m].
-  double free_slide(const unsigned int k) const
+  Across free_slide(const unsigned int k) const
   {
     return rays[k].slide - rays[k].known_slide - softness * frame.rays[k].friction;
   }
@@ -163,11 +163,13 @@ public:
     for (unsigned int i = 0; i < here.function.node.size(); ++i)
       add(here.function.node[i], here.function.value[i] * along);
   }
-  /// Adds the derivative of a slide by the nodes of a side.
+  /// Adds the derivative of a slide along @p way, in the directions of RayHere::e, by the nodes of a side.
   template <class F>
-  void for_slide(const unsigned int k, const unsigned int side, const double factor, const F &add) const
+  void for_slide(const unsigned int k, const unsigned int side, const Across &way, const F &add) const
   {
-    const Vector along = sign(side) * factor * rays[k].e;
+    Vector along;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      along += sign(side) * way[m] * rays[k].e[m];
     const PlaceFunctions<dim> &hold = rays[k].hold[side];
     for (unsigned int i = 0; i < hold.node.size(); ++i)
       add(hold.node[i], hold.value[i] * along);
@@ -244,9 +246,25 @@ public:
     const Vector partner = flat_partner() ? frame.direction : rays[k].side[0].normal;
     return rays[k].side[1].normal * moves[1] - partner * moves[0];
   }
-  double slide_by(const unsigned int k, const std::array<Vector, 2> &moves) const
+  Across slide_by(const unsigned int k, const std::array<Vector, 2> &moves) const
   {
-    return rays[k].e * (moves[1] - moves[0]);
+    return along_slides(k, moves[1] - moves[0]);
+  }
+  /// Components of a vector along RayHere::e.
+  Across along_slides(const unsigned int k, const Vector &way) const
+  {
+    Across result;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result[m] = rays[k].e[m] * way;
+    return result;
+  }
+  /// The vector that stands at @p way in the directions of RayHere::e.
+  Vector in_space(const unsigned int k, const Across &way) const
+  {
+    Vector result;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result += way[m] * rays[k].e[m];
+    return result;
   }
   /// What it does to the mean motion across the rays.
   Across motion_by(const std::array<Vector, 2> &moves) const
@@ -259,12 +277,12 @@ public:
 
   /// Adds those of its rays, after a step without inertia.
   void
-  add_kinks(const std::vector<double> &force, const std::vector<double> &rubbing, ContactKinks &kinks) const;
+  add_kinks(const std::vector<double> &force, const std::vector<Across> &rubbing, ContactKinks &kinks) const;
 
   /// The frame as the step leaves it: it has ridden along, and its rays carry @p force and @p rubbing.
   ContactFrame<dim> after(const FrameScene<dim> &scene,
                           const std::vector<double> &force,
-                          const std::vector<double> &rubbing) const;
+                          const std::vector<Across> &rubbing) const;
 
 private:
   bool inertia() const { return met_at < 1.; }

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_contact_frame_system_h
 #define softgrain_mpm_contact_frame_system_h
 
+#include <softgrain/linear/block_factor.h>
 #include <softgrain/linear/low_rank_solver.h>
 #include <softgrain/linear/rank_one_solver.h>
 #include <softgrain/mpm/body/body_share.h>
@@ -9,7 +10,7 @@
 #include <softgrain/mpm/contact/free_way.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <memory>
 #include <type_traits>
@@ -23,6 +24,9 @@ using BodySolver = std::conditional_t<dim == 2, RankOneSolver, LowRankSolver>;
 
 /// Forces of the rays of all frames [N/m].
 using RayForces = std::vector<std::vector<double>>;
+/// Friction of the rays of all frames, along RayHere::e [N/m^(3-dim)].
+template <int dim>
+using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
 
 /**
  * @brief Newton's equations of a step with frames, condensed to what frames do.
@@ -42,8 +46,14 @@ using RayForces = std::vector<std::vector<double>>;
  *
  * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The
  * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
- * the matrix is not symmetric any more. It is solved by GMRES, with the symmetric part of closed rays and of
- * those that stick as preconditioner: it differs from that by the rank of what slips.
+ * the matrix is not symmetric any more. It has factors of its own, while those of the symmetric part of
+ * closed rays and of those that stick tell the inertia; GMRES takes away what they leave without pivots.
+ *
+ * In space a slide has two components. Friction that slips is mu' P along a unit vector d, and both
+ * components stand along d and across it. Across d it obeys s_2 = (s_1 / T_1) T_2, as T is opposite to s:
+ * with s_1 and T_1 of the last iterate that is a row like one that sticks, which gives way by -s_1 / T_1 > 0,
+ * so the matrix stays symmetric but for mu' P. The next iterate has its d along what T has become. A ray that
+ * sticks and exceeds its bound slips along its T.
  *
  * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
  * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
@@ -68,7 +78,7 @@ public:
   void condense(const FrameScene<dim> &scene,
                 const std::vector<FrameState<dim>> &frames,
                 const RayForces &force,
-                const RayForces &rubbing,
+                const RayFriction<dim> &rubbing,
                 double within,
                 const std::vector<Eigen::VectorXd> &way_without);
 
@@ -93,11 +103,12 @@ public:
   std::vector<FreeWay<dim>> ways; ///< of walls under loads; RayStep sets FreeWay::at
   std::vector<double> found_ways; ///< of the last solve [m]
 
-  RayForces found;         ///< P of the last solve [N/m]
-  RayForces found_rubbing; ///< friction of the last solve [N/m]
-  unsigned int passes = 0; ///< of the active set, so far
+  RayForces found;                ///< P of the last solve [N/m]
+  RayFriction<dim> found_rubbing; ///< friction of the last solve [N/m]
+  unsigned int passes = 0;        ///< of the active set, so far
 
 private:
+  using Across = dealii::Tensor<1, dim - 1>;
   struct Column
   {
     enum Kind
@@ -111,16 +122,30 @@ private:
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
     Kind kind;
     unsigned int frame, ray_number; ///< the latter of a ray; of a wall its own; of a motion its component
-    unsigned int mate = none;       ///< column of the slide of a ray, of the ray of a slide
+    unsigned int mate = none;       ///< column of the first slide of a ray, of the ray of a slide
     double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
     double bound = 0;               ///< of a slide: largest friction over force
     double threshold = 0;           ///< largest friction for the force of the last iterate [N/m]
-    double pull = 0; ///< of a ray, FrameState::RayHere::pull: what is left where it opens [N/m]
+    double pull = 0;            ///< of a ray, FrameState::RayHere::pull: what is left where it opens [N/m]
+    unsigned int component = 0; ///< of a slide
+    Across axis{};              ///< direction of a slide, along RayHere::e
+    Across axis_of_v{};         ///< likewise, when the column of V was made
+    double give = 0;            ///< of a slide across friction that slips: slide for a unit force [m^2/N]
   };
+  void add_slides(const FrameState<dim> &frame, const Across &rubbing, double force, unsigned int ray_column);
+  /// Turns both slides of a ray, so that the first goes along (@p c, @p s) in their present directions.
+  void turn_slides(unsigned int first, double c, double s);
+  void note_friction(unsigned int first);
+  /// Friction in z, along RayHere::e.
+  Across found_friction(unsigned int first) const;
+  double give_of(const unsigned int i) const
+  {
+    return columns[i].component == 1 && slips(i - 1) != 0 ? columns[i].give : 0.;
+  }
   void add_columns(const FrameScene<dim> &scene,
                    const std::vector<FrameState<dim>> &frames,
                    const RayForces &force,
-                   const RayForces &rubbing,
+                   const RayFriction<dim> &rubbing,
                    unsigned int f,
                    double within);
   void add_motion(const FrameState<dim> &frame,
@@ -138,34 +163,47 @@ private:
   /// What z holds for the columns of a body.
   Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
-  bool solve_active(const Eigen::VectorXd &right);
+  bool solve_active();
+  bool factorize_active();
+  void add_body(unsigned int b);
+  /// Adds to the entry of two unknowns.
+  void add_entry(BlockFactor &to, unsigned int i, unsigned int j, double value) const;
+  /// Whether a column is a slide whose friction goes with the force of its ray.
+  bool slips_with_force(const unsigned int i) const { return active[i] && slips(i) != 0 && !by_threshold; }
   /// A power of two near the force that counts as much as a way of 1 m.
   double unit_of_forces() const;
   /// The largest gap or slide of @p here.
   double farthest_way(const Eigen::VectorXd &here) const;
   /// N z - right, for all columns.
-  Eigen::VectorXd beyond(const Eigen::VectorXd &right) const;
+  Eigen::VectorXd beyond() const;
+  /// Adds N times given forces and motions of all columns.
+  void add_effect(const Eigen::VectorXd &all, Eigen::VectorXd &here) const;
   /// Stops and frees walls under loads, once the rays are where they must be. @return whether none has
   /// changed
   bool walls_stay(const Eigen::VectorXd &here);
   /// Solves and changes sides until none is wrong. @return whether that came to an end
-  bool settle(const Eigen::VectorXd &right, double cell_size, unsigned int negative_of_bodies);
+  bool settle(double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
   {
     return by_threshold ? columns[i].threshold
                         : columns[i].bound * std::max(0., z[columns[i].mate] + columns[columns[i].mate].pull);
   }
+  bool find_wrong(const Eigen::VectorXd &here, double cell_size);
+  double off_direction(unsigned int i) const;
   /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share
   /// of the worst.
-  /// @return whether there were none
-  bool change_sides(const Eigen::VectorXd &here, double cell_size, double share);
+  void change_sides(const Eigen::VectorXd &here, double share);
+  void change_slip(const Eigen::VectorXd &here, unsigned int i);
   /// The side of their conditions on which all columns are.
   std::vector<signed char> sides() const;
-  /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction.
+  /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction. In space
+  /// friction that slips goes along the first slide.
   int slips(const unsigned int i) const
   {
-    return columns[i].kind == Column::slide ? slipping[columns[i].frame][columns[i].ray_number] : 0;
+    return columns[i].kind == Column::slide && columns[i].component == 0
+               ? slipping[columns[i].frame][columns[i].ray_number]
+               : 0;
   }
   /// Whether a column is an unknown of its own.
   bool counts(const unsigned int i) const
@@ -183,6 +221,12 @@ private:
   /// Order of the columns in the factors: frame by frame, rays and slides first, then the force and last the
   /// motion of the frame, whose own entry may be 0; walls at the end.
   std::vector<unsigned int> order;
+  std::vector<int> block_of; ///< of every column: a block of the factors has the columns of a frame, or walls
+  int n_blocks = 0;
+  std::vector<std::pair<int, int>> neighbours; ///< blocks that meet in a body
+  std::vector<int> number;                     ///< of a column among the unknowns, -1 where it is none
+  BlockFactor factor, slip_factor;             ///< without friction that slips, and with it if there is any
+  bool any_slips = false;
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
   std::vector<LinearSolver::Rows> V;              ///< of this rank's bodies
@@ -192,7 +236,9 @@ private:
   std::vector<double> gap;
   std::vector<char> active;                       ///< a slide where its ray is
   std::vector<std::vector<signed char>> slipping; ///< of all rays: sign of the friction, or 0
-  Eigen::VectorXd z, wrong;
+  Eigen::VectorXd z, wrong, right;
+  std::vector<std::array<unsigned int, 2>> bodies_of; ///< of every frame, none where it is driven or a wall
+  double worst = 0., largest = 0.;                    ///< of wrong, and of the forces of rays [N/m^(3-dim)]
   bool any_slides = false;
   bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
   unsigned int n_motions = 0, n_free = 0, negative = 0;

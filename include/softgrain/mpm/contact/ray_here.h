@@ -31,13 +31,13 @@ struct RayHere
   double pull = 0;   ///< with which adhesion holds the surfaces together [N/m]
   double memory = 0; ///< of a contact law that remembers
 
-  // Of friction; e is 0 where there is none.
+  // Of friction; vectors of e are 0 where there is none.
   std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
   std::array<PlaceFunctions<dim>, 2> hold; ///< of the field there
-  Vector e;                                ///< unit
+  std::array<Vector, dim - 1> e;           ///< unit, at right angles to each other and to what its force does
   double bound = 0;                        ///< largest friction over force
-  double slide = 0;                        ///< [m]
-  double known_slide = 0;                  ///< what velocities at the start have in it, with inertia [m]
+  Across slide;                            ///< along e [m]
+  Across known_slide;                      ///< what velocities at the start have in it, with inertia [m]
 };
 } // namespace softgrain::mpm
 

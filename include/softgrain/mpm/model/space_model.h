@@ -21,9 +21,10 @@ namespace softgrain::mpm
 {
 /**
  * @brief The material point model of a scene in space, as far as it goes: elastic balls at rest between flat
- * walls that are told how to move, without friction. Contacts are met by rays, as in the plane.
+ * walls that are told how to move, with Coulomb's friction. Contacts are met by rays, as in the plane.
  *
- * Works of walls are those of the mean of their forces at both ends of a step.
+ * Works of walls are those of the mean of their forces at both ends of a step, and of what kinks of contacts
+ * add.
  */
 class SpaceModel final : public Model<3>
 {
@@ -113,6 +114,7 @@ private:
   const std::unique_ptr<ShapeFunction> function;
   const Lattice<3> lattice; ///< of the mesh
   const HertzCompliance subgrid;
+  const ContactPairs pairs;
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;

@@ -48,6 +48,7 @@ class RayEquations
 public:
   using Vectors = std::vector<Eigen::VectorXd>;
   using Vector = dealii::Tensor<1, dim>;
+  using Across = dealii::Tensor<1, dim - 1>; ///< a component for each direction across the rays
 
   RayEquations(const RayWorld<dim> &world, const StepPlan &plan, BodyEquations<dim> &equations);
   virtual ~RayEquations() = default;
@@ -102,7 +103,8 @@ protected:
   BodyEquations<dim> &equations;
   FrameScene<dim> scene;
   std::vector<FrameState<dim>> frames;
-  RayForces force, rubbing; ///< normal forces and friction of rays [N/m^(3-dim)]
+  RayForces force;          ///< normal forces of rays [N/m^(3-dim)]
+  RayFriction<dim> rubbing; ///< their friction
   FrameSystem<dim> system;
   Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
   double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one

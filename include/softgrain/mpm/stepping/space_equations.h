@@ -41,6 +41,7 @@ Eigen::MatrixXd whole_rotations(const Body<3> &body);
  * Bodies resist as in the plane: each with a stiffness of 'Quasi-static/Regularisation' times that of its
  * material against motion. A round body without friction is the same when it is turned, but its grid is not,
  * and would turn it on and on: a stiff torque holds it, which is a choice of one of many equal answers.
+ * Friction turns bodies, and they turn freely.
  */
 class SpaceEquations final : public BodyEquations<3>
 {
@@ -48,7 +49,8 @@ public:
   SpaceEquations(const std::vector<Body<3>> &bodies,
                  const Settings &settings,
                  SpaceWorkspace &work,
-                 const StepPlan &plan);
+                 const StepPlan &plan,
+                 bool frictionless);
 
   bool evaluate(const Vectors &v) override;
   std::string why_not() const override;

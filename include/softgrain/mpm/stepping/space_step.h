@@ -2,9 +2,11 @@
 #ifndef softgrain_mpm_stepping_space_step_h
 #define softgrain_mpm_stepping_space_step_h
 
+#include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/space_equations.h>
+#include <softgrain/scene/contact_pairs.h>
 
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@ struct SpaceContact
 {
   unsigned int body, partner, wall; ///< one of the latter two is none
   dealii::Point<3> place;           ///< [m]
+  dealii::Tensor<1, 3> normal;      ///< unit, out of the partner, at right angles to friction
   dealii::Tensor<1, 3> force;       ///< on the body; the partner feels the opposite [N]
   double gap;                       ///< [m]
 };
@@ -30,6 +33,8 @@ struct SpaceProgress
   double regularisation_work = 0;      ///< taken by what resists, since the start [J]
   double released_energy = 0;          ///< lost in held steps beside that, see Balance::released_energy [J]
   double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
+  double rubbed = 0;                   ///< by friction, since the start [J]
+  ContactKinks kinks;                  ///< of the last step
   double time = 0;                     ///< [s]
 };
 
@@ -49,6 +54,7 @@ public:
               SpaceWorkspace &work,
               const Settings &settings,
               const HertzCompliance &subgrid,
+              const ContactPairs &pairs,
               const std::vector<WallMotion<3>> &motion,
               const std::vector<std::string> &wall_names)
       : RaysAtRest(settings)
@@ -56,6 +62,7 @@ public:
       , work(work)
       , settings(settings)
       , subgrid(subgrid)
+      , pairs(pairs)
       , motion(motion)
       , wall_names(wall_names)
   {
@@ -72,6 +79,7 @@ private:
   SpaceWorkspace &work;
   const Settings &settings;
   const HertzCompliance &subgrid;
+  const ContactPairs &pairs;
   const std::vector<WallMotion<3>> motion;
   const std::vector<std::string> &wall_names;
 };
