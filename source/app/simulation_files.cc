@@ -228,8 +228,7 @@ void Simulation<dim>::write_state(const std::string &file)
         history.bring_to_disk();
         measure_table.bring_to_disk();
         fields.bring_to_disk();
-        if constexpr (dim == 2)
-          snapshots.bring_to_disk();
+        snapshots.bring_to_disk();
         writer->commit();
       });
 }

@@ -75,7 +75,7 @@ target_link_libraries(test_app_stop_at_call dl)
 
 # Whole runs of the program: what comes in their way, and what both models share.
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
-  foreach(name writes.Writes.test_mpm writes.Writes.test_bpm damaged_states.DamagedStates.test_mpm
+  foreach(name writes.Writes.test_mpm writes.Writes.test_bpm writes.Writes.test_space damaged_states.DamagedStates.test_mpm
       damaged_states.DamagedStates.test_mpm_cell damaged_states.DamagedStates.test_mpm_static
       damaged_states.DamagedStates.test_bpm limits.Limits
       runs.FullDisk runs.OldResults runs.OneFolder runs.Signals runs.RunLog

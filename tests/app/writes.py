@@ -29,7 +29,9 @@ SCENES = {"mpm": ("gallery/two_disks.prm",
                    "Output/Snapshots every=1e-4"]),
           "bpm": ("gallery/one_grain_bpm.prm",
                   ["Primaries/Number per body=30", "Stop/Axial strain=0", "Stages/first/Stop/End time=4e-5",
-                   "Stages/second/Stop/End time=3e-5", "Output/Fields every=2e-5", "Output/Snapshots every=2e-5"])}
+                   "Stages/second/Stop/End time=3e-5", "Output/Fields every=2e-5", "Output/Snapshots every=2e-5"]),
+          "space": ("verification/sphere_between_plates.prm",
+                    ["Mesh/Cell size=2.2e-3", "Stop/End time=0.1", "Output/Number of field outputs=2", "Output/Snapshots every=0.05"])}
 CLOCK = {"wall_seconds", "processor_seconds", "microseconds_per_point_step", "phases", "peak_memory_bytes"}
 
 
@@ -73,21 +75,27 @@ def not_on_the_disk(calls):
 
 
 class Writes(unittest.TestCase):
-    def prepare(self, model):
+    def calls_of_run(self, model, *output):
+        """The calls for files of an undisturbed run, where no checkpoint comes before what it says is written."""
         self.folder = WORK / f"writes.{model}"
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         self.scene, settings = SCENES[model]
-        self.settings = [*settings, *OUTPUT]
+        self.settings = [*settings, *output]
         calls = self.folder / "calls"
         done = self.run_it("whole", STOP_LIST=calls)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        calls = [line.split(" ", 1) for line in calls.read_text().splitlines()]
+        self.assertGreater(sum(what == "rename" and "/fields/" in path for what, path in calls), 8)
+        self.assertGreater(sum(what == "rename" and "/snapshots/" in path for what, path in calls), 2)
+        self.assertEqual(not_on_the_disk(calls), [])
+        return calls
+
+    def prepare(self, model):
+        calls = self.calls_of_run(model, *OUTPUT)
         self.whole = content_of(self.folder / "whole/out")
         self.assertIn("stage-first.h5", self.whole)
         self.assertEqual(len([name for name in self.whole if name.startswith("state-")]), 1)
-        calls = [line.split(" ", 1) for line in calls.read_text().splitlines()]
-        self.assertGreater(sum(what == "rename" and "/fields/" in path for what, path in calls), 8)
-        self.assertEqual(not_on_the_disk(calls), [])
         return calls
 
     def run_it(self, name, *words, **environment):
@@ -153,6 +161,9 @@ class Writes(unittest.TestCase):
 
     def test_bpm(self):
         self.check("bpm")
+
+    def test_space(self):
+        self.calls_of_run("space")
 
 
 whole_runs.main()
