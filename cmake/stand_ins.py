@@ -90,11 +90,11 @@ def refused(deal_ii, folder=None):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("library", type=pathlib.Path, help="deal.II's")
+    parser.add_argument("deal_ii", type=pathlib.Path, help="its library")
     parser.add_argument("folder", type=pathlib.Path, help="where the stand-ins are put")
     parser.add_argument("--compiler", default="cc")
     arguments = parser.parse_args()
-    deal_ii, folder = arguments.library.resolve(), arguments.folder
+    deal_ii, folder = arguments.deal_ii.resolve(), arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.iterdir():
         old.unlink()

@@ -2,8 +2,6 @@
 // Friction that slips: its direction, which in space is an unknown.
 #include <softgrain/mpm/contact/frame_system.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +12,8 @@ namespace
 constexpr double most_off_direction = 0.5; ///< friction across its direction over friction
 } // namespace
 
-/// Friction across its direction that a ray lacks, which slips that way: its direction is to be another one.
+/// Friction across the direction in which a ray slips, where it is so much that the direction must change;
+/// else 0.
 template <int dim>
 double FrameSystem<dim>::off_direction(const unsigned int i) const
 {
@@ -69,7 +68,6 @@ typename FrameSystem<dim>::Across FrameSystem<dim>::found_friction(const unsigne
 template <int dim>
 void FrameSystem<dim>::turn_slides(const unsigned int first, const double c, const double s)
 {
-  Assert(ways.empty(), dealii::ExcNotImplemented()); // their entries in own would have to turn, too
   const auto turn = [&](double &one, double &other)
   {
     const double before = one;
@@ -84,8 +82,7 @@ void FrameSystem<dim>::turn_slides(const unsigned int first, const double c, con
   for (const unsigned int b : bodies_of[columns[first].frame])
     if (b != FrameState<dim>::none)
     {
-      const std::vector<unsigned int> &list = of_body[b];
-      const int i = std::lower_bound(list.begin(), list.end(), first) - list.begin();
+      const int i = place_in(of_body[b], first);
       for (int j = 0; j < W[b].rows(); ++j)
         turn(W[b](i, j), W[b](i + 1, j));
       for (int j = 0; j < W[b].rows(); ++j)

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The forces of rays for given columns: which are closed, which stick and which slip.
+// The forces of rays for given columns: which are closed, which stick and which slip. The equations for given
+// sides are solved in frame_solve_plane.cc and frame_solve_space.cc.
 #include <softgrain/mpm/contact/frame_system.h>
-
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,119 +19,58 @@ constexpr double share_of_worst = 0.5;
 constexpr double wrong_that_may_be = 1e-2;
 constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
 constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
-constexpr unsigned int base_of_gmres = 60, most_of_gmres = 200;
-constexpr double tolerance_of_gmres = 1e-12;
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
-
-/// One that SolverGMRES may ask for products.
-template <class Function>
-struct Product
-{
-  Function function;
-  void vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const
-  {
-    const Eigen::Map<const Eigen::VectorXd> given(from.begin(), from.size());
-    Eigen::Map<Eigen::VectorXd>(to.begin(), to.size()) = function(Eigen::VectorXd(given));
-  }
-};
-template <class Function>
-Product(Function) -> Product<Function>;
-
-/// Solves A x = b. @param by solves nearly. @return whether it has
-template <class Apply, class Precondition>
-bool solve_by_gmres(const Apply &A, const Precondition &by, const Eigen::VectorXd &b, Eigen::VectorXd &x)
-{
-  dealii::Vector<double> right(b.begin(), b.end()), found(b.size());
-  dealii::SolverControl control(most_of_gmres, tolerance_of_gmres * by.function(b).norm(), false, false);
-  try
-  {
-    dealii::SolverGMRES<dealii::Vector<double>> solver(
-        control, dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData(base_of_gmres));
-    solver.solve(A, found, right, by);
-  }
-  catch (const dealii::SolverControl::NoConvergence &)
-  {
-    return false;
-  }
-  x = Eigen::Map<const Eigen::VectorXd>(found.begin(), found.size());
-  return true;
-}
 } // namespace
 
-// In the plane: frame_solve_plane.cc.
-template <>
-bool FrameSystem<2>::solve_active();
+template <int dim>
+int FrameSystem<dim>::number_unknowns()
+{
+  number.assign(columns.size(), -1);
+  int n = 0;
+  for (const unsigned int i : order)
+    if (counts(i))
+      number[i] = n++;
+  return n;
+}
 
 template <int dim>
-bool FrameSystem<dim>::solve_active()
+Eigen::VectorXd FrameSystem<dim>::right_of_unknowns(const int n)
 {
-  if (!factorize_active())
-    return false;
   n_free = 0;
   for (const FreeWay<dim> &way : ways)
     n_free += way.stopped == 0;
   const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond()) : right;
-  const int n = factor.first().back();
-  Eigen::VectorXd b(n), x;
+  Eigen::VectorXd of_unknowns(n);
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
-      b[number[i]] = known[i];
-  // What unknowns do, with friction that goes with them where it slips.
-  const auto apply = [&](const Eigen::VectorXd &of_unknowns)
-  {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.size()), result(n);
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      if (number[i] >= 0)
-        all[i] = of_unknowns[number[i]];
-    for (unsigned int i = 0; i < columns.size() && any_slips; ++i)
-      if (slips_with_force(i))
-        all[i] = slips(i) * columns[i].bound * all[columns[i].mate];
-    Eigen::VectorXd here = Eigen::VectorXd::Zero(columns.size());
-    add_effect(all, here);
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      if (number[i] >= 0)
-        result[number[i]] = here[i];
-    return result;
-  };
-  const auto solve_nearly = [&](Eigen::VectorXd of_rows)
-  {
-    (any_slips ? slip_factor : factor).solve(of_rows);
-    return of_rows;
-  };
-  if (!any_slips)
-  {
-    x = solve_nearly(b);
-    x += solve_nearly(b - apply(x));
-  }
-  else
-  {
-    // GMRES adds up squares: all equations become those of ways, and all unknowns too.
-    Eigen::VectorXd of_rows(n), of_columns(n);
-    const double unit = unit_of_forces();
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      if (number[i] >= 0)
-      {
-        const bool is_way = columns[i].kind == Column::wall || columns[i].kind == Column::motion;
-        of_rows[number[i]] = is_way ? 1. / unit : 1.;
-        of_columns[number[i]] = is_way ? 1. : unit;
-      }
-    const Product matrix{[&](const Eigen::VectorXd &y) {
-      return Eigen::VectorXd(of_rows.cwiseProduct(apply(of_columns.cwiseProduct(y))));
-    }};
-    const Product near{[&](const Eigen::VectorXd &y) {
-      return Eigen::VectorXd(solve_nearly(y.cwiseQuotient(of_rows)).cwiseQuotient(of_columns));
-    }};
-    if (!solve_by_gmres(matrix, near, of_rows.cwiseProduct(b), x))
-      return false;
-    x += near.function(of_rows.cwiseProduct(b) - matrix.function(x));
-    x = of_columns.cwiseProduct(x);
-  }
+      of_unknowns[number[i]] = known[i];
+  return of_unknowns;
+}
+
+template <int dim>
+std::array<Eigen::VectorXd, 2> FrameSystem<dim>::units_of_unknowns(const int n) const
+{
+  Eigen::VectorXd of_rows(n), of_columns(n);
+  const double unit = unit_of_forces();
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (number[i] >= 0)
+    {
+      const bool is_way = columns[i].kind == Column::wall || columns[i].kind == Column::motion;
+      of_rows[number[i]] = is_way ? 1. / unit : 1.;
+      of_columns[number[i]] = is_way ? 1. : unit;
+    }
+  return {{of_rows, of_columns}};
+}
+
+template <int dim>
+bool FrameSystem<dim>::take_unknowns(const Eigen::VectorXd &x)
+{
   if (!x.allFinite())
     return false;
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       z[i] = x[number[i]];
-  for (unsigned int i = 0; i < columns.size() && any_slips; ++i)
+  for (unsigned int i = 0; i < columns.size(); ++i)
     if (slips_with_force(i))
       z[i] = slips(i) * columns[i].bound * (z[columns[i].mate] + columns[columns[i].mate].pull);
   return true;
@@ -341,9 +277,15 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
   return settled;
 }
 
-template bool FrameSystem<2>::set_known();
-template Eigen::VectorXd FrameSystem<2>::beyond() const;
-template double FrameSystem<2>::unit_of_forces() const;
+template int FrameSystem<2>::number_unknowns();
+template int FrameSystem<3>::number_unknowns();
+template Eigen::VectorXd FrameSystem<2>::right_of_unknowns(int);
+template Eigen::VectorXd FrameSystem<3>::right_of_unknowns(int);
+template std::array<Eigen::VectorXd, 2> FrameSystem<2>::units_of_unknowns(int) const;
+template std::array<Eigen::VectorXd, 2> FrameSystem<3>::units_of_unknowns(int) const;
+template bool FrameSystem<2>::take_unknowns(const Eigen::VectorXd &);
+template bool FrameSystem<3>::take_unknowns(const Eigen::VectorXd &);
+template void FrameSystem<3>::add_effect(const Eigen::VectorXd &, Eigen::VectorXd &) const;
 template bool FrameSystem<2>::solve(double, unsigned int);
 template bool FrameSystem<3>::solve(double, unsigned int);
 } // namespace softgrain::mpm

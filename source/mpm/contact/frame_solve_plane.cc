@@ -50,11 +50,7 @@ public:
 template <>
 bool FrameSystem<2>::solve_active()
 {
-  number.assign(columns.size(), -1);
-  int n = 0;
-  for (const unsigned int i : order)
-    if (counts(i))
-      number[i] = n++;
+  const int n = number_unknowns();
   std::vector<Eigen::Triplet<double>> entries, by_slip;
   for (const auto &entry : own)
   {
@@ -62,7 +58,7 @@ bool FrameSystem<2>::solve_active()
     if (row >= 0 && column >= 0)
       entries.emplace_back(std::max(row, column), std::min(row, column), entry.value());
     // What slips gives to walls under loads.
-    if (const unsigned int i = entry.row(); column >= 0 && active[i] && slips(i) != 0 && !by_threshold)
+    if (const unsigned int i = entry.row(); column >= 0 && slips_with_force(i))
       by_slip.emplace_back(column, number[columns[i].mate], slips(i) * columns[i].bound * entry.value());
   }
   for (unsigned int b = 0; b < of_body.size(); ++b)
@@ -73,7 +69,7 @@ bool FrameSystem<2>::solve_active()
         for (unsigned int i = j; i < of_body[b].size(); ++i)
           if (const int row = number[of_body[b][i]]; row >= 0)
             entries.emplace_back(std::max(row, number[here]), std::min(row, number[here]), W[b](i, j));
-      if (active[here] && slips(here) != 0 && !by_threshold)
+      if (slips_with_force(here))
         for (unsigned int i = 0; i < of_body[b].size(); ++i)
           if (const int row = number[of_body[b][i]]; row >= 0)
             by_slip.emplace_back(row, number[columns[here].mate],
@@ -84,15 +80,9 @@ bool FrameSystem<2>::solve_active()
   Factor of_N(N);
   if (of_N.info() != Eigen::Success)
     return false;
-  n_free = 0;
-  for (const FreeWay<2> &way : ways)
-    n_free += way.stopped == 0;
   negative = (of_N.vectorD().array() < 0.).count();
-  const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond()) : right;
-  Eigen::VectorXd b(n), x;
-  for (unsigned int i = 0; i < columns.size(); ++i)
-    if (number[i] >= 0)
-      b[number[i]] = known[i];
+  const Eigen::VectorXd b = right_of_unknowns(n);
+  Eigen::VectorXd x;
   if (by_slip.empty())
   {
     x = of_N.solve(b);
@@ -104,36 +94,20 @@ bool FrameSystem<2>::solve_active()
     slipping_part.setFromTriplets(by_slip.begin(), by_slip.end());
     full += slipping_part;
     // GMRES adds up squares: all equations become those of ways, and all unknowns too.
-    Eigen::VectorXd of_rows(n), of_columns(n);
-    const double unit = unit_of_forces();
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      if (number[i] >= 0)
-      {
-        const bool is_way = columns[i].kind == Column::wall || columns[i].kind == Column::motion;
-        of_rows[number[i]] = is_way ? 1. / unit : 1.;
-        of_columns[number[i]] = is_way ? 1. : unit;
-      }
+    const auto [of_rows, of_columns] = units_of_unknowns(n);
     full = of_rows.asDiagonal() * full * of_columns.asDiagonal();
     Eigen::GMRES<Matrix, ByFactor> gmres;
     gmres.preconditioner().factor = &of_N;
     gmres.preconditioner().of_rows = &of_rows;
     gmres.preconditioner().of_columns = &of_columns;
     gmres.compute(full);
-    gmres.setTolerance(1e-12);
-    gmres.set_restart(60);
-    gmres.setMaxIterations(200);
+    gmres.setTolerance(gmres_tolerance);
+    gmres.set_restart(gmres_restart);
+    gmres.setMaxIterations(gmres_iterations);
     x = of_columns.cwiseProduct(gmres.solve(of_rows.cwiseProduct(b)));
     if (gmres.info() != Eigen::Success)
       return false;
   }
-  if (!x.allFinite())
-    return false;
-  for (unsigned int i = 0; i < columns.size(); ++i)
-    if (number[i] >= 0)
-      z[i] = x[number[i]];
-  for (unsigned int i = 0; i < columns.size() && !by_threshold; ++i)
-    if (active[i] && slips(i) != 0)
-      z[i] = slips(i) * columns[i].bound * (z[columns[i].mate] + columns[columns[i].mate].pull);
-  return true;
+  return take_unknowns(x);
 }
 } // namespace softgrain::mpm

@@ -81,16 +81,9 @@ void FrameSystem<dim>::find_order()
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int>()(graph, permutation);
   order.clear();
-  block_of.assign(columns.size(), n); // walls meet many, and come last
-  n_blocks = n + 1;
-  std::vector<int> block_of_frame(n);
   for (int f = 0; f < n; ++f)
   {
-    const int frame = permutation.indices()[f];
-    block_of_frame[frame] = f;
-    const unsigned int begin = first[frame], end = first[frame + 1];
-    for (unsigned int i = begin; i < end; ++i)
-      block_of[i] = f;
+    const unsigned int begin = first[permutation.indices()[f]], end = first[permutation.indices()[f] + 1];
     for (unsigned int i = begin; i < end; ++i)
       if (columns[i].kind != Column::motion)
         order.push_back(i);
@@ -98,13 +91,21 @@ void FrameSystem<dim>::find_order()
       if (columns[i].kind == Column::motion)
         order.push_back(i);
   }
+  // Walls meet many.
   for (unsigned int w = 0; w < ways.size(); ++w)
     order.push_back(w);
-  neighbours.clear();
-  for (const auto &pair : pairs)
-    neighbours.emplace_back(block_of_frame[pair.row()], block_of_frame[pair.col()]);
-  for (int f = 0; f < n && !ways.empty(); ++f)
-    neighbours.emplace_back(f, n);
+  if constexpr (dim == 3)
+  {
+    n_blocks = n;
+    block_of.resize(columns.size());
+    const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> block_of_frame =
+        permutation.inverse();
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      block_of[i] = block_of_frame.indices()[frame_of[i]];
+    neighbours.clear();
+    for (const auto &pair : pairs)
+      neighbours.emplace_back(block_of_frame.indices()[pair.row()], block_of_frame.indices()[pair.col()]);
+  }
 }
 
 /// Columns of the motion of a frame and of the force that it takes, after those of its rays.

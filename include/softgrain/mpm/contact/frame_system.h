@@ -12,6 +12,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -46,14 +48,16 @@ using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
  *
  * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The
  * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
- * the matrix is not symmetric any more. It has factors of its own, while those of the symmetric part of
- * closed rays and of those that stick tell the inertia; GMRES takes away what they leave without pivots.
+ * the matrix is not symmetric any more. It is solved by GMRES. In the plane the preconditioner is the
+ * symmetric part, of closed rays and of those that stick: it differs by the rank of what slips. In space that
+ * rank is large; there the preconditioner has factors of the whole matrix, and those of the symmetric part
+ * only tell the inertia.
  *
  * In space a slide has two components. Friction that slips is mu' P along a unit vector d, and both
- * components stand along d and across it. Across d it obeys s_2 = (s_1 / T_1) T_2, as T is opposite to s:
- * with s_1 and T_1 of the last iterate that is a row like one that sticks, which gives way by -s_1 / T_1 > 0,
- * so the matrix stays symmetric but for mu' P. The next iterate has its d along what T has become. A ray that
- * sticks and exceeds its bound slips along its T.
+ * components stand along d and across it. Friction T is opposite to the slide s, so across d
+ * s_2 = (s_1 / T_1) T_2. With s_1 and T_1 of the last iterate that is the row of a ray that sticks and gives
+ * way by -s_1 / T_1 > 0. The next d is the direction of T - k s, with the stiffness k of the bodies. A ray
+ * that begins to slip does so along its T, and gives way across it by (|T| / (mu' P) - 1) / k.
  *
  * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
  * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
@@ -108,6 +112,9 @@ public:
   unsigned int passes = 0;        ///< of the active set, so far
 
 private:
+  static constexpr unsigned int gmres_restart = 60, gmres_iterations = 200;
+  static constexpr double gmres_tolerance = 1e-12;
+
   using Across = dealii::Tensor<1, dim - 1>;
   struct Column
   {
@@ -135,6 +142,7 @@ private:
   void add_slides(const FrameState<dim> &frame, const Across &rubbing, double force, unsigned int ray_column);
   /// Turns both slides of a ray, so that the first goes along (@p c, @p s) in their present directions.
   void turn_slides(unsigned int first, double c, double s);
+  /// Puts friction into found_rubbing, at its bound where it slips.
   void note_friction(unsigned int first);
   /// Friction in z, along RayHere::e.
   Across found_friction(unsigned int first) const;
@@ -163,11 +171,24 @@ private:
   /// What z holds for the columns of a body.
   Eigen::VectorXd z_of(unsigned int b) const;
   void find_order();
+  /// Solves for the present sides of all conditions. @return whether there is a solution
   bool solve_active();
+  /// Numbers the unknowns in the order of the factors. @return how many there are
+  int number_unknowns();
+  /// Puts into z what is known, and gives what it leaves for the @p n unknowns.
+  Eigen::VectorXd right_of_unknowns(int n);
+  /// Factors that make all equations those of ways, and all unknowns too, for GMRES: of rows, of columns.
+  std::array<Eigen::VectorXd, 2> units_of_unknowns(int n) const;
+  /// Puts unknowns into z, and friction that goes with them. @return whether all are numbers
+  bool take_unknowns(const Eigen::VectorXd &x);
   bool factorize_active();
+  void add_entry(unsigned int i, unsigned int j, double value);
   void add_body(unsigned int b);
-  /// Adds to the entry of two unknowns.
-  void add_entry(BlockFactor &to, unsigned int i, unsigned int j, double value) const;
+  /// Where a column stands in a list of them in space, where there are no walls under loads.
+  static int place_in(const std::vector<unsigned int> &list, const unsigned int column)
+  {
+    return std::lower_bound(list.begin(), list.end(), column) - list.begin();
+  }
   /// Whether a column is a slide whose friction goes with the force of its ray.
   bool slips_with_force(const unsigned int i) const { return active[i] && slips(i) != 0 && !by_threshold; }
   /// A power of two near the force that counts as much as a way of 1 m.
@@ -189,6 +210,7 @@ private:
     return by_threshold ? columns[i].threshold
                         : columns[i].bound * std::max(0., z[columns[i].mate] + columns[columns[i].mate].pull);
   }
+  /// Finds by how much rays are where they must not be. @return whether any is
   bool find_wrong(const Eigen::VectorXd &here, double cell_size);
   double off_direction(unsigned int i) const;
   /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share
@@ -221,12 +243,15 @@ private:
   /// Order of the columns in the factors: frame by frame, rays and slides first, then the force and last the
   /// motion of the frame, whose own entry may be 0; walls at the end.
   std::vector<unsigned int> order;
-  std::vector<int> block_of; ///< of every column: a block of the factors has the columns of a frame, or walls
+  std::vector<int> number; ///< of a column among the unknowns, -1 where it is none
+
+  // In space, where factors have a block for every frame.
+  std::vector<int> block_of; ///< of every column
   int n_blocks = 0;
   std::vector<std::pair<int, int>> neighbours; ///< blocks that meet in a body
-  std::vector<int> number;                     ///< of a column among the unknowns, -1 where it is none
   BlockFactor factor, slip_factor;             ///< without friction that slips, and with it if there is any
   bool any_slips = false;
+
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
   std::vector<LinearSolver::Rows> V;              ///< of this rank's bodies
@@ -243,6 +268,17 @@ private:
   bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
   unsigned int n_motions = 0, n_free = 0, negative = 0;
 };
+
+template <>
+bool FrameSystem<2>::solve_active();
+template <>
+bool FrameSystem<3>::solve_active();
+template <>
+bool FrameSystem<3>::factorize_active();
+template <>
+void FrameSystem<3>::add_entry(unsigned int i, unsigned int j, double value);
+template <>
+void FrameSystem<3>::add_body(unsigned int b);
 } // namespace softgrain::mpm
 
 #endif

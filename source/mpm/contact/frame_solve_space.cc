@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The forces of rays in space for given sides of their conditions.
+#include <softgrain/mpm/contact/frame_system.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// A function that stands for a matrix where SolverGMRES asks for products.
+template <class Function>
+struct Product
+{
+  Function function;
+  void vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const
+  {
+    const Eigen::Map<const Eigen::VectorXd> given(from.begin(), from.size());
+    Eigen::Map<Eigen::VectorXd>(to.begin(), to.size()) = function(Eigen::VectorXd(given));
+  }
+};
+template <class Function>
+Product(Function) -> Product<Function>;
+
+/// Solves A x = b. @param by the preconditioner @return whether it has
+template <class Apply, class Precondition>
+bool solve_by_gmres(const Apply &A,
+                    const Precondition &by,
+                    const Eigen::VectorXd &b,
+                    dealii::SolverControl &control,
+                    const unsigned int restart,
+                    Eigen::VectorXd &x)
+{
+  dealii::Vector<double> right(b.begin(), b.end()), found(b.size());
+  try
+  {
+    dealii::SolverGMRES<dealii::Vector<double>> solver(
+        control, dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData(restart));
+    solver.solve(A, found, right, by);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    return false;
+  }
+  x = Eigen::Map<const Eigen::VectorXd>(found.begin(), found.size());
+  return true;
+}
+} // namespace
+
+/// Fills and factorises the matrices of the unknowns: without friction that slips, whose pivots tell the
+/// inertia, and with it, if there is any.
+template <>
+bool FrameSystem<3>::factorize_active()
+{
+  std::vector<int> sizes(n_blocks, 0);
+  any_slips = false;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+  {
+    any_slips = any_slips || slips_with_force(i);
+    if (number[i] >= 0)
+      ++sizes[block_of[i]];
+  }
+  factor.reinit(sizes, neighbours);
+  if (any_slips)
+    slip_factor.reinit(sizes, neighbours, false);
+  for (const auto &entry : own)
+    add_entry(entry.row(), entry.col(), entry.value());
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (give_of(i) != 0.)
+      add_entry(i, i, give_of(i));
+  for (unsigned int b = 0; b < of_body.size(); ++b)
+    add_body(b);
+  if (!factor.factorize())
+    return false;
+  negative = factor.n_negative();
+  return !any_slips || slip_factor.factorize();
+}
+
+/// Adds an entry of a frame's own, and its mirror image.
+template <>
+void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const double value)
+{
+  if (number[i] < 0 || number[j] < 0)
+    return;
+  const int block = block_of[i], row = number[i] - factor.first()[block],
+            column = number[j] - factor.first()[block];
+  factor.block(block, block)(std::max(row, column), std::min(row, column)) += value;
+  if (!any_slips)
+    return;
+  auto with_slip = slip_factor.block(block, block);
+  with_slip(row, column) += value;
+  if (row != column)
+    with_slip(column, row) += value;
+}
+
+/// Adds W of a body, block by block.
+template <>
+void FrameSystem<3>::add_body(const unsigned int b)
+{
+  struct Entry
+  {
+    int in_W, in_block;
+    int slide;     ///< in W, of a ray that slips; else -1
+    double factor; ///< friction over force, with its sign
+  };
+  struct Part
+  {
+    int block;
+    std::vector<Entry> entries;
+  };
+  const std::vector<unsigned int> &list = of_body[b];
+  std::vector<Part> parts;
+  for (unsigned int i = 0; i < list.size(); ++i)
+    if (const Column &column = columns[list[i]]; number[list[i]] >= 0)
+    {
+      const int block = block_of[list[i]];
+      if (parts.empty() || parts.back().block != block)
+        parts.push_back({block, {}});
+      Entry entry{static_cast<int>(i), number[list[i]] - factor.first()[block], -1, 0.};
+      if (const unsigned int slide = column.mate;
+          column.kind == Column::ray && slide != Column::none && slips_with_force(slide))
+      {
+        entry.slide = place_in(list, slide);
+        entry.factor = slips(slide) * columns[slide].bound;
+      }
+      parts.back().entries.push_back(entry);
+    }
+  const auto without = [&](const Entry &row, const Entry &column) { return W[b](row.in_W, column.in_W); };
+  const auto with_slip = [&](const Entry &row, const Entry &column)
+  {
+    return column.slide < 0 ? without(row, column)
+                            : without(row, column) + column.factor * W[b](row.in_W, column.slide);
+  };
+  const auto add = [](auto block, const Part &rows, const Part &of_columns, const auto &value)
+  {
+    for (const Entry &column : of_columns.entries)
+      for (const Entry &row : rows.entries)
+        block(row.in_block, column.in_block) += value(row, column);
+  };
+  for (const Part &one : parts)
+    for (const Part &other : parts)
+    {
+      if (one.block < other.block)
+        continue;
+      add(factor.block(one.block, other.block), one, other, without);
+      if (!any_slips)
+        continue;
+      add(slip_factor.block(one.block, other.block), one, other, with_slip);
+      if (one.block != other.block)
+        add(slip_factor.transposed_block(one.block, other.block), one, other,
+            [&](const Entry &column, const Entry &row) { return with_slip(row, column); });
+    }
+}
+
+/// In dense blocks: a contact has dozens of columns.
+template <>
+bool FrameSystem<3>::solve_active()
+{
+  Assert(ways.empty(), dealii::ExcNotImplemented()); // walls under loads
+  const int n = number_unknowns();
+  if (!factorize_active())
+    return false;
+  const Eigen::VectorXd b = right_of_unknowns(n);
+  // What unknowns do, with friction that goes with them where it slips.
+  const auto apply = [&](const Eigen::VectorXd &of_unknowns)
+  {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.size()), result(n);
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (number[i] >= 0)
+        all[i] = of_unknowns[number[i]];
+    for (unsigned int i = 0; i < columns.size() && any_slips; ++i)
+      if (slips_with_force(i))
+        all[i] = slips(i) * columns[i].bound * all[columns[i].mate];
+    Eigen::VectorXd here = Eigen::VectorXd::Zero(columns.size());
+    add_effect(all, here);
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      if (number[i] >= 0)
+        result[number[i]] = here[i];
+    return result;
+  };
+  const auto solve_nearly = [&](Eigen::VectorXd of_rows)
+  {
+    (any_slips ? slip_factor : factor).solve(of_rows);
+    return of_rows;
+  };
+  if (!any_slips)
+  {
+    Eigen::VectorXd x = solve_nearly(b);
+    x += solve_nearly(b - apply(x));
+    return take_unknowns(x);
+  }
+  // GMRES adds up squares: all equations become those of ways, and all unknowns too.
+  const std::array<Eigen::VectorXd, 2> units = units_of_unknowns(n);
+  const Eigen::VectorXd &of_rows = units[0], &of_columns = units[1], scaled = of_rows.cwiseProduct(b);
+  const Product matrix{[&](const Eigen::VectorXd &y)
+                       { return Eigen::VectorXd(of_rows.cwiseProduct(apply(of_columns.cwiseProduct(y)))); }};
+  const Product near{[&](const Eigen::VectorXd &y) {
+    return Eigen::VectorXd(solve_nearly(y.cwiseQuotient(of_rows)).cwiseQuotient(of_columns));
+  }};
+  Eigen::VectorXd y;
+  dealii::SolverControl control(gmres_iterations, gmres_tolerance * near.function(scaled).norm(), false,
+                                false);
+  if (!solve_by_gmres(matrix, near, scaled, control, gmres_restart, y))
+    return false;
+  y += near.function(scaled - matrix.function(y));
+  return take_unknowns(of_columns.cwiseProduct(y));
+}
+} // namespace softgrain::mpm
