@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 
+import deck_tables
 import numpy as np
 
 RADIUS, YOUNG, POISSON = 5., 10., 0.45  # mm, MPa
@@ -114,10 +115,7 @@ def main():
     if len(found) < arguments.steps:
         sys.exit(f"ccx came to {len(found)} of {arguments.steps} steps:\n{done.stdout[-1500:]}")
     lines = ["way_over_R,force_over_E_R"] + [f"{arguments.to * time:.6g},{force / (YOUNG * RADIUS):.9g}" for time, force in found]
-    if arguments.out:
-        arguments.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    else:
-        print("\n".join(lines))
+    deck_tables.write(lines, arguments.out)
 
 
 if __name__ == "__main__":

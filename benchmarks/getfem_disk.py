@@ -14,6 +14,7 @@ import math
 import pathlib
 import sys
 
+import deck_tables
 import getfem
 import numpy as np
 
@@ -140,11 +141,9 @@ def main():
     disk = Disk(grid, whole, arguments.plates, arguments.law, 1 if whole else 2)
     lines = ["way_over_R,force_over_E_R,iterations"]
     lines += [f"{way:.6g},{force:.9g},{iterations}" for way, force, iterations in disk.press(sorted(ways))]
-    text = "\n".join(lines) + "\n"
-    if arguments.out:
-        arguments.out.write_text(text, encoding="utf-8")
-    else:
-        print(f"# {grid.nbcvs()} elements\n{text}", end="")
+    if not arguments.out:
+        lines.insert(0, f"# {grid.nbcvs()} elements")
+    deck_tables.write(lines, arguments.out)
 
 
 if __name__ == "__main__":

@@ -9,11 +9,12 @@ PACKING is a table x_m,y_m,radius_m. Disks overlap, and a spring turns the overl
 one disk at d/R = 0.02, over E; a wall is twice as stiff, since only one body is dented. The table has height and force of the wall.
 """
 import argparse
-import csv
 import pathlib
 import shutil
 import subprocess
 import sys
+
+import deck_tables
 
 YOUNG, DENSITY = 10e6, 990.
 
@@ -99,8 +100,7 @@ def main():
     program = shutil.which("lmp") or shutil.which("lmp_stable")
     if program is None:
         sys.exit("lmp is not here: Debian's package lammps")
-    with open(arguments.packing, encoding="utf-8") as file:
-        grains = [(float(row["x_m"]), float(row["y_m"]), float(row["radius_m"])) for row in csv.DictReader(file)]
+    grains = deck_tables.read_grains(arguments.packing)
     arguments.folder.mkdir(parents=True, exist_ok=True)
     (arguments.folder / "in.grains").write_text(deck(grains, arguments), encoding="utf-8")
     done = subprocess.run([program, "-in", "in.grains", "-log", "log"], cwd=arguments.folder, capture_output=True, text=True, check=False)
@@ -109,10 +109,7 @@ def main():
         sys.exit("\n".join((done.stdout + done.stderr).splitlines()[-15:]))
     lines = ["height_m,force_N_per_m,bottom_N_per_m,top_N_per_m"]
     lines += [",".join(f"{value:.9g}" for value in row[:3]) + f",{-row[3]:.9g}" for row in rows]
-    if arguments.out:
-        arguments.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    else:
-        print("\n".join(lines))
+    deck_tables.write(lines, arguments.out)
 
 
 if __name__ == "__main__":

@@ -10,10 +10,10 @@ PACKING is a table x_m,y_m,radius_m. Every disk is a mesh of bilinear quadrilate
 the files of FOLDER/POSTPRO (torque evolution), which LMGC90 writes.
 """
 import argparse
-import csv
 import os
 import pathlib
 
+import deck_tables
 import numpy as np
 from calculix_disk import disk_mesh
 
@@ -138,8 +138,7 @@ def main():
         import pylmgc90  # noqa: F401
     except ImportError:
         parser.exit(1, "pylmgc90 is not here: LMGC90 is in no registry, build it from its source\n")
-    with open(arguments.packing, encoding="utf-8") as file:
-        grains = [(float(row["x_m"]), float(row["y_m"]), float(row["radius_m"])) for row in csv.DictReader(file)]
+    grains = deck_tables.read_grains(arguments.packing)
     arguments.folder.mkdir(parents=True, exist_ok=True)
     os.chdir(arguments.folder)
     prepare(grains, arguments)

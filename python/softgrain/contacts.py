@@ -10,6 +10,47 @@ from .tables import Table
 NONE = -1
 
 
+class PairRows:
+    """
+    Contacts put together by pairs, each seen from the body with the smaller number: ``keys`` (body,
+    body, wall) of the pairs, ``which`` pair a row belongs to, the rows' place, normal and force.
+    Contacts of a body with itself are left out; ``kept`` says which rows are in.
+    """
+
+    def __init__(self, contacts, force):
+        a, b, wall = (contacts[name].astype(int) for name in ("body_a", "body_b", "wall"))
+        b = np.where(wall != NONE, NONE, b)
+        self.kept = (wall != NONE) | (a != b)
+        a, b, wall = a[self.kept], b[self.kept], wall[self.kept]
+        swap = (wall == NONE) & (b < a)
+        sign = np.where(swap, -1.0, 1.0)[:, None]
+        self.place = contacts["place_m"][self.kept]
+        self.normal, self.force = (sign * contacts[name][self.kept] for name in ("normal", force))
+        bodies = np.where(swap, b, a), np.where(swap, a, b)
+        self.keys, which = np.unique(
+            np.stack([*bodies, wall], axis=1), axis=0, return_inverse=True
+        )
+        self.which = which.ravel()
+        self.count = self.total(np.ones(len(a)))
+
+    def total(self, values):
+        """Sums of a pair's rows."""
+        n = len(self.keys)
+        if values.ndim == 1:
+            return np.bincount(self.which, values, minlength=n).astype(float)
+        columns = [np.bincount(self.which, column, minlength=n) for column in values.T]
+        return np.stack(columns, axis=1).astype(float)
+
+    def places(self):
+        """Of each pair the mean place, weighted by the normal forces where there are any."""
+        pressed = np.maximum(0.0, (self.force * self.normal).sum(axis=1))
+        weight = self.total(pressed)
+        by_force = self.total(pressed[:, None] * self.place)
+        by_force /= np.where(weight > 0, weight, 1.0)[:, None]
+        plain = self.total(self.place) / self.count[:, None]
+        return np.where((weight > 0)[:, None], by_force, plain)
+
+
 def pairs_of(contacts):
     """
     One row per pair, seen from the body with the smaller number: force, place, normal, length and
@@ -23,30 +64,12 @@ def pairs_of(contacts):
     >>> pair.body_a, pair.body_b, pair.normal_force_N_per_m, pair.place_m, pair.length_m
     (array([0]), array([1]), array([4.]), array([[0., 2.]]), array([2.]))
     """
-    a, b, wall = (contacts[name].astype(int) for name in ("body_a", "body_b", "wall"))
-    b = np.where(wall != NONE, NONE, b)
-    kept = (wall != NONE) | (a != b)
-    a, b, wall = a[kept], b[kept], wall[kept]
-    place, normal, force = (contacts[name][kept] for name in ("place_m", "normal", "force_N_per_m"))
-    length = contacts["length_m"][kept] if "length_m" in contacts else np.zeros(len(a))
-    swap = (wall == NONE) & (b < a)
-    a, b = np.where(swap, b, a), np.where(swap, a, b)
-    sign = np.where(swap, -1.0, 1.0)[:, None]
-    normal, force = sign * normal, sign * force
-    keys, which = np.unique(np.stack([a, b, wall], axis=1), axis=0, return_inverse=True)
-    which, n = which.ravel(), len(keys)
-
-    def total(values):
-        if values.ndim == 1:
-            return np.bincount(which, values, minlength=n)
-        return np.stack([np.bincount(which, column, minlength=n) for column in values.T], axis=1)
-
-    count, forces, lengths = total(np.ones(len(a))), total(force), total(length)
+    rows = PairRows(contacts, "force_N_per_m")
+    keys, which, n, count = rows.keys, rows.which, len(rows.keys), rows.count
+    place, normal, total = rows.place, rows.normal, rows.total
+    length = contacts["length_m"][rows.kept] if "length_m" in contacts else np.zeros(len(which))
+    forces, lengths, places = total(rows.force), total(length), rows.places()
     normals = mean_normals(total(length[:, None] * normal), total(normal), forces)
-    pressed = np.maximum(0.0, (force * normal).sum(axis=1))
-    weight = total(pressed)
-    by_force = total(pressed[:, None] * place) / np.where(weight > 0, weight, 1.0)[:, None]
-    places = np.where((weight > 0)[:, None], by_force, total(place) / count[:, None])
     # Rows may overlap: lengths then add up to more than there is room for.
     turned = normals[which][:, ::-1] * [1, -1]
     along = (place * turned).sum(axis=1)

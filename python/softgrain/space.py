@@ -5,7 +5,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from .contacts import NONE, coordination_of
+from .contacts import PairRows, coordination_of
 from .errors import InputError
 from .fields import INDICES, read_grid
 from .snapshots import SnapshotSource
@@ -93,43 +93,19 @@ def pairs_of(contacts):
     >>> pair.body_a, pair.body_b, pair.normal_force_N, pair.place_m
     (array([0]), array([1]), array([4.]), array([[0., 2., 0.]]))
     """
-    a, b, wall = (contacts[name].astype(int) for name in ("body_a", "body_b", "wall"))
-    b = np.where(wall != NONE, NONE, b)
-    swap = (wall == NONE) & (b < a)
-    sign = np.where(swap, -1.0, 1.0)[:, None]
-    normal, force = sign * contacts["normal"], sign * contacts["force_N"]
-    keys, which = np.unique(
-        np.stack([np.where(swap, b, a), np.where(swap, a, b), wall], axis=1),
-        axis=0,
-        return_inverse=True,
-    )
-    which = which.ravel()
-
-    def total(values):
-        columns = [np.bincount(which, column, minlength=len(keys)) for column in values.T]
-        return np.stack(columns, axis=1).astype(float)
-
-    count = np.bincount(which, minlength=len(keys))
-    pressed = np.maximum(0.0, (force * normal).sum(axis=1))
-    weight = np.bincount(which, pressed, minlength=len(keys))
-    by_force = total(pressed[:, None] * contacts["place_m"])
-    place = np.where(
-        (weight > 0)[:, None],
-        by_force / np.where(weight > 0, weight, 1.0)[:, None],
-        total(contacts["place_m"]) / np.maximum(count, 1)[:, None],
-    )
-    forces, normals = total(force), total(normal)
+    rows = PairRows(contacts, "force_N")
+    keys, forces, normals = rows.keys, rows.total(rows.force), rows.total(rows.normal)
     normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
     return SpaceTable(
         {
             "body_a": keys[:, 0],
             "body_b": keys[:, 1],
             "wall": keys[:, 2],
-            "place_m": place,
+            "place_m": rows.places(),
             "normal": normals,
             "force_N": forces,
             "normal_force_N": (forces * normals).sum(axis=1),
-            "rows": count,
+            "rows": rows.count.astype(int),
         },
         "pairs",
     )

@@ -100,17 +100,23 @@ struct GrainClass2D
   double mean_area() const; ///< [m^2]
 };
 
-/// What make_packing() is to make.
-struct PackingRequest2D
+/// What make_packing() is to make of balls, in the plane of disks.
+template <int dim>
+struct BallRequest
 {
   unsigned int number = 0;
-  SizeDistribution sizes;            ///< diameters, of disks with the areas of the grains
+  SizeDistribution sizes;          ///< diameters; of other grains those of disks with their areas
+  dealii::Point<dim> lower, upper; ///< box at the end [m]
+  double fraction = 0; ///< of the box that the balls fill, their sizes scaled alike; 0: sizes as drawn
+  std::uint64_t seed = 1;
+};
+
+/// What make_packing() is to make in the plane.
+struct PackingRequest2D : BallRequest<2>
+{
   std::vector<GrainClass2D> classes; ///< in place of sizes; the first class has the first grains
   bool shares_of_area = false;       ///< what the shares of classes count: numbers, or areas
   GrainMix2D mix;
-  dealii::Point<2> lower, upper; ///< box at the end [m]
-  double fraction = 0; ///< of the box that the disks fill, their sizes scaled alike; 0: sizes as drawn
-  std::uint64_t seed = 1;
   PackingProtocol protocol;
 
   bool only_disks() const;
@@ -120,14 +126,7 @@ struct PackingRequest2D
 };
 
 /// What make_packing() is to make in space: balls.
-struct PackingRequest3D
-{
-  unsigned int number = 0;
-  SizeDistribution sizes;        ///< diameters
-  dealii::Point<3> lower, upper; ///< box at the end [m]
-  double fraction = 0; ///< of the box that the balls fill, their sizes scaled alike; 0: sizes as drawn
-  std::uint64_t seed = 1;
-};
+using PackingRequest3D = BallRequest<3>;
 
 /// Reads "share: diameter [to diameter] [, material] [, shape]; ..." of 'Packing/Classes'. @throw InputError
 std::vector<GrainClass2D> parse_classes(const std::string &text);

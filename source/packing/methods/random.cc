@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/random.h>
 #include <softgrain/packing/packing_method.h>
+#include <softgrain/packing/parse_request.h>
 #include <softgrain/parameters/parameter_values.h>
 
 #include <deal.II/base/numbers.h>
@@ -76,20 +77,9 @@ public:
 
   void parse_parameters(dealii::ParameterHandler &prm) override
   {
-    request.number = prm.get_integer("Number");
-    if (request.number == 0)
-      throw InputError(
-          "'Packing/Number' = '0' is not allowed with 'Packing/Method' = 'random': it must be at least 1");
-    if (!prm.get("File").empty())
-      throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
-                       prm.get("Number") + "': either make a packing or read one");
-    request.sizes.parse_parameters(prm, "Packing");
+    parse_request(prm, request);
     parse_classes_of(prm);
     parse_mix(prm);
-    request.lower = dealii::Point<2>(pair_of_numbers(prm.get("Lower")));
-    request.upper = dealii::Point<2>(pair_of_numbers(prm.get("Upper")));
-    request.fraction = prm.get_double("Packing fraction");
-    request.seed = prm.get_integer("Seed");
     request.protocol.jam = prm.get_bool("Until jammed");
     request.protocol.friction = prm.get_double("Friction");
     const std::string periodic = prm.get("Periodic");
@@ -99,11 +89,7 @@ public:
       throw InputError(
           "'Packing/Packing fraction' = '" + prm.get("Packing fraction") +
           "' is not allowed with 'Packing/Until jammed' = 'true', which decides it: it must be 0");
-    for (unsigned int d = 0; d < 2; ++d)
-      if (!(request.upper[d] - request.lower[d] > largest_diameter()))
-        throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
-                         "' is not allowed: the box from 'Lower' = '" + prm.get("Lower") +
-                         "' on must be larger than a disk");
+    check_box(prm, request, largest_diameter(), "disk");
   }
 
   bool may_name_materials() const override

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/base/exceptions.h>
 #include <softgrain/base/random.h>
 #include <softgrain/packing/packing_method.h>
-#include <softgrain/parameters/parameter_values.h>
+#include <softgrain/packing/parse_request.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -38,23 +37,8 @@ public:
 
   void parse_parameters(dealii::ParameterHandler &prm) override
   {
-    request.number = prm.get_integer("Number");
-    if (request.number == 0)
-      throw InputError(
-          "'Packing/Number' = '0' is not allowed with 'Packing/Method' = 'random': it must be at least 1");
-    if (!prm.get("File").empty())
-      throw InputError("'Packing/File' = '" + prm.get("File") + "' is not allowed with 'Packing/Number' = '" +
-                       prm.get("Number") + "': either make a packing or read one");
-    request.sizes.parse_parameters(prm, "Packing");
-    request.lower = dealii::Point<3>(vector_of_numbers<3>(prm.get("Lower")));
-    request.upper = dealii::Point<3>(vector_of_numbers<3>(prm.get("Upper")));
-    request.fraction = prm.get_double("Packing fraction");
-    request.seed = prm.get_integer("Seed");
-    for (unsigned int d = 0; d < 3; ++d)
-      if (!(request.upper[d] - request.lower[d] > (request.fraction > 0. ? 0. : request.sizes.largest)))
-        throw InputError("'Packing/Upper' = '" + prm.get("Upper") +
-                         "' is not allowed: the box from 'Lower' = '" + prm.get("Lower") +
-                         "' on must be larger than a ball");
+    parse_request(prm, request);
+    check_box(prm, request, request.fraction > 0. ? 0. : request.sizes.largest, "ball");
   }
 
   bool asked_for(const dealii::ParameterHandler &prm) const override { return prm.get_integer("Number") > 0; }
