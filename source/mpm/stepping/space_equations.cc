@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
@@ -31,28 +32,6 @@ void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolv
   }
 }
 
-Eigen::MatrixXd whole_rotations(const Body<3> &body)
-{
-  const unsigned int n = body.field.n_independent();
-  const dealii::Point<3> center = body.center();
-  Eigen::MatrixXd rotations = Eigen::MatrixXd::Zero(3 * n, 3);
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const unsigned int from = (axis + 1) % 3, to = (axis + 2) % 3;
-    double inertia = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const dealii::Tensor<1, 3> arm = body.field.position(body.field.node_of_independent(i)) +
-                                       PlaceFunctions<3>::of_node(body.displacement, i) - center;
-      rotations(3 * i + from, axis) = -body.mass[i] * arm[to];
-      rotations(3 * i + to, axis) = body.mass[i] * arm[from];
-      inertia += body.mass[i] * (arm[from] * arm[from] + arm[to] * arm[to]);
-    }
-    rotations.col(axis) /= inertia;
-  }
-  return rotations;
-}
-
 SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                                const Settings &settings,
                                SpaceWorkspace &work,
@@ -70,16 +49,17 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
   increment.resize(bodies.size());
   internal.resize(bodies.size());
   external.resize(bodies.size());
-  work.share.for_mine(
-      bodies,
-      [&](const Body<3> &body)
-      {
-        const unsigned int b = body.index;
-        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
-        shift[b] = plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
-        rotations[b] = frictionless ? whole_rotations(body) : Eigen::MatrixXd(body.displacement.size(), 0);
-        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
-      });
+  work.share.for_mine(bodies,
+                      [&](const Body<3> &body)
+                      {
+                        const unsigned int b = body.index;
+                        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
+                        shift[b] =
+                            plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
+                        rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))
+                                                    : Eigen::MatrixXd(body.displacement.size(), 0);
+                        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
+                      });
 }
 
 bool SpaceEquations::evaluate(const Vectors &v)
@@ -90,7 +70,7 @@ bool SpaceEquations::evaluate(const Vectors &v)
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        increment[b] = plan.dt * v[b];
+                        increment[b] = increment_of(body, v[b]);
                         Trial asked;
                         asked.tangent = true;
                         asked.max_strain = settings.max_strain;
@@ -99,17 +79,26 @@ bool SpaceEquations::evaluate(const Vectors &v)
                         if (!stress[b].good())
                           return;
                         internal_force(body, work.trial[b], internal[b]);
-                        missing_impulse[b] = plan.dt * internal[b];
-                        for (unsigned int i = 0; i < body.mass.size(); ++i)
-                          missing_impulse[b].segment<3>(3 * i) -=
-                              shift[b] * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
-                        missing_impulse[b] -=
-                            rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v[b]));
+                        find_missing(body, v[b]);
                       });
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
       return false;
   return true;
+}
+
+Eigen::VectorXd SpaceEquations::increment_of(const Body<3> &, const Eigen::VectorXd &v) const
+{
+  return plan.dt * v;
+}
+
+void SpaceEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
+{
+  const unsigned int b = body.index;
+  missing_impulse[b] = plan.dt * internal[b];
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    missing_impulse[b].segment<3>(3 * i) -= shift[b] * std::abs(body.mass[i]) * v.segment<3>(3 * i);
+  missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v));
 }
 
 std::string SpaceEquations::why_not() const

@@ -27,18 +27,13 @@ StepEquations::StepEquations(const Problem &problem,
     , scheme(problem.settings.scheme)
     , plan(plan)
     , dt(plan.dt)
-    , old_force(state.bodies.size())
     , missing_impulse(state.bodies.size())
     , rotation(state.bodies.size())
-    , lever(state.bodies.size())
     , shift(state.bodies.size(), 0.)
     , rotation_weight(state.bodies.size(), 0.)
-    , round_and_smooth(state.bodies.size(), 0)
-    , half_turn(state.bodies.size(), 0.)
-    , spin(state.bodies.size(), 0.)
-    , holding(state.bodies.size(), 0.)
     , measured(state.bodies.size(), std::array<double, 4>{})
 {
+  inertia.resize(scheme.inertia ? state.bodies.size() : 0);
   increment.resize(state.bodies.size());
   internal.resize(state.bodies.size());
   // Loads at the middle of the step: second order, and the same work whatever theta is. Steps without
@@ -53,37 +48,23 @@ StepEquations::StepEquations(const Problem &problem,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
+        if (!work.share.mine(b))
+          return;
         // A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
         // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
-        round_and_smooth[b] = body.boundary.circular && problem.slippery();
-        if (!work.share.mine(b))
+        const bool round_and_smooth = body.boundary.circular && problem.slippery();
+        if (scheme.inertia)
+        {
+          inertia[b].begin(body, scheme, dt, round_and_smooth, external[b]);
           return;
-        if (scheme.theta < 1.)
-          old_force[b] = body.internal_force;
-        else
-          old_force[b] = Eigen::VectorXd::Zero(body.field.n_dofs());
-        if (!scheme.inertia)
-          shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
+        }
+        shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
         rotation[b] = whole_rotation(body);
-        if (scheme.inertia && round_and_smooth[b])
-          spin[b] = turned_by_load(body, external[b]);
-        if (scheme.inertia && !round_and_smooth[b])
-          return;
-        const double kept = scheme.inertia ? 1. : locked;
-        rotation_weight[b] = 30. * (round_and_smooth[b] ? kept : plan.regularisation) * dt * dt *
+        rotation_weight[b] = 30. * (round_and_smooth ? locked : plan.regularisation) * dt * dt *
                              body.law->young_modulus() * body.rest_area;
       });
-}
-
-double StepEquations::turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const
-{
-  double change = 0.;
-  if (load.size() > 0)
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      change += dt / body.mass[i] * rotation[body.index].segment<2>(2 * i).dot(load.segment<2>(2 * i));
-  return change;
 }
 
 void StepEquations::rows_changed()
@@ -119,7 +100,7 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
       {
         const unsigned int b = body.index;
         before(b);
-        find_increment(body, v[b]);
+        increment[b] = scheme.inertia ? inertia[b].increment(body, v[b]) : Eigen::VectorXd(dt * v[b]);
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
                                     {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
@@ -147,47 +128,22 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
   return true;
 }
 
-void StepEquations::find_increment(const Body<2> &body, const Eigen::VectorXd &v)
-{
-  if (scheme.inertia)
-    increment[body.index] = dt * ((1. - scheme.theta) * body.velocity + scheme.theta * v);
-  else
-    increment[body.index] = dt * v;
-}
-
 void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v)
 {
   const unsigned int b = body.index;
   Eigen::VectorXd &P = missing_impulse[b];
-  half_turn[b] = scheme.inertia ? 0.5 * rotation[b].dot(increment[b]) : 0.;
-  P = dt * acting_force(b);
+  if (scheme.inertia)
+  {
+    inertia[b].find_missing(body, v, increment[b], internal[b], external[b], P);
+    return;
+  }
+  P = dt * internal[b];
   if (external[b].size() > 0)
     P += dt * external[b];
-  const Eigen::VectorXd resisted = scheme.inertia ? v - body.velocity : v;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
-    if (scheme.inertia)
-      P.segment<2>(2 * i) -= body.mass[i] * resisted.segment<2>(2 * i);
-    else
-      P.segment<2>(2 * i) -= shift[b] * std::abs(body.mass[i]) * resisted.segment<2>(2 * i);
+    P.segment<2>(2 * i) -= shift[b] * std::abs(body.mass[i]) * v.segment<2>(2 * i);
   if (rotation_weight[b] > 0.)
-  {
-    Eigen::VectorXd &z = lever[b];
-    z = scheme.inertia ? whole_rotation(body, 0.5 * increment[b]) : rotation[b];
-    const double forbidden = scheme.inertia ? z.dot(v - body.velocity) - spin[b] : z.dot(v);
-    holding[b] = rotation_weight[b] * forbidden;
-    P -= holding[b] * z;
-  }
-}
-
-Eigen::VectorXd StepEquations::acting_force(const unsigned int b) const
-{
-  const double half = half_turn[b];
-  if (half == 0.)
-    return (1. - scheme.theta) * old_force[b] + scheme.theta * internal[b];
-  // Forces at the end and at the start have a torque (2 θ - 1) p A φ about where a body is halfway, which
-  // would spin it up: what damps is the change of forces but for a turn.
-  return 0.5 * (old_force[b] + internal[b]) +
-         (scheme.theta - 0.5) * (internal[b] - turned(old_force[b], 2. * half));
+    P -= rotation_weight[b] * rotation[b].dot(v) * rotation[b];
 }
 
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
@@ -245,21 +201,13 @@ double StepEquations::trial_length() const
 
 double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
 {
-  if (!scheme.inertia)
-    return 0.;
-  // What impulses and forces at theta do more than their mean over the step.
-  const Body<2> &body = state.bodies[b];
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += body.mass[i] * (v - body.velocity).segment<2>(2 * i).squaredNorm();
-  return (scheme.theta - 0.5) * sum +
-         (0.5 * (internal[b] + body.internal_force) - acting_force(b)).dot(increment[b]);
+  return scheme.inertia ? inertia[b].damping(state.bodies[b], v, increment[b], internal[b]) : 0.;
 }
 
 double StepEquations::regularisation_work(const unsigned int b) const
 {
   if (scheme.inertia)
-    return holding[b] * rotation[b].dot(increment[b]) / dt;
+    return inertia[b].held_work(increment[b]);
   // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
   const Body<2> &body = state.bodies[b];
   const double mass = body.mass.sum();
@@ -310,7 +258,8 @@ Eigen::VectorXd StepEquations::go(const unsigned int b, const Way &way, const do
 {
   // A trial is a velocity; theta dt of it is displacement.
   Eigen::VectorXd step = (fraction * scheme.theta * dt) * way.direction[b];
-  turn_along_circles(state.bodies[b], rotation[b], state.bodies[b].displacement + way.from[b], step);
+  turn_along_circles(state.bodies[b], scheme.inertia ? inertia[b].turn() : rotation[b],
+                     state.bodies[b].displacement + way.from[b], step);
   return way.x[b] + step / (scheme.theta * dt);
 }
 } // namespace softgrain::mpm

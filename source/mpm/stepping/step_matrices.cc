@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The matrices of the equations of a step, and solves with them.
-#include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
@@ -23,15 +22,13 @@ void StepEquations::assemble_exact(const Body<2> &body)
   matrix.set_zero();
   add_stiffness(body, work.trial[b], scheme.theta * scheme.theta * dt * dt, matrix);
   if (scheme.inertia)
-    matrix.add_mass<2>(body.mass, 1.);
-  else
-    matrix.add_mass<2>(drag(body), shift[b]);
-  // What theta > 1/2 damps is no turn, see acting_force(). Its stiffness against a turn, -2 p A, is taken
-  // back: left in, Newton's method diverges where grains roll in long steps.
-  const double damped = scheme.inertia && scheme.theta > 0.5 ? (2. * scheme.theta - 1.) * scheme.theta * dt *
-                                                                   dt * pressure_area(body, work.trial[b])
-                                                             : 0.;
-  work.solvers[b]->set_update(lever[b].size() > 0 ? lever[b] : rotation[b], rotation_weight[b] + damped);
+  {
+    inertia[b].add_mass(body, matrix);
+    work.solvers[b]->set_update(inertia[b].held(), inertia[b].held_weight(body, work.trial[b]));
+    return;
+  }
+  matrix.add_mass<2>(drag(body), shift[b]);
+  work.solvers[b]->set_update(rotation[b], rotation_weight[b]);
 }
 
 std::string StepEquations::factorise()

@@ -9,22 +9,43 @@
 
 namespace softgrain::mpm
 {
-/// Vector z over the dofs of a body whose product with a nodal velocity is the mean angular velocity [1/s] of
-/// the whole body, mass by mass; force z times a torque turns the body and does nothing else.
-Eigen::VectorXd whole_rotation(const Body<2> &body);
+/// Axes about which a body may turn: one in the plane, three in space.
+template <int dim>
+constexpr int n_turns = dim == 2 ? 1 : 3;
+
+/// A turn about each of them [rad], or what belongs to one.
+template <int dim>
+using Turn = Eigen::Matrix<double, n_turns<dim>, 1>;
+
+/// A column over the dofs of a body for each of them.
+template <int dim>
+using WholeRotation = Eigen::Matrix<double, Eigen::Dynamic, n_turns<dim>>;
+
+/// Columns z over the dofs of a body whose products with a nodal velocity are the mean angular velocity [1/s]
+/// of the whole body, mass by mass; force z times a torque turns the body and does nothing else.
+template <int dim>
+WholeRotation<dim> whole_rotation(const Body<dim> &body);
 /// Whole rotation where the nodes have moved on by @p way [m], over the rotary inertia before they did: its
 /// product with the change of nodal velocities is that of the angular momentum about the place on the way,
 /// over that inertia.
-Eigen::VectorXd whole_rotation(const Body<2> &body, const Eigen::VectorXd &way);
+template <int dim>
+WholeRotation<dim> whole_rotation(const Body<dim> &body, const Eigen::VectorXd &way);
 
-/// Rotary inertia of a body about its centre of mass, of its whole_rotation() @p r [kg m^2/m].
-double rotary_inertia(const Body<2> &body, const Eigen::VectorXd &r);
+/// Rotary inertia of a body about its centre of mass, of a column of its whole_rotation() [kg m^(4-dim)].
+template <int dim>
+double rotary_inertia(const Body<dim> &body, const Eigen::VectorXd &r);
 
-/// Vectors at nodes, turned by @p angle [rad].
-Eigen::VectorXd turned(const Eigen::VectorXd &vectors, double angle);
+/// Vectors at nodes, turned by @p turn [rad], whose direction is the axis.
+template <int dim>
+Eigen::VectorXd turned(const Eigen::VectorXd &vectors, const Turn<dim> &turn);
+template <>
+Eigen::VectorXd turned<2>(const Eigen::VectorXd &vectors, const Turn<2> &turn);
+template <>
+Eigen::VectorXd turned<3>(const Eigen::VectorXd &vectors, const Turn<3> &turn);
 
-/// p A, with p the mean pressure of a body and A its area [N].
-double pressure_area(const Body<2> &body, const StepState<2> &s);
+/// p A, with p the mean pressure of a body and A its area; in space its volume [N m^(dim-2)].
+template <int dim>
+double pressure_area(const Body<dim> &body, const StepState<dim> &s);
 
 /**
  * @brief Makes the rotation of a whole body in a step of Newton's method a true one.
@@ -41,9 +62,10 @@ void turn_along_circles(const Body<2> &body,
                         const Eigen::VectorXd &from,
                         Eigen::VectorXd &step);
 
-/// Adds the sum of nodal impulses [N s/m] over the mass of the body to every nodal velocity [m/s]: what
-/// Newton left unbalanced on the body as a whole, so that momentum is exact.
-void spread_imbalance(const Body<2> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity);
+/// Adds the sum of nodal impulses [N s/m^(3-dim)] over the mass of the body to every nodal velocity [m/s]:
+/// what Newton left unbalanced on the body as a whole, so that momentum is exact.
+template <int dim>
+void spread_imbalance(const Body<dim> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity);
 } // namespace softgrain::mpm
 
 #endif

@@ -31,10 +31,6 @@ struct SpaceWorkspace
   void reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings);
 };
 
-/// Mean rotations of a body about the three axes, as it is, per displacement of its nodes [rad/m]: a force of
-/// these times a torque turns the body and does nothing else.
-Eigen::MatrixXd whole_rotations(const Body<3> &body);
-
 /**
  * @brief The equations of a step at rest in space.
  *
@@ -43,7 +39,7 @@ Eigen::MatrixXd whole_rotations(const Body<3> &body);
  * and would turn it on and on: a stiff torque holds it, which is a choice of one of many equal answers.
  * Friction turns bodies, and they turn freely.
  */
-class SpaceEquations final : public BodyEquations<3>
+class SpaceEquations : public BodyEquations<3>
 {
 public:
   SpaceEquations(const std::vector<Body<3>> &bodies,
@@ -65,12 +61,19 @@ public:
   /// Work that what resists takes from a body in the step as last evaluated [J].
   double regularisation_work(unsigned int b) const;
 
-private:
+protected:
+  /// Displacement over the step for the end velocity @p v [m].
+  virtual Eigen::VectorXd increment_of(const Body<3> &body, const Eigen::VectorXd &v) const;
+  /// Finds the missing impulse from the internal forces.
+  virtual void find_missing(const Body<3> &body, const Eigen::VectorXd &v);
+
   const std::vector<Body<3>> &bodies;
   const Settings &settings;
   SpaceWorkspace &work;
   const StepPlan plan;
   Vectors missing_impulse;
+
+private:
   std::vector<double> shift;              ///< of a body's mass matrix
   std::vector<Eigen::MatrixXd> rotations; ///< at the start of the step
   std::vector<double> rotation_weight;

@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_step_equations_h
 
 #include <softgrain/mpm/stepping/body_equations.h>
+#include <softgrain/mpm/stepping/body_inertia.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -113,9 +114,6 @@ public:
 private:
   /// evaluate(), in which a body's end velocities become known by @p before.
   bool evaluate_after(const std::function<void(unsigned int)> &before, const Vectors &v);
-  void find_increment(const Body<2> &body, const Eigen::VectorXd &v);
-  /// Mean of the internal forces at both ends of the step, as they act in it: turned with the body [N/m].
-  Eigen::VectorXd acting_force(unsigned int b) const;
   /// Finds the missing impulse from the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
@@ -123,8 +121,6 @@ private:
   /// extensions that are negative somewhere make them negative [kg/m].
   static Eigen::VectorXd drag(const Body<2> &body) { return body.mass.cwiseAbs(); }
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
-  /// The change of a body's angular velocity by loads [N] over the step [1/s].
-  double turned_by_load(const Body<2> &body, const Eigen::VectorXd &load) const;
 
   const Problem &problem;
   const State &state;
@@ -132,14 +128,11 @@ private:
   const TimeScheme &scheme;
   const StepPlan plan;
   const double dt;
-  Vectors old_force, missing_impulse, rotation;
-  Vectors lever; ///< of the torque that holds a body's rotation, where it is halfway; none where nothing does
+  std::vector<BodyInertia<2>> inertia; ///< of every body of this rank; none without it
+  Vectors missing_impulse;
+  Vectors rotation;                    ///< whole rotation at the start of the step, without inertia
   std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
   std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
-  std::vector<char> round_and_smooth;  ///< bodies that are the same when they are turned
-  std::vector<double> half_turn;       ///< of every body over half the step, by which its forces are turned
-  std::vector<double> spin;            ///< of such a body: its change by loads, with inertia [1/s]
-  std::vector<double> holding;         ///< torque that holds a body's rotation, times the step [N s m/m]
   /// Four numbers of every body as last evaluated: square and norm of what is unbalanced, its largest
   /// impulse, square of the end velocities.
   std::vector<std::array<double, 4>> measured;

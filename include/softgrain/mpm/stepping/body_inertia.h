@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_body_inertia_h
+#define softgrain_mpm_stepping_body_inertia_h
+
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/time_scheme.h>
+
+#include <Eigen/Core>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief What inertia is to one body in an implicit step, in the plane and in space: the impulse that is
+ * missing, its part of Newton's matrix, and what keeps the spin of a body that nothing has a lever on. See
+ * doc/theory.md, "Rotation under pressure".
+ */
+template <int dim>
+class BodyInertia
+{
+public:
+  /// @param keeps_spin a round body without friction, whose spin nothing but a load can change
+  /// @param load on the body, empty where there is none [N m^(dim-3)]
+  void begin(const Body<dim> &body,
+             const TimeScheme &scheme,
+             double dt,
+             bool keeps_spin,
+             const Eigen::VectorXd &load);
+
+  /// Displacement over the step for the end velocity @p v [m].
+  Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const;
+
+  /// Impulse that is missing for the end velocity @p v, without contact [N s m^(dim-3)].
+  void find_missing(const Body<dim> &body,
+                    const Eigen::VectorXd &v,
+                    const Eigen::VectorXd &increment,
+                    const Eigen::VectorXd &internal,
+                    const Eigen::VectorXd &load,
+                    Eigen::VectorXd &missing);
+
+  /// Adds mass to a matrix that has the stiffness.
+  void add_mass(const Body<dim> &body, SystemMatrix &matrix) const { matrix.add_mass<dim>(body.mass, 1.); }
+  /// Stiffness against a turn that goes with it, of the columns held() [N s^2 m^(dim-2)].
+  double held_weight(const Body<dim> &body, const StepState<dim> &trial) const;
+  const WholeRotation<dim> &held() const { return keeps ? lever : rotation; }
+  const WholeRotation<dim> &turn() const { return rotation; } ///< at the start of the step
+
+  /// What the scheme takes in a step to the velocity @p v, to second order in the step [J m^(dim-3)].
+  double damping(const Body<dim> &body,
+                 const Eigen::VectorXd &v,
+                 const Eigen::VectorXd &increment,
+                 const Eigen::VectorXd &internal) const;
+  /// What the torque takes that keeps the spin [J m^(dim-3)].
+  double held_work(const Eigen::VectorXd &increment) const
+  {
+    return keeps ? holding.dot(rotation.transpose() * increment) / dt : 0.;
+  }
+
+private:
+  Eigen::VectorXd acting_force(const Body<dim> &body, const Eigen::VectorXd &internal) const;
+
+  double theta = 1., dt = 0., weight = 0.;
+  bool keeps = false;
+  WholeRotation<dim> rotation;
+  WholeRotation<dim> lever; ///< of the torque that keeps the spin, where the body is halfway
+  Turn<dim> half_turn;      ///< over half the step, by which its forces are turned
+  Turn<dim> spin;           ///< its change by loads [1/s]
+  Turn<dim> holding;        ///< torque that keeps it, times the step
+};
+} // namespace softgrain::mpm
+
+#endif

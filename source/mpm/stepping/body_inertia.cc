@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/body_inertia.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double torque = 30.; ///< torque that keeps a spin, over E A per radian
+}
+
+template <int dim>
+void BodyInertia<dim>::begin(const Body<dim> &body,
+                             const TimeScheme &scheme,
+                             const double step,
+                             const bool keeps_spin,
+                             const Eigen::VectorXd &load)
+{
+  theta = scheme.theta;
+  dt = step;
+  keeps = keeps_spin;
+  rotation = whole_rotation(body);
+  half_turn.setZero();
+  spin.setZero();
+  holding.setZero();
+  weight = keeps ? torque * dt * dt * body.law->young_modulus() * body.rest_area : 0.;
+  if (!keeps || load.size() == 0)
+    return;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    spin += dt / body.mass[i] *
+            (rotation.template middleRows<dim>(dim * i).transpose() * load.segment<dim>(dim * i));
+}
+
+template <int dim>
+Eigen::VectorXd BodyInertia<dim>::increment(const Body<dim> &body, const Eigen::VectorXd &v) const
+{
+  return dt * ((1. - theta) * body.velocity + theta * v);
+}
+
+template <int dim>
+void BodyInertia<dim>::find_missing(const Body<dim> &body,
+                                    const Eigen::VectorXd &v,
+                                    const Eigen::VectorXd &increment,
+                                    const Eigen::VectorXd &internal,
+                                    const Eigen::VectorXd &load,
+                                    Eigen::VectorXd &missing)
+{
+  half_turn = 0.5 * (rotation.transpose() * increment);
+  missing = dt * acting_force(body, internal);
+  if (load.size() > 0)
+    missing += dt * load;
+  const Eigen::VectorXd change = v - body.velocity;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    missing.segment<dim>(dim * i) -= body.mass[i] * change.segment<dim>(dim * i);
+  if (!keeps)
+    return;
+  lever = whole_rotation<dim>(body, 0.5 * increment);
+  holding = weight * (lever.transpose() * change - spin);
+  missing -= lever * holding;
+}
+
+template <int dim>
+Eigen::VectorXd BodyInertia<dim>::acting_force(const Body<dim> &body, const Eigen::VectorXd &internal) const
+{
+  const Eigen::VectorXd &before = body.internal_force;
+  if (theta == 1.)
+    return internal;
+  if (half_turn.isZero(0.))
+    return (1. - theta) * before + theta * internal;
+  // Forces at the end and at the start have a torque (2 θ - 1) p A φ about where a body is halfway, which
+  // would spin it up: what damps is the change of forces but for a turn.
+  return 0.5 * (before + internal) + (theta - 0.5) * (internal - turned<dim>(before, 2. * half_turn));
+}
+
+template <int dim>
+double BodyInertia<dim>::held_weight(const Body<dim> &body, const StepState<dim> &trial) const
+{
+  // What theta > 1/2 damps is no turn, see acting_force(). Its stiffness against a turn, -2 p A, is taken
+  // back: left in, Newton's method diverges where grains roll in long steps.
+  return weight + (theta > 0.5 ? (2. * theta - 1.) * theta * dt * dt * pressure_area(body, trial) : 0.);
+}
+
+template <int dim>
+double BodyInertia<dim>::damping(const Body<dim> &body,
+                                 const Eigen::VectorXd &v,
+                                 const Eigen::VectorXd &increment,
+                                 const Eigen::VectorXd &internal) const
+{
+  // What impulses and forces at theta do more than their mean over the step.
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += body.mass[i] * (v - body.velocity).template segment<dim>(dim * i).squaredNorm();
+  return (theta - 0.5) * sum +
+         (0.5 * (internal + body.internal_force) - acting_force(body, internal)).dot(increment);
+}
+
+template class BodyInertia<2>;
+template class BodyInertia<3>;
+} // namespace softgrain::mpm
