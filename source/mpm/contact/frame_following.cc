@@ -11,9 +11,28 @@ namespace softgrain::mpm
 namespace
 {
 constexpr double least_bend = 0.25; ///< of a contact that is followed, over that at the start
+
+/// How much a gap bends over half a spacing to both sides; in space the product of both directions. None
+/// where it does not bend upwards in all.
+template <int n>
+double bend_of(const dealii::Tensor<2, n> &change_of_slope, const double spacing)
+{
+  const double product = determinant(change_of_slope);
+  return change_of_slope[0][0] > 0. && product > 0. ? product / std::pow(spacing, n) : 0.;
+}
+
+/// Force under which a contact of Hertz is as wide as rays are apart. @param bend as above
+template <int dim>
+double widest_narrow(const double bend, const double compliance, const double spacing)
+{
+  if (dim == 2)
+    return M_PI * bend * 0.25 * spacing * spacing / (4. * compliance);
+  const double radius = 0.5 * spacing;
+  return 4. * std::sqrt(bend) * radius * radius * radius / (3. * compliance);
+}
 } // namespace
 
-/// Finds the gaps half a spacing to both sides of a contact. @return whether there are any
+/// Finds the gaps half a spacing to all sides of a contact. @return whether there are any
 template <int dim>
 bool FrameState<dim>::meet_beside(const FrameScene<dim> &scene,
                                   const std::vector<Eigen::VectorXd> &displacement,
@@ -23,11 +42,11 @@ bool FrameState<dim>::meet_beside(const FrameScene<dim> &scene,
   for (unsigned int k = 0; k < rays.size(); ++k)
     middle += weight[k] * frame.offset(frame.rays[k].index);
   const unsigned int strongest = std::max_element(weight.begin(), weight.end()) - weight.begin();
-  for (unsigned int n = 0; n < 2; ++n)
+  for (unsigned int n = 0; n < beside.size(); ++n)
   {
     RayHere &here = beside[n];
     Across offset = middle;
-    offset[0] += (n == 0 ? -0.5 : 0.5) * frame.spacing;
+    offset[n / 2] += (n % 2 == 0 ? -0.5 : 0.5) * frame.spacing;
     here.gap = 0.;
     here.by_motion = Across();
     for (unsigned int side = 0; side < 2; ++side)
@@ -41,8 +60,8 @@ bool FrameState<dim>::meet_beside(const FrameScene<dim> &scene,
   return true;
 }
 
-/// A contact of a round body that is narrower than its rays are apart, by Hertz's law a = √(4 F / π E* κ), is
-/// followed.
+/// A contact of a round body that is narrower than its rays are apart, by Hertz's law a = √(4 F / π E* κ) or
+/// in space a³ = 3 F / (4 E* κ), is followed.
 template <int dim>
 void FrameState<dim>::choose_followed(const FrameScene<dim> &scene,
                                       const std::vector<Eigen::VectorXd> &displacement,
@@ -63,13 +82,13 @@ void FrameState<dim>::choose_followed(const FrameScene<dim> &scene,
   }
   if (frame.corner != none || !round || !all_met || !meet_beside(scene, displacement, wall_height))
     return;
-  bend_at_start = change_of_slope() / frame.spacing;
-  widest = M_PI * bend_at_start * 0.25 * frame.spacing * frame.spacing / (4. * compliance);
+  bend_at_start = bend_of(change_of_slope(), frame.spacing);
+  widest = widest_narrow<dim>(bend_at_start, compliance, frame.spacing);
   follows = pressed < widest;
-  kept = beside[1].gap - beside[0].gap;
+  kept = difference_beside();
 }
 
-/// Moves the frame so that the gaps on both sides of it differ by what they did: on round surfaces it stays
+/// Moves the frame so that the gaps on all sides of it differ by what they did: on round surfaces it stays
 /// as far from the least gap as it was. A contact that becomes wide is followed no more.
 template <int dim>
 void FrameState<dim>::follow(const FrameScene<dim> &scene,
@@ -81,7 +100,7 @@ void FrameState<dim>::follow(const FrameScene<dim> &scene,
   for (unsigned int iteration = 0; iteration < 8; ++iteration)
   {
     if (sum_of_forces > widest || !meet_beside(scene, displacement, wall_height) ||
-        !(change_of_slope() > least_bend * bend_at_start * frame.spacing))
+        !(bend_of(change_of_slope(), frame.spacing) > std::pow(least_bend, dim - 1) * bend_at_start))
     {
       follows = false;
       moved = mean_motion(increment);
@@ -90,10 +109,11 @@ void FrameState<dim>::follow(const FrameScene<dim> &scene,
           hold.node.clear(); // it holds what was in contact at the start
       return;
     }
-    const double way = (kept - (beside[1].gap - beside[0].gap)) / change_of_slope();
-    if (std::abs(way) < 1e-10 * h)
+    const Across way = invert(change_of_slope()) * (kept - difference_beside());
+    if (way.norm() < 1e-10 * h)
       break;
-    moved[0] += std::clamp(way, -0.5 * h, 0.5 * h) / at;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      moved[m] += std::clamp(way[m], -0.5 * h, 0.5 * h) / at;
   }
   for (RayHere &here : beside)
     for (unsigned int side = 0; side < 2; ++side)
@@ -101,10 +121,15 @@ void FrameState<dim>::follow(const FrameScene<dim> &scene,
         here.side[side].find_functions(scene.bodies[body(side)].field);
 }
 
-template bool FrameState<2>::meet_beside(const FrameScene<2> &, const std::vector<Eigen::VectorXd> &, double);
 template void
 FrameState<2>::choose_followed(const FrameScene<2> &, const std::vector<Eigen::VectorXd> &, double);
+template void
+FrameState<3>::choose_followed(const FrameScene<3> &, const std::vector<Eigen::VectorXd> &, double);
 template void FrameState<2>::follow(const FrameScene<2> &,
+                                    const std::vector<Eigen::VectorXd> &,
+                                    const std::vector<Eigen::VectorXd> &,
+                                    double);
+template void FrameState<3>::follow(const FrameScene<3> &,
                                     const std::vector<Eigen::VectorXd> &,
                                     const std::vector<Eigen::VectorXd> &,
                                     double);

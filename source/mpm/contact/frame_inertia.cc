@@ -12,10 +12,7 @@ namespace softgrain::mpm
 template <int dim>
 double FrameState<dim>::share_that_opens(const FrameScene<dim> &scene) const
 {
-  if constexpr (dim == 2)
-    return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
-  else
-    return 1.; // without inertia
+  return Opening{true, scene.cell_size}.share(scene.bodies[frame.body], scene.dt);
 }
 
 /// Replaces the gap halfway through the step by a first guess of the gap at its end.

@@ -175,7 +175,7 @@ struct LookedAt
 template <int dim>
 bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStretch<dim> &stretch)
 {
-  return dim == 2 && scene.inertia() && frame.corner == Frame<dim>::none &&
+  return scene.inertia() && frame.corner == Frame<dim>::none &&
          frame.direction * stretch.direction < keeps_direction;
 }
 

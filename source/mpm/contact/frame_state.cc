@@ -268,9 +268,8 @@ void FrameState<dim>::look(const FrameScene<dim> &scene,
 {
   const double wall_height =
       !flat_partner() ? 0. : (scene.walls[frame.wall].point + at * wall_way - frame.origin) * frame.direction;
-  if constexpr (dim == 2)
-    if (follows && !begins)
-      follow(scene, displacement, increment, wall_height);
+  if (follows && !begins)
+    follow(scene, displacement, increment, wall_height);
   for (unsigned int k = 0; k < rays.size(); ++k)
   {
     RayHere &here = rays[k];
@@ -283,9 +282,8 @@ void FrameState<dim>::look(const FrameScene<dim> &scene,
     else if (here.met && here.first)
       note_gap_at_start(wall_way, k);
   }
-  if constexpr (dim == 2)
-    if (begins && inertia())
-      choose_followed(scene, displacement, wall_height);
+  if (begins && inertia())
+    choose_followed(scene, displacement, wall_height);
   for (unsigned int k = 0; k < rays.size(); ++k)
     if (rays[k].near && rays[k].met)
       look_closer(scene, increment, wall_way, k, force[k]);

@@ -12,23 +12,28 @@ namespace
 using Point = MovedBoundary::Point;
 using Vector = MovedBoundary::Vector;
 
-Vector at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
+template <int dim>
+dealii::Tensor<1, dim> at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
 {
-  Vector value;
+  dealii::Tensor<1, dim> value;
   for (unsigned int k = 0; k < weights.size; ++k)
-    for (unsigned int d = 0; d < 2; ++d)
-      value[d] += weights.weight[k] * nodal[2 * weights.node[k] + d];
+    for (unsigned int d = 0; d < dim; ++d)
+      value[d] += weights.weight[k] * nodal[dim * weights.node[k] + d];
   return value;
 }
 } // namespace
 
-double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement)
+template <int dim>
+double largest_way(const Body<dim> &body, const Eigen::VectorXd &displacement)
 {
   double way = 0.;
   for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.stride)
-    way = std::max(way, at_marker(body.field.marker_weights(m), displacement).norm());
+    way = std::max(way, at_marker<dim>(body.field.marker_weights(m), displacement).norm());
   return way;
 }
+
+template double largest_way(const Body<2> &, const Eigen::VectorXd &);
+template double largest_way(const Body<3> &, const Eigen::VectorXd &);
 
 MovedBoundary::MovedBoundary(const Body<2> &body, const OutlineScene &scene)
     : body(&body)
@@ -82,7 +87,7 @@ void MovedBoundary::find_displacements(const OutlineScene &scene)
   for (unsigned int m = 0; m < body->boundary.position.size(); ++m)
   {
     Vector moved = body->driven ? scene.dt * scene.drive[body->index]
-                                : at_marker(body->field.marker_weights(m), scene.increment[body->index]);
+                                : at_marker<2>(body->field.marker_weights(m), scene.increment[body->index]);
     if (scene.cell != nullptr)
       moved += taken;
     displacement.push_back(moved);

@@ -6,13 +6,17 @@
 
 namespace softgrain::mpm
 {
-double Opening::share(const Body<2> &body, const double dt) const
+template <int dim>
+double Opening::share(const Body<dim> &body, const double dt) const
 {
   if (length == 0.)
     return 1.;
   const double crossed = dt * std::sqrt(body.law->young_modulus() / body.density) / length;
   return std::min(1., crossed * crossed);
 }
+
+template double Opening::share(const Body<2> &, double) const;
+template double Opening::share(const Body<3> &, double) const;
 
 std::vector<double> row_velocity(const State &state,
                                  const Workspace &work,

@@ -110,7 +110,7 @@ std::size_t FrameState<dim>::n_told() const
   std::size_t of_ray = 0;
   RayHere any;
   for_told(any, Counter{of_ray});
-  return (inertia() ? 2 + 2 * of_ray : 0) +
+  return (inertia() ? dim + beside.size() * of_ray : 0) +
          of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
 }
 
@@ -120,7 +120,8 @@ void FrameState<dim>::tell(double *numbers)
   if (inertia())
   {
     *numbers++ = follows;
-    *numbers++ = moved[0];
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      *numbers++ = moved[m];
     for (RayHere &ray : beside)
       for_told(ray, Packer{numbers});
   }
@@ -135,7 +136,8 @@ void FrameState<dim>::take(const double *numbers)
   if (inertia())
   {
     follows = *numbers++ != 0.;
-    moved[0] = *numbers++;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      moved[m] = *numbers++;
     for (RayHere &ray : beside)
       for_told(ray, Unpacker{numbers});
   }

@@ -28,8 +28,8 @@ namespace softgrain::mpm
  * displacements over the step of the places that lay under its rays at the start; a wall is no partner in
  * that mean. With inertia a contact that is narrower than its rays are apart is followed:
  * c is such that the gaps half a spacing before and behind it differ, halfway, by what they did at the start,
- * so on round surfaces rays stay as far from the least gap as they were. The force tau that this takes
- * makes the forces on both sides equal and opposite: tau = -sum_k P_k dg_k/dc.
+ * in every direction across the rays, so on round surfaces rays stay as far from the least gap as they were.
+ * The force tau that this takes makes the forces on both sides equal and opposite: tau = -sum_k P_k dg_k/dc.
  *
  * Friction holds together the two places of the material that lay under a ray at the start of the step. Its
  * slide is what they have moved past each other since then, along the unit vectors e at right angles to what
@@ -180,13 +180,14 @@ public:
   {
     if (follows)
     {
-      for (const RayHere &here : beside)
+      const dealii::Tensor<2, dim - 1> by_difference = invert(change_of_slope());
+      for (unsigned int n = 0; n < beside.size(); ++n)
       {
-        const PlaceFunctions<dim> &function = here.side[side].function;
-        const Vector along = (&here == &beside[0] ? 1. : -1.) * sign(side) * factor / change_of_slope() *
-                             here.side[side].normal;
-        for (unsigned int i = 0; i < function.node.size(); ++i)
-          add(function.node[i], function.value[i] * along);
+        const RaySide<dim> &here = beside[n].side[side];
+        const Vector along =
+            (n % 2 == 0 ? 1. : -1.) * sign(side) * factor * by_difference[m][n / 2] * here.normal;
+        for (unsigned int i = 0; i < here.function.node.size(); ++i)
+          add(here.function.node[i], here.function.value[i] * along);
       }
       return;
     }
@@ -300,11 +301,31 @@ private:
       return share(side) * frame.across[m];
     if (side == 0 && flat_partner())
       return Vector();
-    return sign(side) / change_of_slope() * (beside[0].side[side].normal - beside[1].side[side].normal);
+    const dealii::Tensor<2, dim - 1> by_difference = invert(change_of_slope());
+    Vector sum;
+    for (unsigned int n = 0; n < dim - 1; ++n)
+      sum += sign(side) * by_difference[m][n] *
+             (beside[2 * n].side[side].normal - beside[2 * n + 1].side[side].normal);
+    return sum;
   }
   /// The change of the gap's slope across a contact that is followed, from half a spacing before it to half a
-  /// spacing behind it.
-  double change_of_slope() const { return beside[1].by_motion[0] - beside[0].by_motion[0]; }
+  /// spacing behind it: for every direction across the rays what the frame's motion does to the difference of
+  /// these two gaps.
+  dealii::Tensor<2, dim - 1> change_of_slope() const
+  {
+    dealii::Tensor<2, dim - 1> change;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      change[m] = beside[2 * m + 1].by_motion - beside[2 * m].by_motion;
+    return change;
+  }
+  /// Difference of these gaps, in every direction [m].
+  Across difference_beside() const
+  {
+    Across difference;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      difference[m] = beside[2 * m + 1].gap - beside[2 * m].gap;
+    return difference;
+  }
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
   /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
@@ -402,12 +423,13 @@ private:
   double dent_depth = 0, by_force = 0, sum_of_forces = 0;
   bool keeps_dent = false;
 
-  bool follows = false;          ///< its contact, with inertia
-  std::vector<double> weight;    ///< of its rays: their shares in the force at the start
-  std::array<RayHere, 2> beside; ///< rays half a spacing before and behind the contact
-  double kept = 0.;              ///< difference of their gaps [m]
-  double bend_at_start = 0.;     ///< of the gap across the rays [1/m]
-  double widest = 0.;            ///< force beyond which the contact is not narrow [N/m]
+  bool follows = false;       ///< its contact, with inertia
+  std::vector<double> weight; ///< of its rays: their shares in the force at the start
+  /// Rays half a spacing before and behind the contact, in every direction across the rays.
+  std::array<RayHere, 2 * (dim - 1)> beside;
+  Across kept;               ///< differences of their gaps [m]
+  double bend_at_start = 0.; ///< of the gap across the rays, in space the product of both [m^(1-dim)]
+  double widest = 0.;        ///< force beyond which the contact is not narrow [N/m^(3-dim)]
 };
 } // namespace softgrain::mpm
 

@@ -17,7 +17,8 @@ namespace softgrain::mpm
 {
 /// Largest way of a contact marker of @p body for a displacement of its nodes [m]; nodes on the rim may go
 /// far and move nothing.
-double largest_way(const Body<2> &body, const Eigen::VectorXd &displacement);
+template <int dim>
+double largest_way(const Body<dim> &body, const Eigen::VectorXd &displacement);
 
 /// Outlines in a step, for a look at what they do to each other.
 struct OutlineScene

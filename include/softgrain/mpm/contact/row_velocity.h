@@ -23,7 +23,8 @@ struct Opening
   double length = 0;  ///< 0: always at once [m]
 
   /// Share of a closed gap of @p body that opens in a step of @p dt [s]; c = sqrt(E/rho).
-  double share(const Body<2> &body, double dt) const;
+  template <int dim>
+  double share(const Body<dim> &body, double dt) const;
 };
 
 /**
