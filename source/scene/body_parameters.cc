@@ -9,8 +9,11 @@
 #include <softgrain/scene/body_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace softgrain
 {
@@ -41,14 +44,20 @@ void declare_shape(dealii::ParameterHandler &prm)
     shapes.create(shape)->declare_parameters(prm);
 }
 
-void declare_motion(dealii::ParameterHandler &prm)
+void declare_motion(dealii::ParameterHandler &prm, const bool in_space)
 {
   using namespace dealii::Patterns;
-  prm.declare_entry("Velocity", "0; 0", Anything(),
-                    "Velocity at the start, formulas (doc/formulas.md) of x and y: \"vx; vy\". Units: m/s.");
-  prm.declare_entry(
-      "Angular velocity", "0", Double(),
-      "Angular velocity at the start about the center, counter-clockwise; added to Velocity. Units: rad/s.");
+  prm.declare_entry("Velocity", in_space ? "0; 0; 0" : "0; 0", Anything(),
+                    std::string("Velocity at the start, formulas (doc/formulas.md) of ") +
+                        (in_space ? "x, y and z: \"vx; vy; vz\"" : "x and y: \"vx; vy\"") + ". Units: m/s.");
+  if (in_space)
+    prm.declare_entry("Angular velocity", "0, 0, 0", List(Double(), 3, 3, ","),
+                      "Angular velocity at the start about the center, \"wx, wy, wz\"; added to Velocity. "
+                      "Units: rad/s.");
+  else
+    prm.declare_entry("Angular velocity", "0", Double(),
+                      "Angular velocity at the start about the center, counter-clockwise; added to Velocity. "
+                      "Units: rad/s.");
   prm.declare_entry(
       "Body force", "0; 0", Anything(),
       "Force per mass besides gravity, formulas of x, y (place now), X, Y (place at rest) and t: "
@@ -57,6 +66,25 @@ void declare_motion(dealii::ParameterHandler &prm)
       "Driven", "false", Bool(),
       "Whether the body keeps its velocity, the same everywhere, whatever it meets; it does not turn, "
       "and passes through walls, obstacles and other driven bodies.");
+}
+
+/// Adds a spin about the centre to the formulas of the velocity, which know places. Formulas that are not
+/// three are left as they are: they will be refused.
+void add_spin(const dealii::Tensor<1, 3> &spin, BodyDescription<3> &body)
+{
+  const std::vector<std::string> axes = {"x", "y", "z"},
+                                 given = dealii::Utilities::split_string_list(body.velocity, ';');
+  if (spin.norm_square() == 0. || given.size() != 3)
+    return;
+  std::ostringstream sum;
+  sum << std::setprecision(17);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const unsigned int m = (d + 1) % 3, n = (d + 2) % 3;
+    sum << (d == 0 ? "" : "; ") << '(' << given[d] << ") + (" << spin[m] << ") * (" << axes[n] << " - ("
+        << body.center[n] << ")) - (" << spin[n] << ") * (" << axes[m] << " - (" << body.center[m] << "))";
+  }
+  body.velocity = sum.str();
 }
 
 template <int dim>
@@ -73,7 +101,10 @@ BodyDescription<dim> parse_body(const std::string &name, dealii::ParameterHandle
     if (const Polygon corners = shape->corners(); prm.get("Shape") == "polygon" && corners.size() > 2)
       body.center = area_and_centroid(corners).second;
   body.velocity = prm.get("Velocity");
-  body.angular_velocity = prm.get_double("Angular velocity");
+  if constexpr (dim == 2)
+    body.angular_velocity = prm.get_double("Angular velocity");
+  else
+    add_spin(vector_of_numbers<3>(prm.get("Angular velocity")), body);
   body.body_force = prm.get("Body force");
   body.driven = prm.get_bool("Driven");
   return body;
@@ -100,7 +131,7 @@ void BodyParameters::declare_parameters(dealii::ParameterHandler &prm) const
       declare_shape_in_space(prm);
     else
       declare_shape(prm);
-    declare_motion(prm);
+    declare_motion(prm, dimension == 3);
     prm.leave_subsection();
   }
   prm.leave_subsection();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/expression.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -9,6 +10,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace softgrain
@@ -38,7 +40,10 @@ const std::vector<std::string> known = {"Dimension",
                                         "Bodies/*/Shape",
                                         "Bodies/*/Center",
                                         "Bodies/*/Radius",
+                                        "Bodies/*/Velocity",
+                                        "Bodies/*/Angular velocity",
                                         "Packing/",
+                                        "Loads/Gravity",
                                         "Walls/Names",
                                         "Walls/*/Type",
                                         "Walls/*/Point",
@@ -56,6 +61,8 @@ const std::vector<std::string> known = {"Dimension",
                                         "Time/Scheme",
                                         "Time/Time step",
                                         "Time/Wall way",
+                                        "Time/CFL multiple",
+                                        "Time/Theta",
                                         "Time/Smallest step",
                                         "Newton/Residual tolerance",
                                         "Newton/Maximum iterations",
@@ -70,6 +77,10 @@ const std::vector<std::string> known = {"Dimension",
                                         "Contact/Friction of pairs",
                                         "Stop/"};
 
+/// What a scheme does not know in space, beside what none does.
+const std::vector<std::string> unknown_at_rest = {"Loads/Gravity", "Time/Theta", "Time/CFL multiple"},
+                               unknown_to_inertia = {"Quasi-static/"};
+
 bool matches(const std::vector<std::string> &path, const std::string &pattern)
 {
   const std::vector<std::string> wanted = dealii::Utilities::split_string_list(pattern, "/");
@@ -81,32 +92,63 @@ bool matches(const std::vector<std::string> &path, const std::string &pattern)
                     [](const std::string &w, const std::string &name) { return w == "*" || w == name; });
 }
 
-void check_section(const ParameterSection &section, std::vector<std::string> &path, Mistakes &mistakes)
+bool is_in(const std::vector<std::string> &patterns, const std::vector<std::string> &path)
 {
-  for (const ParameterEntry &entry : section.entries)
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string &pattern) { return matches(path, pattern); });
+}
+
+/// Finds parameters that nothing in space knows, or that the scheme does not.
+class ParameterCheck
+{
+public:
+  ParameterCheck(const std::string &scheme, Mistakes &mistakes) : scheme(scheme), mistakes(mistakes) {}
+
+  void look_at(const ParameterSection &section)
   {
-    if (entry.value == entry.default_value)
-      continue;
-    path.push_back(entry.name);
-    if (std::none_of(known.begin(), known.end(),
-                     [&](const std::string &pattern) { return matches(path, pattern); }))
+    for (const ParameterEntry &entry : section.entries)
+      if (entry.value != entry.default_value)
+      {
+        path.push_back(entry.name);
+        if (!is_in(known, path))
+          refuse(entry, "");
+        else if (is_in(scheme == "quasi_static" ? unknown_at_rest : unknown_to_inertia, path))
+          refuse(entry, " and 'Time/Scheme' = '" + scheme + "'");
+        path.pop_back();
+      }
+    for (const ParameterSection &part : section.sections)
     {
-      std::string name;
-      for (const std::string &part : path)
-        name += (name.empty() ? "" : "/") + part;
-      mistakes.add(
-          InputError("'" + name + "' = '" + entry.value +
-                     "' is not allowed with 'Dimension' = '3', where it is not there yet: it must be '" +
-                     entry.default_value + "'"));
+      path.push_back(part.name);
+      look_at(part);
+      path.pop_back();
     }
-    path.pop_back();
   }
-  for (const ParameterSection &part : section.sections)
+
+private:
+  void refuse(const ParameterEntry &entry, const std::string &scheme_too)
   {
-    path.push_back(part.name);
-    check_section(part, path, mistakes);
-    path.pop_back();
+    std::string name;
+    for (const std::string &part : path)
+      name += (name.empty() ? "" : "/") + part;
+    mistakes.add(InputError("'" + name + "' = '" + entry.value + "' is not allowed with 'Dimension' = '3'" +
+                            scheme_too + ", where it is not there yet: it must be '" + entry.default_value +
+                            "'"));
   }
+
+  const std::string scheme;
+  Mistakes &mistakes;
+  std::vector<std::string> path;
+};
+
+/// What a file says of Time/Scheme.
+std::string scheme_of(const ParameterSection &parameters)
+{
+  for (const ParameterSection &part : parameters.sections)
+    if (part.name == "Time")
+      for (const ParameterEntry &entry : part.entries)
+        if (entry.name == "Scheme")
+          return entry.value;
+  return "";
 }
 
 /// Depth by which two balls, the only shape there is, lie in each other [m].
@@ -118,6 +160,23 @@ double overlap_of(const BodyDescription<3> &a, const BodyDescription<3> &b)
   return (1. - 1e-9) * radii - center.distance(dealii::Point<3>(other[0], other[1], other[2]));
 }
 
+void check_velocity(const BodyDescription<3> &body)
+{
+  const std::string path = "Bodies/" + body.name + "/Velocity";
+  std::vector<Expression> formulas;
+  try
+  {
+    formulas = vector_expression(body.velocity, {"x", "y", "z"}, 3);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError("'" + path + "': " + error.what());
+  }
+  for (const Expression &component : formulas)
+    if (!std::isfinite(component({body.center[0], body.center[1], body.center[2]})))
+      throw InputError("'" + path + "' = '" + body.velocity + "' is not finite at the center of the body");
+}
+
 void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
 {
   std::vector<std::string> names;
@@ -125,6 +184,7 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
   {
     names.push_back(body.name);
     mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); });
+    mistakes.attempt([&]() { check_velocity(body); });
   }
   if (names.empty() && !scene.packing.method)
     mistakes.add(
@@ -176,8 +236,7 @@ void check_walls(const Scene<3> &scene, Mistakes &mistakes)
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
 {
   Mistakes mistakes;
-  std::vector<std::string> path;
-  check_section(parameters, path, mistakes);
+  ParameterCheck(scheme_of(parameters), mistakes).look_at(parameters);
   check_bodies(scene, mistakes);
   check_walls(scene, mistakes);
   mistakes.attempt([&]() { (void) ContactPairs(scene); });

@@ -5,6 +5,7 @@
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/body/refinement.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
@@ -15,10 +16,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
-
-#include <algorithm>
 
 namespace softgrain::mpm
 {
@@ -121,13 +122,14 @@ private:
   {
     Settings settings;
     settings.parse_parameters(prm, 3);
-    if (settings.scheme.name != "quasi_static")
+    if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
       throw InputError("'Time/Scheme' = '" + settings.scheme.name +
-                       "' is not allowed with 'Dimension' = '3': it must be 'quasi_static'");
-    if (settings.step.time_step == 0. && settings.wall_way == 0.)
+                       "' is not allowed with 'Dimension' = '3': it must be 'quasi_static' or 'moreau_jean'");
+    if (!settings.scheme.inertia && settings.step.time_step == 0. && settings.wall_way == 0.)
       throw InputError(
-          "'Time/Time step' = '0' is not allowed with 'Dimension' = '3': set it, or 'Time/Wall way', "
-          "greater than 0");
+          "'Time/Time step' = '0' is not allowed with 'Dimension' = '3' and 'Time/Scheme' = 'quasi_static': "
+          "set it, or 'Time/Wall way', greater than 0");
+    check_start_at_rest(scene, settings);
     SpaceModel::Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
@@ -174,11 +176,12 @@ private:
   }
 
   /// @throw InputError when bodies start with a motion that a scheme without inertia would ignore
-  static void check_start_at_rest(const Scene<2> &scene, const Settings &settings)
+  template <int dim>
+  static void check_start_at_rest(const Scene<dim> &scene, const Settings &settings)
   {
     // Three places that no symmetry connects: a velocity that is 0 at all of them is 0.
-    const double places[3][2] = {{0.31, 0.17}, {-0.23, 0.41}, {0.07, -0.37}};
-    for (const BodyDescription<2> &body : scene.bodies)
+    const double places[3][3] = {{0.31, 0.17, -0.29}, {-0.23, 0.41, 0.13}, {0.07, -0.37, 0.22}};
+    for (const BodyDescription<dim> &body : scene.bodies)
     {
       if (settings.scheme.inertia || body.driven)
         continue;
@@ -188,13 +191,22 @@ private:
         throw InputError("'Bodies/" + body.name + "/Angular velocity" + ignored);
       if (body.velocity.empty())
         continue;
-      const double width = body.shape->size();
-      for (const Expression &component : vector_expression(body.velocity, {"x", "y"}))
+      const double width = width_of(*body.shape);
+      const std::vector<std::string> axes = {"x", "y", "z"};
+      for (const Expression &component :
+           vector_expression(body.velocity, {axes.begin(), axes.begin() + dim}, dim))
         for (const auto &place : places)
-          if (component({body.center[0] + width * place[0], body.center[1] + width * place[1]}) != 0.)
+        {
+          std::vector<double> x;
+          for (unsigned int d = 0; d < dim; ++d)
+            x.push_back(body.center[d] + width * place[d]);
+          if (component(x) != 0.)
             throw InputError("'Bodies/" + body.name + "/Velocity' = '" + body.velocity + ignored);
+        }
     }
   }
+  static double width_of(const Shape<2> &shape) { return shape.size(); }
+  static double width_of(const Shape<3> &shape) { return std::cbrt(shape.volume()); }
 
   /// @throw InputError when a wall slides or a cell repeats and settings do not know that
   static void check_cell(const Scene<2> &scene, const Settings &settings)

@@ -138,6 +138,49 @@ void load_contacts(const StateReader &in, SpaceState &state)
     state.contacts.push_back(contact);
   }
 }
+/// Of all bodies, one after the other.
+std::vector<double> nodal(const SpaceState &state, Eigen::VectorXd Body<3>::*vector)
+{
+  std::vector<double> all;
+  for (const Body<3> &body : state.bodies)
+    all.insert(all.end(), (body.*vector).data(), (body.*vector).data() + (body.*vector).size());
+  return all;
+}
+
+void take_nodal(const std::vector<double> &all, Eigen::VectorXd Body<3>::*vector, SpaceState &state)
+{
+  const double *at = all.data();
+  for (Body<3> &body : state.bodies)
+  {
+    body.*vector = Eigen::Map<const Eigen::VectorXd>(at, body.displacement.size());
+    at += body.displacement.size();
+  }
+}
+
+void save_motion(const SpaceState &state, StateWriter &out)
+{
+  out.write("space/velocity", nodal(state, &Body<3>::velocity));
+  out.write("space/internal_force", nodal(state, &Body<3>::internal_force));
+  const MotionBalance &balance = state.motion;
+  std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.gravity_work,
+                              balance.largest_momentum};
+  add(balance.impulse, sums);
+  out.write("space/motion", sums);
+}
+
+void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &state)
+{
+  take_nodal(in.read_doubles("space/velocity", n_dofs), &Body<3>::velocity, state);
+  take_nodal(in.read_doubles("space/internal_force", n_dofs), &Body<3>::internal_force, state);
+  const std::vector<double> sums = in.read_doubles("space/motion", 7);
+  MotionBalance &balance = state.motion;
+  balance.scheme_damping = sums[0];
+  balance.contact_loss = sums[1];
+  balance.gravity_work = sums[2];
+  balance.largest_momentum = sums[3];
+  const double *at = &sums[4];
+  take(at, balance.impulse);
+}
 } // namespace
 
 void SpaceModel::save(StateWriter &out) const
@@ -146,18 +189,17 @@ void SpaceModel::save(StateWriter &out) const
             std::vector<double>{state.time, step_control.scale, last_dt, state.regularisation_work,
                                 state.released_energy, state.dent_energy, state.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
-  std::vector<double> displacement, walls;
-  for (const Body<3> &body : state.bodies)
-    displacement.insert(displacement.end(), body.displacement.data(),
-                        body.displacement.data() + body.displacement.size());
+  std::vector<double> walls;
   for (const DrivenWall &wall : driven)
     walls.insert(walls.end(),
                  {wall.travel, wall.speed, wall.work, wall.force, wall.drive_begin, wall.travel_before});
-  out.write("space/displacement", displacement);
+  out.write("space/displacement", nodal(state, &Body<3>::displacement));
   out.write("space/held_back", state.held_back);
   out.write("space/walls", walls);
   save_frames(state.frames, out);
   save_contacts(state.contacts, out);
+  if (settings.scheme.inertia)
+    save_motion(state, out);
 }
 
 void SpaceModel::load(StateReader &in)
@@ -171,13 +213,9 @@ void SpaceModel::load(StateReader &in)
   state.held_back = in.read_doubles("space/held_back", ListSize::rows_of(1));
   if (!state.held_back.empty() && state.held_back.size() != state.bodies.size())
     in.refuse("space/held_back", "there is another number of bodies");
-  const double *at = nodes.data();
+  take_nodal(nodes, &Body<3>::displacement, state);
   for (Body<3> &body : state.bodies)
-  {
-    body.displacement = Eigen::Map<const Eigen::VectorXd>(at, body.displacement.size());
-    at += body.displacement.size();
     move_markers(body);
-  }
   state.time = times[0];
   step_control.scale = times[1];
   last_dt = times[2];
@@ -198,5 +236,7 @@ void SpaceModel::load(StateReader &in)
   }
   load_frames(in, state, driven.size());
   load_contacts(in, state);
+  if (settings.scheme.inertia)
+    load_motion(in, n_dofs, state);
 }
 } // namespace softgrain::mpm

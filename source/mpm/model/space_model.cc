@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/analysis/wall_position.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/driven_work.h>
-#include <softgrain/mpm/stepping/stress.h>
+#include <softgrain/mpm/stepping/moving_step.h>
+#include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <set>
-#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -67,8 +65,9 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     : settings(settings)
     , function(create_shape_function(settings.shape))
     , lattice(settings.space_lower, settings.space_upper, settings.cell_size)
-    , subgrid{settings.subgrid, settings.cell_size, settings.space_lower}
+    , subgrid{settings.subgrid_compliance(), settings.cell_size, settings.space_lower}
     , pairs(scene)
+    , gravity(scene.gravity)
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
@@ -83,6 +82,12 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     wall_names.push_back(wall.name);
   }
   state.wall_force.assign(driven.size(), 0.);
+  if (!this->settings.scheme.inertia)
+    return;
+  // Where a step does not resolve waves, inertia hardly holds what contacts do not.
+  if (settings.theta == 0. && wanted_step() > 20.5 * cfl_step())
+    this->settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
+  state.motion.impulse = momentum();
 }
 
 void SpaceModel::add_body(const BodyDescription<3> &description,
@@ -110,10 +115,26 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
   body.index = state.bodies.size();
   body.boundary.grid_position = body.boundary.position = surface.vertices;
   body.boundary.circular = true;
+  start(description, body);
   state.bodies.push_back(std::move(body));
   const std::vector<double> numbers = shape.numbers(); // of a ball, the only shape there is
   state.surfaces.emplace_back(dealii::Point<3>(numbers[0], numbers[1], numbers[2]), numbers[3],
                               surface.triangles);
+}
+
+void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) const
+{
+  if (!settings.scheme.inertia)
+    return;
+  // Formulas are taken at the nodes, so that affine motions are exact.
+  const std::vector<Expression> formulas = vector_expression(description.velocity, {"x", "y", "z"}, 3);
+  body.velocity = Eigen::VectorXd::Zero(body.field.n_dofs());
+  for (unsigned int i = 0; i < body.field.n_independent(); ++i)
+  {
+    const dealii::Point<3> x = body.field.position(body.field.node_of_independent(i));
+    for (unsigned int d = 0; d < 3; ++d)
+      body.velocity[3 * i + d] = formulas[d]({x[0], x[1], x[2]});
+  }
 }
 
 double SpaceModel::DrivenWall::velocity(const double time, const double dt) const
@@ -132,19 +153,31 @@ void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>>
     }
 }
 
+double SpaceModel::cfl_step() const
+{
+  double step = std::numeric_limits<double>::max();
+  for (const Body<3> &body : state.bodies)
+    step = std::min(step, settings.cell_size * std::sqrt(body.density / body.law->wave_modulus()));
+  return step;
+}
+
 double SpaceModel::wanted_step() const
 {
-  double wanted = settings.step.time_step > 0. ? settings.step.time_step : std::numeric_limits<double>::max();
+  constexpr double longest = std::numeric_limits<double>::max();
+  const double told = settings.step.wanted(longest);
+  double by_walls = longest;
   if (settings.wall_way > 0.)
     for (const DrivenWall &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
-      const double dt = std::min(wanted, 1e3 * settings.cell_size),
+      const double dt = std::min(told, settings.scheme.inertia ? cfl_step() : 1e3 * settings.cell_size),
                    speed = std::abs(wall.velocity(state.time, dt));
       if (speed > 0.)
-        wanted = std::min(wanted, settings.wall_way * settings.cell_size / speed);
+        by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
     }
-  return wanted;
+  if (settings.scheme.inertia && by_walls == longest)
+    return settings.step.wanted(settings.cfl_multiple * cfl_step());
+  return std::min(told, by_walls);
 }
 
 std::vector<WallMotion<3>> SpaceModel::motion() const
@@ -172,22 +205,32 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   for (std::size_t w = 0; w < walls.size(); ++w)
     walls[w].velocity = driven[w].velocity(state.time, dt);
   const StepOutcome outcome =
-      SpaceAtRest(state, work, settings, subgrid, pairs, walls, wall_names).go(dt, wanted);
+      settings.scheme.inertia
+          ? moving_step(state, scene(), walls, gravity, dt)
+          : SpaceAtRest(state, work, settings, subgrid, pairs, walls, wall_names).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
+  book_walls(walls, dt);
+  return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
+}
+
+void SpaceModel::book_walls(const std::vector<WallMotion<3>> &walls, const double dt)
+{
+  const bool balanced = !settings.scheme.inertia;
   std::vector<DrivenWork> works;
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     DrivenWall &wall = driven[w];
+    const double before = balanced ? wall.force : state.wall_force[w];
     wall.speed = walls[w].velocity;
     wall.travel += dt * wall.speed;
-    wall.work += 0.5 * (wall.force + state.wall_force[w]) * dt * wall.speed;
-    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - wall.force) * dt * wall.speed)});
+    wall.work += 0.5 * (before + state.wall_force[w]) * dt * wall.speed;
+    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * dt * wall.speed)});
     wall.force = state.wall_force[w];
   }
-  state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
-  return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
+  if (balanced)
+    state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
 }
 
 void SpaceModel::keep_before()
@@ -213,14 +256,24 @@ void SpaceModel::go_back()
 StepReport SpaceModel::advance(const double dt_limit)
 {
   StepReport report;
-  keep_before();
   const double wanted = std::min(wanted_step(), dt_limit);
-  const StepTaken taken = step_control.advance(settings.step, wanted, dt_limit, state.time,
-                                               [&](const double dt)
-                                               {
-                                                 stop_if_interrupted();
-                                                 return try_step(dt, wanted, report);
-                                               });
+  SafeStep safe;
+  if (!settings.scheme.inertia)
+    keep_before();
+  else if (const double limit = safe_step_in_space(state.bodies, wanted); limit < wanted)
+  {
+    safe.dt = limit;
+    safe.shortest = settings.step.smallest_step * std::min(wanted, settings.cfl_multiple * cfl_step());
+    safe.cause = [] { return "bodies move too fast to be seen on their ways"; };
+  }
+  const StepTaken taken = step_control.advance(
+      settings.step, wanted, dt_limit, state.time,
+      [&](const double dt)
+      {
+        stop_if_interrupted();
+        return try_step(dt, wanted, report);
+      },
+      safe);
   report.dt = last_dt = taken.dt;
   report.attempts = taken.attempts;
   report.n_contacts = state.contacts.size();
@@ -231,7 +284,7 @@ StepReport SpaceModel::advance(const double dt_limit)
 
 void SpaceModel::settle(StepReport &report)
 {
-  if (last_dt == 0.)
+  if (last_dt == 0. || settings.scheme.inertia)
     return;
   const auto not_booked = [this]()
   {
@@ -255,111 +308,5 @@ void SpaceModel::settle(StepReport &report)
   for (std::size_t w = 0; w < driven.size(); ++w)
     driven[w].force = state.wall_force[w];
   report.n_contacts = state.contacts.size();
-}
-
-std::vector<WallState<3>> SpaceModel::walls() const
-{
-  std::vector<WallState<3>> states;
-  for (const DrivenWall &wall : driven)
-  {
-    WallState<3> state;
-    state.name = wall.description.name;
-    state.point = wall.point();
-    state.normal = wall.description.normal;
-    state.position = wall_position(state.point, state.normal);
-    state.velocity = wall.speed;
-    state.normal_force = wall.force;
-    states.push_back(state);
-  }
-  return states;
-}
-
-Energies SpaceModel::energies() const
-{
-  Energies energies;
-  energies.elastic = state.dent_energy;
-  for (const Body<3> &body : state.bodies)
-    energies.elastic +=
-        measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
-  energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed;
-  for (const DrivenWall &wall : driven)
-    energies.external_work += wall.work;
-  return energies;
-}
-
-double SpaceModel::energy_of_rounding() const
-{
-  double sum = 0.;
-  for (const Body<3> &body : state.bodies)
-    sum += 1e-12 * body.law->young_modulus() * body.rest_area;
-  return sum;
-}
-
-StepState<3> SpaceModel::stress_of(const Body<3> &body) const
-{
-  StepState<3> stress;
-  Trial asked;
-  asked.tangent = false;
-  evaluate_stress(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()), asked, stress);
-  return stress;
-}
-
-double SpaceModel::solid_area() const
-{
-  double volume = 0.;
-  for (const Body<3> &body : state.bodies)
-  {
-    const StepState<3> stress = stress_of(body);
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-      volume += body.points[p].rest_volume() * determinant(stress.gradient[p]);
-  }
-  return volume;
-}
-
-double SpaceModel::coordination() const
-{
-  // Partners and walls, once each.
-  std::set<std::array<unsigned int, 3>> pairs;
-  for (const SpaceContact &contact : state.contacts)
-  {
-    pairs.insert({{contact.body, contact.partner, contact.wall}});
-    if (contact.partner != ContactFrame<3>::none)
-      pairs.insert({{contact.partner, contact.body, contact.wall}});
-  }
-  return static_cast<double>(pairs.size()) / state.bodies.size();
-}
-
-std::size_t SpaceModel::n_points() const
-{
-  std::size_t n = 0;
-  for (const Body<3> &body : state.bodies)
-    n += body.n_points;
-  return n;
-}
-
-SizeReport SpaceModel::size_report() const
-{
-  std::ostringstream cells;
-  cells << settings.cell_size << " m";
-  std::size_t nodes = 0;
-  for (const Body<3> &body : state.bodies)
-    nodes += body.field.n_independent();
-  return {{"bodies", std::to_string(state.bodies.size())},
-          {"cell size", cells.str()},
-          {"material points", std::to_string(n_points())},
-          {"nodes", std::to_string(nodes)}};
-}
-
-std::vector<std::pair<std::string, double>> SpaceModel::works() const
-{
-  std::vector<std::pair<std::string, double>> columns;
-  for (const DrivenWall &wall : driven)
-    columns.emplace_back(wall.description.name + "_work_J", wall.work);
-  return columns;
-}
-
-std::map<std::string, double> SpaceModel::phases() const
-{
-  return timer->get_summary_data(dealii::TimerOutput::total_wall_time);
 }
 } // namespace softgrain::mpm

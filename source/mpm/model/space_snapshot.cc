@@ -13,27 +13,34 @@ BodyState<3> SpaceModel::body_state(const Body<3> &body) const
   result.reference_area = body.rest_area;
   result.mass = body.density * body.rest_area;
   result.center = body.center();
+  result.velocity = body.momentum() / body.mass.sum();
   return result;
 }
 
 void SpaceModel::add_points(const Body<3> &body, BodyState<3> &of_body, PointStates<3> &points) const
 {
-  Eigen::VectorXd all;
+  Eigen::VectorXd all, velocity = Eigen::VectorXd::Zero(3 * body.field.n_nodes());
   body.field.prolongate(body.displacement, all);
+  if (body.velocity.size() > 0)
+    body.field.prolongate(body.velocity, velocity);
   const StepState<3> here = stress_of(body);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     dealii::Point<3> x = body.points[p].position();
+    dealii::Tensor<1, 3> v;
     for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
       for (unsigned int d = 0; d < 3; ++d)
+      {
         x[d] += body.field.values(p)[k] * all[3 * body.field.point_nodes(p)[k] + d];
+        v[d] += body.field.values(p)[k] * velocity[3 * body.field.point_nodes(p)[k] + d];
+      }
     const double J = determinant(here.gradient[p]), volume = J * body.points[p].rest_volume();
     // Laws of finite strain tell Kirchhoff's stress.
     const dealii::SymmetricTensor<2, 3> stress = here.stress[p] / (body.small_strain() ? 1. : J);
     points.position.push_back(x);
     points.body.push_back(body.index);
     points.size.push_back(volume);
-    points.velocity.emplace_back();
+    points.velocity.push_back(v);
     points.stress.push_back(stress);
     points.deformation_gradient.push_back(here.gradient[p]);
     of_body.area += volume;

@@ -15,32 +15,51 @@ namespace
 using Vector = dealii::Tensor<1, 2>;
 
 /// How a body moves, and where it is.
+template <int dim>
 struct Flight
 {
-  Vector velocity;               ///< mean [m/s]
-  double spread = 0.;            ///< of the velocities of its outline about the mean [m/s]
-  double width = 0.;             ///< of the body where it is narrowest [m]
-  dealii::Point<2> lower, upper; ///< of the box around it [m]
+  dealii::Tensor<1, dim> velocity; ///< mean [m/s]
+  double spread = 0.;              ///< of the velocities of its outline about the mean [m/s]
+  double width = 0.;               ///< of the body where it is narrowest [m]
+  dealii::Point<dim> lower, upper; ///< of the box around it [m]
 
-  using Numbers = std::array<double, 8>;
+  static constexpr unsigned int n_numbers = 3 * dim + 2;
+  using Numbers = std::array<double, n_numbers>;
   Numbers numbers() const
   {
-    return {velocity[0], velocity[1], spread, width, lower[0], lower[1], upper[0], upper[1]};
+    Numbers list;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      list[d] = velocity[d];
+      list[dim + 2 + d] = lower[d];
+      list[2 * dim + 2 + d] = upper[d];
+    }
+    list[dim] = spread;
+    list[dim + 1] = width;
+    return list;
   }
 };
 
-Flight flight_of(const Flight::Numbers &n)
+Flight<2> flight_of(const Flight<2>::Numbers &n)
 {
-  return {dealii::Tensor<1, 2>({n[0], n[1]}), n[2], n[3], {n[4], n[5]}, {n[6], n[7]}};
+  return {Vector({n[0], n[1]}), n[2], n[3], {n[4], n[5]}, {n[6], n[7]}};
 }
 
-Flight flight_of(const Body<2> &body, const Vector &drive)
+/// Balls, the only bodies in space, are as wide as they are at rest.
+double width_of(const Body<3> &body)
 {
-  Flight flight;
-  const unsigned int n = body.velocity.size() / 2;
+  return std::cbrt(6. / M_PI * body.rest_area);
+}
+
+template <int dim>
+Flight<dim> flight_of(const Body<dim> &body, const dealii::Tensor<1, dim> &drive)
+{
+  Flight<dim> flight;
+  const unsigned int n = body.velocity.size() / dim;
   const double mass = body.mass.sum();
   for (unsigned int i = 0; i < n; ++i)
-    flight.velocity += body.mass[i] / mass * Vector({body.velocity[2 * i], body.velocity[2 * i + 1]});
+    for (unsigned int d = 0; d < dim; ++d)
+      flight.velocity[d] += body.mass[i] / mass * body.velocity[dim * i + d];
   if (body.driven)
     flight.velocity = drive;
   else if (n > 0)
@@ -48,14 +67,14 @@ Flight flight_of(const Body<2> &body, const Vector &drive)
     // Of the outline, not of the nodes: those on the rim may be fast and move nothing.
     Eigen::VectorXd about_mean = body.velocity;
     for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int d = 0; d < 2; ++d)
-        about_mean[2 * i + d] -= flight.velocity[d];
+      for (unsigned int d = 0; d < dim; ++d)
+        about_mean[dim * i + d] -= flight.velocity[d];
     flight.spread = largest_way(body, about_mean);
   }
-  const std::vector<dealii::Point<2>> &markers = body.boundary.position;
+  const std::vector<dealii::Point<dim>> &markers = body.boundary.position;
   flight.lower = flight.upper = markers.front();
-  for (const dealii::Point<2> &x : markers)
-    for (unsigned int d = 0; d < 2; ++d)
+  for (const dealii::Point<dim> &x : markers)
+    for (unsigned int d = 0; d < dim; ++d)
     {
       flight.lower[d] = std::min(flight.lower[d], x[d]);
       flight.upper[d] = std::max(flight.upper[d], x[d]);
@@ -64,10 +83,11 @@ Flight flight_of(const Body<2> &body, const Vector &drive)
   return flight;
 }
 
-double distance(const Flight &a, const Flight &b)
+template <int dim>
+double distance(const Flight<dim> &a, const Flight<dim> &b)
 {
-  Vector apart;
-  for (unsigned int d = 0; d < 2; ++d)
+  dealii::Tensor<1, dim> apart;
+  for (unsigned int d = 0; d < dim; ++d)
     apart[d] = std::max({0., a.lower[d] - b.upper[d], b.lower[d] - a.upper[d]});
   return apart.norm();
 }
@@ -86,7 +106,7 @@ double pull_of(const Problem &problem)
 
 /// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.
 double safe_from_walls(
-    const Problem &problem, const State &state, const Flight &flight, const double reach, const double dt)
+    const Problem &problem, const State &state, const Flight<2> &flight, const double reach, const double dt)
 {
   double step = dt;
   for (const Wall &wall : state.walls)
@@ -104,21 +124,21 @@ double safe_from_walls(
   return step;
 }
 
-/// The longest step, up to @p dt, in which two bodies cannot pass through each other.
-double safe_from_bodies(const Problem &problem,
-                        const State &state,
-                        const std::vector<Flight> &flights,
+/// The longest step, up to @p dt, in which two bodies cannot pass through each other. @param pull
+/// acceleration by which bodies fall, all alike: it adds to the way to what is driven alone
+template <int dim>
+double safe_from_bodies(const std::vector<Body<dim>> &bodies,
+                        const double pull,
+                        const std::vector<Flight<dim>> &flights,
                         const double reach,
                         const double dt)
 {
   double fastest = 0., narrowest = std::numeric_limits<double>::max();
-  for (const Flight &flight : flights)
+  for (const Flight<dim> &flight : flights)
   {
     fastest = std::max(fastest, flight.velocity.norm() + flight.spread);
     narrowest = std::min(narrowest, flight.width);
   }
-  // Gravity pulls all bodies alike: it adds to the way to what is driven alone.
-  const double pull = pull_of(problem);
   // Most steps are short: no pair need be looked at.
   if (time_of_way(std::min(largest_way_in_widths * narrowest, reach), 2. * fastest, pull) >= dt)
     return dt;
@@ -126,10 +146,10 @@ double safe_from_bodies(const Problem &problem,
   for (unsigned int a = 0; a < flights.size(); ++a)
     for (unsigned int b = 0; b < a; ++b)
     {
-      const bool one_driven = state.bodies[a].driven, other_driven = state.bodies[b].driven;
+      const bool one_driven = bodies[a].driven, other_driven = bodies[b].driven;
       if (one_driven && other_driven)
         continue;
-      const Flight &one = flights[a], &other = flights[b];
+      const Flight<dim> &one = flights[a], &other = flights[b];
       const double speed = (one.velocity - other.velocity).norm() + one.spread + other.spread;
       const double allowed = std::min(largest_way_in_widths * std::min(one.width, other.width), reach);
       step = std::min(step, time_of_way(std::max(allowed, distance(one, other)), speed,
@@ -141,7 +161,7 @@ double safe_from_bodies(const Problem &problem,
 /// The longest step, up to @p dt, in which no body can pass through an obstacle.
 double safe_from_obstacles(const Problem &problem,
                            const State &state,
-                           const std::vector<Flight> &flights,
+                           const std::vector<Flight<2>> &flights,
                            const double reach,
                            const double dt)
 {
@@ -150,7 +170,7 @@ double safe_from_obstacles(const Problem &problem,
   {
     obstacle.plan(state.time, dt);
     double speed = 0.;
-    Flight line;
+    Flight<2> line;
     line.lower = dealii::Point<2>(std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
     line.upper = -line.lower;
     for (const Curve &piece : obstacle.description.pieces)
@@ -177,12 +197,12 @@ double safe_from_obstacles(const Problem &problem,
 /// Safe step of bodies in a cell that repeats, where every body may be near any other.
 double safe_in_cell(const Problem &problem,
                     const State &state,
-                    const std::vector<Flight> &flights,
+                    const std::vector<Flight<2>> &flights,
                     const double reach,
                     const double dt)
 {
   double fastest = 0., narrowest = std::numeric_limits<double>::max(), widest = 0.;
-  for (const Flight &flight : flights)
+  for (const Flight<2> &flight : flights)
   {
     fastest = std::max(fastest, flight.velocity.norm() + flight.spread);
     narrowest = std::min(narrowest, flight.width);
@@ -209,19 +229,27 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
   if (follow && state.bodies.size() < 2 && state.obstacles.empty())
     return dt;
   const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();
-  const auto told = work.share.numbers<8>(state.bodies, [&](const Body<2> &body)
-                                          { return flight_of(body, Vector()).numbers(); });
-  std::vector<Flight> flights;
+  const auto told = work.share.numbers<Flight<2>::n_numbers>(state.bodies, [&](const Body<2> &body)
+                                                             { return flight_of(body, Vector()).numbers(); });
+  std::vector<Flight<2>> flights;
   for (const Body<2> &body : state.bodies)
     flights.push_back(body.driven ? flight_of(body, work.drive[body.index]) : flight_of(told[body.index]));
   if (state.repeats())
     return safe_in_cell(problem, state, flights, reach, dt);
-  double step = safe_from_bodies(problem, state, flights, reach, dt);
+  double step = safe_from_bodies(state.bodies, pull_of(problem), flights, reach, dt);
   step = safe_from_obstacles(problem, state, flights, reach, step);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)
       if (!state.bodies[b].driven)
         step = safe_from_walls(problem, state, flights[b], reach, step);
   return step;
+}
+
+double safe_step_in_space(const std::vector<Body<3>> &bodies, const double dt)
+{
+  std::vector<Flight<3>> flights;
+  for (const Body<3> &body : bodies)
+    flights.push_back(flight_of(body, dealii::Tensor<1, 3>()));
+  return safe_from_bodies(bodies, 0., flights, std::numeric_limits<double>::max(), dt);
 }
 } // namespace softgrain::mpm

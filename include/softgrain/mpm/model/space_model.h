@@ -7,7 +7,7 @@
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
-#include <softgrain/mpm/stepping/space_step.h>
+#include <softgrain/mpm/stepping/space_ray_step.h>
 #include <softgrain/scene/scene.h>
 
 #include <deal.II/base/timer.h>
@@ -20,11 +20,12 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The material point model of a scene in space, as far as it goes: elastic balls at rest between flat
- * walls that are told how to move, with Coulomb's friction. Contacts are met by rays, as in the plane.
+ * @brief The material point model of a scene in space, as far as it goes: elastic balls, at rest or moving,
+ * between flat walls that are told how to move, with Coulomb's friction. Contacts are met by rays, as in the
+ * plane.
  *
- * Works of walls are those of the mean of their forces at both ends of a step, and of what kinks of contacts
- * add.
+ * At rest works of walls are those of the mean of their forces at both ends of a step, and of what kinks of
+ * contacts add; with inertia those of the force in the step.
  */
 class SpaceModel final : public Model<3>
 {
@@ -47,11 +48,12 @@ public:
   double energy_of_rounding() const override;
   double solid_area() const override;
   double coordination() const override;
-  double momentum_error() const override { return 0.; }
+  double momentum_error() const override;
   std::size_t n_points() const override;
   std::size_t n_bodies() const override { return state.bodies.size(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> works() const override;
+  std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
   void save(StateWriter &out) const override;
   void load(StateReader &in) override;
@@ -88,11 +90,18 @@ private:
   void add_body(const BodyDescription<3> &description,
                 const std::shared_ptr<const constitutive::Law<3>> &law,
                 double density);
+  /// Gives a body the velocity with which it begins.
+  void start(const BodyDescription<3> &description, Body<3> &body) const;
+  double cfl_step() const; ///< in which a wave goes through a cell [s]
   double wanted_step() const;
+  SpaceScene scene() { return {work, settings, subgrid, pairs, wall_names}; }
   /// One step. @return why it is no good
   Attempt try_step(double dt, double wanted, StepReport &report);
   std::vector<WallMotion<3>> motion() const;
   void note(const StepOutcome &outcome, StepReport &report) const;
+  /// Books what walls did in a step that has been accepted.
+  void book_walls(const std::vector<WallMotion<3>> &walls, double dt);
+  dealii::Tensor<1, 3> momentum() const;
   BodyState<3> body_state(const Body<3> &body) const;
   void add_points(const Body<3> &body, BodyState<3> &of_body, PointStates<3> &points) const;
   /// Stress of a body as it is.
@@ -110,11 +119,12 @@ private:
   void keep_before();
   void go_back();
 
-  const Settings settings;
+  Settings settings;
   const std::unique_ptr<ShapeFunction> function;
   const Lattice<3> lattice; ///< of the mesh
   const HertzCompliance subgrid;
   const ContactPairs pairs;
+  const dealii::Tensor<1, 3> gravity;
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;

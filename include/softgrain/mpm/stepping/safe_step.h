@@ -2,6 +2,10 @@
 #ifndef softgrain_mpm_stepping_safe_step_h
 #define softgrain_mpm_stepping_safe_step_h
 
+#include <softgrain/mpm/body/body.h>
+
+#include <vector>
+
 namespace softgrain::mpm
 {
 struct Problem;
@@ -16,6 +20,9 @@ struct Workspace;
  * apart.
  */
 double safe_step(const Problem &problem, const State &state, const Workspace &work, double dt);
+
+/// Longest such step in space, where rays see walls and nothing is driven [s].
+double safe_step_in_space(const std::vector<Body<3>> &bodies, double dt);
 } // namespace softgrain::mpm
 
 #endif

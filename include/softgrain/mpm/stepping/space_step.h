@@ -23,6 +23,16 @@ struct SpaceContact
   double gap;                       ///< [m]
 };
 
+/// Sums since the start of what steps with inertia in space do.
+struct MotionBalance
+{
+  double scheme_damping = 0;    ///< see Balance of the plane [J]
+  double contact_loss = 0;      ///< taken by impacts and friction [J]
+  double gravity_work = 0;      ///< [J]
+  dealii::Tensor<1, 3> impulse; ///< of gravity and walls, and the momentum at the start [N s]
+  double largest_momentum = 0;  ///< of the nodes of a body [N s]
+};
+
 /// What steps in space change beside the bodies.
 struct SpaceProgress
 {
@@ -34,6 +44,7 @@ struct SpaceProgress
   double released_energy = 0;          ///< lost in held steps beside that, see Balance::released_energy [J]
   double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
   double rubbed = 0;                   ///< by friction, since the start [J]
+  MotionBalance motion;                ///< with inertia
   ContactKinks kinks;                  ///< of the last step
   double time = 0;                     ///< [s]
 };

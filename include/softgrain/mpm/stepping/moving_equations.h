@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_moving_equations_h
+#define softgrain_mpm_stepping_moving_equations_h
+
+#include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/space_equations.h>
+
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// The equations of a step with inertia in space.
+class MovingEquations final : public SpaceEquations
+{
+public:
+  /// @param slippery nothing rubs, so that balls keep their spins
+  MovingEquations(const std::vector<Body<3>> &bodies,
+                  const Settings &settings,
+                  SpaceWorkspace &work,
+                  const StepPlan &plan,
+                  const dealii::Tensor<1, 3> &gravity,
+                  bool slippery);
+
+  double rounding(const Body<3> &body, double contact) const override;
+  void assemble_exact(const Body<3> &body) override;
+  /// What the scheme takes from a body in the step as last evaluated [J].
+  double damping(unsigned int b, const Eigen::VectorXd &v) const
+  {
+    return inertia[b].damping(bodies[b], v, increment[b], internal[b]);
+  }
+  /// What keeps its spin takes [J].
+  double held_work(const unsigned int b) const { return inertia[b].held_work(increment[b]); }
+
+private:
+  Eigen::VectorXd increment_of(const Body<3> &body, const Eigen::VectorXd &v) const override
+  {
+    return inertia[body.index].increment(body, v);
+  }
+  void find_missing(const Body<3> &body, const Eigen::VectorXd &v) override;
+
+  std::vector<BodyInertia<3>> inertia;
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What SpaceModel tells of itself: walls, sums, energies, sizes, times.
+#include <softgrain/analysis/wall_position.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace softgrain::mpm
+{
+std::vector<WallState<3>> SpaceModel::walls() const
+{
+  std::vector<WallState<3>> states;
+  for (const DrivenWall &wall : driven)
+  {
+    WallState<3> state;
+    state.name = wall.description.name;
+    state.point = wall.point();
+    state.normal = wall.description.normal;
+    state.position = wall_position(state.point, state.normal);
+    state.velocity = wall.speed;
+    state.normal_force = wall.force;
+    states.push_back(state);
+  }
+  return states;
+}
+
+Energies SpaceModel::energies() const
+{
+  Energies energies;
+  energies.elastic = state.dent_energy;
+  for (const Body<3> &body : state.bodies)
+  {
+    energies.elastic +=
+        measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
+    if (settings.scheme.inertia)
+      energies.kinetic += body.kinetic_energy();
+  }
+  energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
+                        state.motion.scheme_damping + state.motion.contact_loss;
+  energies.external_work = state.motion.gravity_work;
+  for (const DrivenWall &wall : driven)
+    energies.external_work += wall.work;
+  return energies;
+}
+
+dealii::Tensor<1, 3> SpaceModel::momentum() const
+{
+  dealii::Tensor<1, 3> sum;
+  for (const Body<3> &body : state.bodies)
+    sum += body.momentum();
+  return sum;
+}
+
+double SpaceModel::momentum_error() const
+{
+  const double scale = std::max(state.motion.largest_momentum, state.motion.impulse.norm());
+  if (!settings.scheme.inertia || scale == 0.)
+    return std::numeric_limits<double>::quiet_NaN();
+  return (momentum() - state.motion.impulse).norm() / scale;
+}
+
+double SpaceModel::energy_of_rounding() const
+{
+  double sum = 0.;
+  for (const Body<3> &body : state.bodies)
+    sum += 1e-12 * body.law->young_modulus() * body.rest_area;
+  return sum;
+}
+
+StepState<3> SpaceModel::stress_of(const Body<3> &body) const
+{
+  StepState<3> stress;
+  Trial asked;
+  asked.tangent = false;
+  evaluate_stress(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()), asked, stress);
+  return stress;
+}
+
+double SpaceModel::solid_area() const
+{
+  double volume = 0.;
+  for (const Body<3> &body : state.bodies)
+  {
+    const StepState<3> stress = stress_of(body);
+    for (unsigned int p = 0; p < body.points.size(); ++p)
+      volume += body.points[p].rest_volume() * determinant(stress.gradient[p]);
+  }
+  return volume;
+}
+
+double SpaceModel::coordination() const
+{
+  // Partners and walls, once each.
+  std::set<std::array<unsigned int, 3>> pairs;
+  for (const SpaceContact &contact : state.contacts)
+  {
+    pairs.insert({{contact.body, contact.partner, contact.wall}});
+    if (contact.partner != ContactFrame<3>::none)
+      pairs.insert({{contact.partner, contact.body, contact.wall}});
+  }
+  return static_cast<double>(pairs.size()) / state.bodies.size();
+}
+
+std::size_t SpaceModel::n_points() const
+{
+  std::size_t n = 0;
+  for (const Body<3> &body : state.bodies)
+    n += body.n_points;
+  return n;
+}
+
+SizeReport SpaceModel::size_report() const
+{
+  std::ostringstream cells;
+  cells << settings.cell_size << " m";
+  std::size_t nodes = 0;
+  for (const Body<3> &body : state.bodies)
+    nodes += body.field.n_independent();
+  return {{"bodies", std::to_string(state.bodies.size())},
+          {"cell size", cells.str()},
+          {"material points", std::to_string(n_points())},
+          {"nodes", std::to_string(nodes)}};
+}
+
+std::vector<std::pair<std::string, double>> SpaceModel::works() const
+{
+  std::vector<std::pair<std::string, double>> columns;
+  for (const DrivenWall &wall : driven)
+    columns.emplace_back(wall.description.name + "_work_J", wall.work);
+  if (gravity.norm_square() > 0.)
+    columns.emplace_back("gravity_work_J", state.motion.gravity_work);
+  return columns;
+}
+
+std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
+{
+  if (!settings.scheme.inertia)
+    return {};
+  double rotational = 0.;
+  for (const Body<3> &body : state.bodies)
+  {
+    const WholeRotation<3> r = whole_rotation(body);
+    const Turn<3> rate = r.transpose() * body.velocity;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+      rotational += 0.5 * rate[axis] * rate[axis] * rotary_inertia(body, Eigen::VectorXd(r.col(axis)));
+  }
+  return {{"force_time_s", state.time - (1. - settings.scheme.theta) * last_dt},
+          {"contact_loss_J", state.motion.contact_loss},
+          {"rotational_energy_J", rotational},
+          {"scheme_damping_J", state.motion.scheme_damping},
+          {"regularisation_work_J", state.regularisation_work}};
+}
+
+std::map<std::string, double> SpaceModel::phases() const
+{
+  return timer->get_summary_data(dealii::TimerOutput::total_wall_time);
+}
+} // namespace softgrain::mpm

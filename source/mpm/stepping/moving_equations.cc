@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/moving_equations.h>
+#include <softgrain/mpm/stepping/stiffness.h>
+
+#include <limits>
+
+namespace softgrain::mpm
+{
+MovingEquations::MovingEquations(const std::vector<Body<3>> &bodies,
+                                 const Settings &settings,
+                                 SpaceWorkspace &work,
+                                 const StepPlan &plan,
+                                 const dealii::Tensor<1, 3> &gravity,
+                                 const bool slippery)
+    : SpaceEquations(bodies, settings, work, plan, false), inertia(bodies.size())
+{
+  work.share.for_mine(bodies,
+                      [&](const Body<3> &body)
+                      {
+                        const unsigned int b = body.index;
+                        if (!external_force(body, gravity, 0., external[b]))
+                          external[b].resize(0);
+                        inertia[b].begin(body, settings.scheme, plan.dt, slippery && body.boundary.circular,
+                                         external[b]);
+                      });
+}
+
+void MovingEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
+{
+  const unsigned int b = body.index;
+  inertia[b].find_missing(body, v, increment[b], internal[b], external[b], missing_impulse[b]);
+}
+
+double MovingEquations::rounding(const Body<3> &body, const double contact) const
+{
+  double moved = plan.dt * external[body.index].norm();
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    moved += std::abs(body.mass[i]) * body.velocity.segment<3>(3 * i).norm();
+  return SpaceEquations::rounding(body, contact) + std::numeric_limits<double>::epsilon() * moved;
+}
+
+void MovingEquations::assemble_exact(const Body<3> &body)
+{
+  const unsigned int b = body.index;
+  const double theta = settings.scheme.theta;
+  SystemMatrix &matrix = work.matrices[b];
+  matrix.set_zero();
+  add_stiffness(body, work.trial[b], theta * theta * plan.dt * plan.dt, matrix);
+  inertia[b].add_mass(body, matrix);
+  // A ball that is pulled has no stiffness against a turn to be taken back.
+  const double weight = inertia[b].held_weight(body, work.trial[b]);
+  work.solvers[b]->set_update(weight > 0. ? Eigen::MatrixXd(inertia[b].held())
+                                          : Eigen::MatrixXd(body.displacement.size(), 0),
+                              weight);
+}
+} // namespace softgrain::mpm

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/moving_equations.h>
+#include <softgrain/mpm/stepping/moving_step.h>
+#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/stress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softgrain::mpm
+{
+namespace
+{
+constexpr double most_given = 1e-3; ///< share of the energy of all bodies that contact may give in a step
+/// Energy of such a strain is within the tolerance of the contact problem.
+constexpr double floor_strain = 1e-6;
+
+class MovingStep : public SpaceRayStep
+{
+public:
+  MovingStep(SpaceState &state,
+             const SpaceScene &space,
+             const std::vector<WallMotion<3>> &motion,
+             const StepPlan &plan,
+             MovingEquations &equations);
+
+  std::string find();
+  void accept(SpaceState &state);
+
+private:
+  void note_contact_work();
+  std::string why_contact_gives() const;
+  void account_body(Body<3> &body, SpaceState &state);
+
+  MovingEquations &moving;
+  double wall_work = 0., taken = 0.; ///< by walls on the bodies, and of all by contact [J]
+};
+
+MovingStep::MovingStep(SpaceState &state,
+                       const SpaceScene &space,
+                       const std::vector<WallMotion<3>> &motion,
+                       const StepPlan &plan,
+                       MovingEquations &equations)
+    : SpaceRayStep(state, space, motion, plan, equations), moving(equations)
+{
+  for (const Body<3> &body : state.bodies)
+    scene.own_way.push_back(plan.dt * mpm::largest_way(body, body.velocity));
+}
+
+std::string MovingStep::find()
+{
+  if (std::string trouble = SpaceRayStep::find(); !trouble.empty())
+    return trouble;
+  note_contact_work();
+  return why_contact_gives();
+}
+
+void MovingStep::note_contact_work()
+{
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    if (const ContactFrame<3> &layout = frames[f].layout(); layout.partner == ContactFrame<3>::none)
+      for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+        wall_work += (force[f][k] * frames[f].resultant(k) + frames[f].in_space(k, rubbing[f][k])) *
+                     scene.way_of_wall(layout.wall);
+  taken = wall_work;
+  for (unsigned int b = 0; b < way.size(); ++b)
+    taken -= contact_forces(b).dot(way[b]);
+}
+
+std::string MovingStep::why_contact_gives() const
+{
+  double held = 0., floor = 0.;
+  for (const Body<3> &body : world.bodies)
+  {
+    held += body.kinetic_energy();
+    floor += floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
+  }
+  // Most steps end here; what is stored takes a look at every point.
+  if (-taken <= most_given * held + floor)
+    return "";
+  for (const Body<3> &body : world.bodies)
+    held +=
+        measure_points(body, Eigen::VectorXd(body.displacement + way[body.index]), way[body.index]).energy;
+  if (-taken <= most_given * held + floor)
+    return "";
+  return "contact would give the bodies " + short_number(-taken) + " J where they have " +
+         short_number(held) + " J";
+}
+
+void MovingStep::account_body(Body<3> &body, SpaceState &state)
+{
+  const unsigned int b = body.index;
+  MotionBalance &balance = state.motion;
+  spread_imbalance(body, moving.missing(b) + plan.dt * contact_forces(b), trial[b]);
+  balance.scheme_damping += moving.damping(b, trial[b]);
+  state.regularisation_work += moving.held_work(b);
+  if (const Eigen::VectorXd &load = moving.external[b]; load.size() > 0)
+  {
+    balance.gravity_work += load.dot(way[b]);
+    for (unsigned int i = 0; i < body.mass.size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        balance.impulse[d] += plan.dt * load[3 * i + d];
+  }
+  body.velocity = trial[b];
+  body.internal_force = moving.internal[b];
+  double moves = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    moves += std::abs(body.mass[i]) * body.velocity.segment<3>(3 * i).norm();
+  balance.largest_momentum = std::max(balance.largest_momentum, moves);
+}
+
+void MovingStep::accept(SpaceState &state)
+{
+  for (Body<3> &body : state.bodies)
+    account_body(body, state);
+  state.motion.contact_loss += taken;
+  accept_ways(state);
+  for (const SpaceContact &contact : state.contacts)
+    if (contact.partner == ContactFrame<3>::none)
+      state.motion.impulse += plan.dt * contact.force;
+}
+} // namespace
+
+StepOutcome moving_step(SpaceState &state,
+                        const SpaceScene &scene,
+                        const std::vector<WallMotion<3>> &motion,
+                        const dealii::Tensor<1, 3> &gravity,
+                        const double dt)
+{
+  const StepPlan plan{dt, false, 0.};
+  MovingEquations equations(state.bodies, scene.settings, scene.work, plan, gravity,
+                            scene.pairs.frictionless());
+  MovingStep step(state, scene, motion, plan, equations);
+  return try_ray_step(step, false, std::numeric_limits<double>::max(), state);
+}
+} // namespace softgrain::mpm
