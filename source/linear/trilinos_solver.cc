@@ -60,6 +60,8 @@ public:
     return true;
   }
 
+  std::optional<unsigned int> n_negative() const override { return std::nullopt; }
+
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
   {
     const std::lock_guard<std::mutex> lock(trilinos_in_use());

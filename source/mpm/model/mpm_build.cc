@@ -2,6 +2,7 @@
 // How MpmModel is built from a scene and its settings.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/linear/counting_solver.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/body/refinement.h>
@@ -149,8 +150,10 @@ void MpmModel::prepare_solver(const Body<2> &body)
                          state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
   SystemMatrix &matrix = work.matrices[body.index];
   lay_out_stiffness(body.field, matrix, settings.meets_by_rays());
-  work.solvers[body.index] =
-      std::make_unique<RankOneSolver>(create_linear_solver(settings.linear_solver, matrix, 2, condensed));
+  std::unique_ptr<LinearSolver> solver = create_linear_solver(settings.linear_solver, matrix, 2, condensed);
+  if (condensed && !settings.scheme.inertia)
+    solver = std::make_unique<CountingSolver>(std::move(solver));
+  work.solvers[body.index] = std::make_unique<RankOneSolver>(std::move(solver));
 }
 
 void MpmModel::cover_points()
