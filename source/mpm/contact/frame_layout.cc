@@ -15,6 +15,7 @@ namespace
 constexpr double steepest = 2.5;
 constexpr double deepest = 0.5;         ///< overlap of surfaces that meet [cells]
 constexpr double beside_corners = 0.05; ///< no new ray meets a side nearer to a corner [cells]
+constexpr double thin_from = 0.04;      ///< overlap that may be the thickness of something thin [cells]
 constexpr unsigned int tries = 4;       ///< places from which a ray looks for a surface
 } // namespace
 
@@ -168,6 +169,37 @@ bool FrameLayout<dim>::near_corner(const ContactFrame<dim> &frame,
   return false;
 }
 
+/// Whether a ray, from where it has met the body, or the partner, leaves it again before both are as far
+/// beyond as they seem to be deep in each other. Then what overlaps is no matter, but the far side of
+/// something thin: of a sharp tip that stands on the near side of a line.
+template <int dim>
+bool FrameLayout<dim>::far_side(const ContactFrame<dim> &frame,
+                                const Across &offset,
+                                const std::array<double, 2> &height) const
+{
+  const double overlap = height[0] - height[1], beside = 0.5 * thin_from * scene.cell_size;
+  if (dim == 3 || partner == nullptr || frame.partner == frame.body || overlap < 2. * beside)
+    return false; // of a body and itself the other side lies in between
+  const auto leaves = [&](const unsigned int side, const double from, const double to)
+  {
+    const std::vector<typename SampledSurface<dim>::Sample> &samples = surface(side).samples;
+    for (const auto &[i, j] : surface(side).neighbours)
+    {
+      const Vector first = samples[i].position - frame.origin, second = samples[j].position - frame.origin;
+      const double a = first * frame.across[0] - offset[0], b = second * frame.across[0] - offset[0];
+      if ((a < 0.) == (b < 0.))
+        continue;
+      const double at = (first * frame.direction * b - second * frame.direction * a) / (b - a),
+                   outwards = (samples[i].normal + samples[j].normal) * frame.direction;
+      if (at > from && at < to && (side == 0 ? outwards < 0. : outwards > 0.))
+        return true;
+    }
+    return false;
+  };
+  return leaves(1, height[1] + beside, height[0] + overlap) ||
+         (scene.line_of(frame) == nullptr && leaves(0, height[1] - overlap, height[0] - beside));
+}
+
 template <int dim>
 void FrameLayout<dim>::lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
 {
@@ -208,6 +240,8 @@ void FrameLayout<dim>::lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &
     const double gap = height[1] - height[0];
     // No step ends with bodies as deep in each other: what looks so is the far side of a thin body.
     if ((gap > scene.reach_of(frame) || gap < -deepest * scene.cell_size) && place.force <= 0.)
+      continue;
+    if (place.force <= 0. && far_side(frame, frame.offset(index), height))
       continue;
     rays.push_back(place);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -14,6 +15,8 @@ namespace
 {
 constexpr unsigned int none = ContactFrame<2>::none;
 constexpr double facing_plane = 0.5; ///< least cosine between an outline's normal and what it faces
+constexpr double another_direction = 0.70710678118654752; ///< cosine of 45 degrees
+constexpr double beyond_corner = 0.26;                    ///< 15 degrees [rad]
 } // namespace
 
 SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outline)
@@ -155,13 +158,57 @@ std::vector<FrameStretch<dim>> stretches_between(const SampledSurface<dim> &part
   return result;
 }
 
+namespace
+{
+/// A corner with one of the samples that it faces.
+template <int dim>
+struct CornerFacing
+{
+  double distance = 0.; ///< [m]
+  double turned = 0.;   ///< of the other normal against the middle of the corner's [rad]
+  double beyond = 0.;   ///< of it against the corner's nearest normal [rad]
+  FrameStretch<dim> stretch;
+};
+
+/// The nearest, and those that are as good as touched too, in another direction: a tip in a dent meets both
+/// of its sides. Of what is as near, as both sides of a line are, the one counts that the corner faces more.
+/// @param near distance up to which there are others [m]
+template <int dim>
+void choose(std::vector<CornerFacing<dim>> all, const double near, std::vector<FrameStretch<dim>> &stretches)
+{
+  const double same = 1e-9 * near;
+  std::vector<dealii::Tensor<1, dim>> taken;
+  while (!all.empty())
+  {
+    const auto best = std::min_element(all.begin(), all.end(),
+                                       [](const auto &a, const auto &b) { return a.distance < b.distance; });
+    const double least = best->distance + same;
+    const auto first = std::min_element(all.begin(), all.end(),
+                                        [&](const auto &a, const auto &b)
+                                        {
+                                          if ((a.distance <= least) != (b.distance <= least))
+                                            return a.distance <= least;
+                                          return a.turned < b.turned;
+                                        });
+    taken.push_back(first->stretch.direction);
+    stretches.push_back(std::move(first->stretch));
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const auto &other)
+                             {
+                               return other.distance > near || other.beyond > beyond_corner ||
+                                      other.stretch.direction * taken.back() > another_direction;
+                             }),
+              all.end());
+  }
+}
+} // namespace
+
 template <int dim>
 void add_corners(const SampledSurface<dim> *partner,
                  const SampledSurface<dim> &body,
                  std::vector<FrameStretch<dim>> &stretches)
 {
-  std::map<std::pair<unsigned int, unsigned int>, FrameStretch<dim>> corners; // by side and sample
-  std::map<std::pair<unsigned int, unsigned int>, double> nearest;
+  std::map<std::pair<unsigned int, unsigned int>, std::vector<CornerFacing<dim>>> corners; // by side, sample
   for (const FrameStretch<dim> &stretch : stretches)
     for (const auto &pair : stretch.facing)
       for (unsigned int side = partner == nullptr ? 1 : 0; side < 2; ++side)
@@ -169,31 +216,29 @@ void add_corners(const SampledSurface<dim> *partner,
         const typename SampledSurface<dim>::Sample &own = (side == 0 ? *partner : body).samples[pair[side]];
         if (own.corner == 0.)
           continue;
-        FrameStretch<dim> corner;
+        CornerFacing<dim> facing;
+        FrameStretch<dim> &corner = facing.stretch;
         corner.direction = stretch.direction;
         corner.middle = own.position;
         // The ray may meet what lies beside the sample that is nearest.
         corner.facing = stretch.facing;
         std::swap(corner.facing.front(), *std::find(corner.facing.begin(), corner.facing.end(), pair));
         corner.corner = side;
-        double distance = 0.;
         if (partner != nullptr)
         {
           const typename SampledSurface<dim>::Sample &other =
               (side == 0 ? body : *partner).samples[pair[1 - side]];
-          distance = own.position.distance(other.position);
+          facing.distance = own.position.distance(other.position);
+          facing.turned = std::acos(std::clamp(-(own.normal * other.normal), -1., 1.));
+          facing.beyond = facing.turned - own.corner - other.corner;
           if (other.corner == 0.)
             corner.direction = side == 0 ? -other.normal : other.normal;
         }
-        const auto at = std::make_pair(side, pair[side]);
-        const auto known = nearest.find(at);
-        if (known != nearest.end() && known->second <= distance)
-          continue;
-        nearest[at] = distance;
-        corners[at] = corner;
+        corners[std::make_pair(side, pair[side])].push_back(std::move(facing));
       }
-  for (auto &[at, corner] : corners)
-    stretches.push_back(std::move(corner));
+  const double near = partner == nullptr ? body.spacing : std::max(body.spacing, partner->spacing);
+  for (auto &[at, facing] : corners)
+    choose(std::move(facing), near, stretches);
 }
 
 SampledSurface<2> part_in(const dealii::BoundingBox<2> &box, const SampledSurface<2> &surface)

@@ -68,7 +68,7 @@ void add_nearest(const SampledSurface<dim> &a,
   for (const unsigned int i : of_a)
   {
     const auto &sample = a.samples[i];
-    double nearest = radius;
+    double nearest = radius, least_turned = pi;
     unsigned int best = b.samples.size();
     for (auto next = std::lower_bound(ordered.begin(), ordered.end(), sample.position[0] - radius,
                                       [&](const unsigned int j, const double x)
@@ -77,14 +77,20 @@ void add_nearest(const SampledSurface<dim> &a,
     {
       const unsigned int j = *next;
       const auto &other = b.samples[j];
-      const double distance = sample.position.distance(other.position);
-      if (distance > nearest || (distance == nearest && j > best))
+      const double distance = sample.position.distance(other.position), same = 1e-9 * b.spacing;
+      if (distance > nearest + same)
         continue;
-      if (angle_between(-(sample.normal * other.normal)) > opposed_within + sample.corner + other.corner)
+      const double turned = angle_between(-(sample.normal * other.normal));
+      if (turned > opposed_within + sample.corner + other.corner)
+        continue;
+      // Both sides of a line are as near to a corner.
+      if (best < b.samples.size() && distance >= nearest - same &&
+          (turned > least_turned || (turned == least_turned && j > best)))
         continue;
       if (may_face && !(swapped ? may_face(j, i) : may_face(i, j)))
         continue;
       nearest = distance;
+      least_turned = turned;
       best = j;
     }
     if (best < b.samples.size())

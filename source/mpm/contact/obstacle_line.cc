@@ -11,24 +11,86 @@ namespace
 {
 using Vector = dealii::Tensor<1, 2>;
 
-/// Gives a sample where @p piece begins in a corner the normal and the angle of the corner.
-void make_corner(const LineSurface &surface,
-                 const unsigned int piece,
-                 const Pose &pose,
-                 SampledSurface<2>::Sample &sample)
+/// The turn where one comes to a piece.
+struct Turn
 {
-  const unsigned int last = surface.previous(piece);
-  const Vector before = surface.at(last, surface.length(last)).tangent[0],
-               after = surface.at(piece, 0.).tangent[0];
-  const double turn = before[0] * after[1] - before[1] * after[0], cosine = before * after;
-  // At an end of the line it turns back.
-  const bool turns_back = cosine < -1. + 1e-12;
-  Vector normal = turns_back ? before : Vector({before[1] + after[1], -before[0] - after[0]});
+  Turn(const LineSurface &surface, const unsigned int piece)
+      : last(surface.previous(piece))
+      , before(surface.at(last, surface.length(last)).tangent[0])
+      , after(surface.at(piece, 0.).tangent[0])
+  {
+  }
+  double cosine() const { return before * after; }
+  /// At an end of the line it turns back.
+  bool turns_back() const { return cosine() < -1. + 1e-12; }
+  /// What is a dent has no cone of normals: there are those of both sides alone.
+  bool is_dent() const { return !turns_back() && before[0] * after[1] - before[1] * after[0] < 0.; }
+
+  const unsigned int last; ///< piece
+  const Vector before, after;
+};
+
+/// Gives a sample where a piece begins in a corner the normal and the angle of the corner.
+void make_corner(const Turn &turn, const Pose &pose, SampledSurface<2>::Sample &sample)
+{
+  const Vector normal = turn.turns_back()
+                            ? turn.before
+                            : Vector({turn.before[1] + turn.after[1], -turn.before[0] - turn.after[0]});
   sample.normal = pose.turned(normal / normal.norm(), pose.angle);
-  // What is a dent has no cone of normals.
-  if (turn > 0. || turns_back)
-    sample.corner = 0.5 * std::acos(std::clamp(cosine, -1., 1.));
+  sample.corner = 0.5 * std::acos(std::clamp(turn.cosine(), -1., 1.));
 }
+
+SampledSurface<2>::Sample sample_of(const SurfacePlace<2> &place, const Pose &pose)
+{
+  SampledSurface<2>::Sample sample;
+  sample.place = place;
+  sample.position = pose.placed(place.position);
+  sample.normal = pose.turned(place.normal, pose.angle);
+  return sample;
+}
+
+/// A line whose sides go on straight beyond dents: there the other side of the dent holds what comes, and a
+/// trial that goes too far must find the first side still. What is the end of a step ends with the side.
+class BeyondDents final : public RestSurface<2>
+{
+public:
+  /// @param share of the shorter side at a dent by which the other one goes on
+  BeyondDents(const LineSurface &line, const double share) : line(line), share(share) {}
+
+  SurfacePlace<2> move(const SurfacePlace<2> &place, const dealii::Tensor<1, 1> &way) const override
+  {
+    const double along = place.along + way[0], length = line.length(place.piece);
+    SurfacePlace<2> moved = line.move(place, way);
+    const double wanted = along < 0. ? along : along > length ? along - length : 0.;
+    if (wanted == 0. || moved.piece != place.piece)
+      return moved;
+    // The piece that begins in the corner.
+    const unsigned int piece = wanted < 0. ? place.piece : following(place.piece);
+    const Turn turn(line, piece);
+    if (!turn.is_dent())
+      return moved;
+    const double most = share * std::min(line.length(piece), line.length(turn.last)),
+                 by = std::clamp(wanted, -most, most);
+    moved.position += by * moved.tangent[0];
+    moved.along += by;
+    moved.bend[0][0] = 0.;
+    moved.at_edge = by != wanted;
+    return moved;
+  }
+  SurfacePlace<2> beyond_edge(const SurfacePlace<2> &place) const override { return line.beyond_edge(place); }
+
+private:
+  unsigned int following(const unsigned int piece) const
+  {
+    unsigned int next = 0;
+    while (line.previous(next) != piece)
+      ++next;
+    return next;
+  }
+
+  const LineSurface &line;
+  const double share;
+};
 } // namespace
 
 LineSurface surface_of(const Obstacle &obstacle)
@@ -67,19 +129,26 @@ SampledSurface<2> ObstacleLine::samples(const double spacing) const
     const double length = surface.length(piece);
     const unsigned int parts = std::max(1., std::ceil(length / spacing));
     first[piece] = result.samples.size();
-    last[piece] = first[piece] + parts - 1;
+    const auto add = [&](const SampledSurface<2>::Sample &sample)
+    {
+      if (result.samples.size() > first[piece])
+        result.neighbours.emplace_back(result.samples.size() - 1, result.samples.size());
+      result.samples.push_back(sample);
+    };
     for (unsigned int i = 0; i < parts; ++i)
     {
-      SampledSurface<2>::Sample sample;
-      sample.place = surface.at(piece, i * length / parts);
-      sample.position = pose.placed(sample.place.position);
-      sample.normal = pose.turned(sample.place.normal, pose.angle);
+      SampledSurface<2>::Sample sample = sample_of(surface.at(piece, i * length / parts), pose);
       if (i == 0 && surface.corner_before(piece))
-        make_corner(surface, piece, pose, sample);
-      else if (i > 0)
-        result.neighbours.emplace_back(first[piece] + i - 1, first[piece] + i);
-      result.samples.push_back(sample);
+      {
+        const Turn turn(surface, piece);
+        if (turn.is_dent())
+          add(sample_of(surface.at(turn.last, surface.length(turn.last)), pose));
+        else
+          make_corner(turn, pose, sample);
+      }
+      add(sample);
     }
+    last[piece] = result.samples.size() - 1;
   }
   for (unsigned int piece = 0; piece < 2 * n; ++piece)
     result.neighbours.emplace_back(last[surface.previous(piece)], first[piece]);
@@ -94,7 +163,8 @@ RaySide<2> ObstacleLine::meet(const Ray<2> &ray, const double share, const Surfa
   drawn.origin = pose.drawn(ray.origin);
   drawn.direction = turn(ray.direction, -pose.angle);
   drawn.across[0] = turn(ray.across[0], -pose.angle);
-  RaySide<2> side = mpm::meet(drawn, surface, guess);
+  // Where a step begins, tolerances of the one before may lie beyond a dent.
+  RaySide<2> side = mpm::meet(drawn, BeyondDents(surface, share > 0. ? 0.05 : 1e-4), guess);
   side.normal = turn(side.normal, pose.angle);
   side.way[0] = turn(side.way[0], pose.angle);
   // A rigid surface bends along its tangent alone.

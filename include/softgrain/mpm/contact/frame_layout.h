@@ -61,6 +61,8 @@ private:
                  typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
   bool near_corner(const ContactFrame<dim> &frame, unsigned int side, const SurfacePlace<dim> &place) const;
+  bool
+  far_side(const ContactFrame<dim> &frame, const Across &offset, const std::array<double, 2> &height) const;
   bool meet_side(const FrameStretch<dim> &stretch,
                  const ContactFrame<dim> &frame,
                  unsigned int side,
