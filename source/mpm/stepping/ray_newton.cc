@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/interruption.h>
+#include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/ray_newton.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace softgrain::mpm
@@ -18,7 +20,7 @@ constexpr unsigned int most_rises = 8;
 constexpr double back_from = 100.;         ///< rise from which on a step begins anew
 constexpr double keeps_dents_from = 0.3;   ///< resistance
 constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
-constexpr double longest_way = 0.3;        ///< of a node in an iteration [cells]
+constexpr double longest_way = 0.3;        ///< of a place under a ray in an iteration [cells]
 } // namespace
 
 template <int dim>
@@ -111,14 +113,45 @@ bool RayNewton<dim>::keep_dents()
   return dents_kept = true;
 }
 
-/// Whether a node would go further than rays have looked.
+/// Whether a surface would go further than rays have looked.
 template <int dim>
 bool RayNewton<dim>::goes_too_far(const Vectors &direction) const
 {
-  double farthest = 0.;
-  for (unsigned int b = 0; b < way.size(); ++b)
-    farthest = std::max(farthest, (way[b] + direction[b]).template lpNorm<Eigen::Infinity>());
-  return farthest > scene.reach;
+  const auto ways = world.share.template numbers<1>(
+      world.bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        return std::array<double, 1>{mpm::largest_way(body, Eigen::VectorXd(way[b] + direction[b]))};
+      });
+  return std::any_of(ways.begin(), ways.end(), [&](const auto &of_body) { return of_body[0] > scene.reach; });
+}
+
+template <int dim>
+typename RayNewton<dim>::Farthest RayNewton<dim>::farthest(const Vectors &direction) const
+{
+  const auto ways = world.share.template numbers<2>(
+      world.bodies,
+      [&](const Body<dim> &body)
+      {
+        const unsigned int b = body.index;
+        double under_rays = 0.;
+        for (const auto &[f, side] : system.frames_of[b])
+          for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
+            if (force[f][k] != 0. || system.found[f][k] != 0.)
+              under_rays = std::max(under_rays, frames[f].ray(k).side[side].function.at(direction[b]).norm());
+        return std::array<double, 2>{
+            under_rays, system.frames_of[b].empty() ? 0. : direction[b].template lpNorm<Eigen::Infinity>()};
+      });
+  Farthest result;
+  for (const auto &[under_rays, node] : ways)
+  {
+    result.place = std::max(result.place, under_rays);
+    result.node = std::max(result.node, node);
+  }
+  for (unsigned int w = 0; w < system.ways.size(); ++w)
+    result.place = std::max(result.place, std::abs(system.found_ways[w] - system.ways[w].at));
+  return result;
 }
 
 template <int dim>
@@ -159,17 +192,11 @@ std::string RayNewton<dim>::iterate()
       return why_not();
   }
   right_inertia = true;
-  double largest = 0.;
-  for (unsigned int b = 0; b < direction.size(); ++b)
-    if (!system.frames_of[b].empty()) // the others meet nothing on their way
-      largest = std::max(largest, direction[b].template lpNorm<Eigen::Infinity>());
+  const Farthest largest = farthest(direction);
   std::vector<double> gone;
-  for (unsigned int w = 0; w < system.ways.size(); ++w)
-  {
-    gone.push_back(system.ways[w].at);
-    largest = std::max(largest, std::abs(system.found_ways[w] - gone[w]));
-  }
-  double share = largest > longest_way * h ? longest_way * h / largest : 1.;
+  for (const FreeWay<dim> &free : system.ways)
+    gone.push_back(free.at);
+  double share = largest.place > longest_way * h ? longest_way * h / largest.place : 1.;
   const RayForces before = force;
   const RayFriction<dim> rubbed = rubbing;
   const Vectors from = way;
@@ -177,7 +204,7 @@ std::string RayNewton<dim>::iterate()
   {
     if (halving == most_halvings)
       return "no way along Newton's direction: " + why_not();
-    path += share * largest;
+    path += share * std::max(largest.place, largest.node);
     for (unsigned int b = 0; b < way.size(); ++b)
       way[b] = from[b] + share * direction[b];
     for (unsigned int f = 0; f < force.size(); ++f)

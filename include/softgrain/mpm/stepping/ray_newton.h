@@ -74,6 +74,13 @@ private:
   bool go_back();
   bool keep_dents();
   bool goes_too_far(const Vectors &direction) const;
+  /// The largest ways of an iteration [m]. Nodes on the rim of a body may go far and move nothing.
+  struct Farthest
+  {
+    double place = 0.; ///< of a place that is under a ray, or of a wall: how far contact has been foreseen
+    double node = 0.;  ///< of a node of a body that meets something: no place goes further
+  };
+  Farthest farthest(const Vectors &direction) const;
   void find_direction(Vectors &direction);
   std::string iterate();
 
