@@ -251,6 +251,30 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
 }
 
 template <int dim>
+bool FrameSystem<dim>::settle_with_dents(const double cell_size, const unsigned int negative_of_bodies)
+{
+  if (softening.empty())
+    return settle(cell_size, negative_of_bodies);
+  const auto active_before = active;
+  const auto slipping_before = slipping;
+  const std::size_t n_own = own.size();
+  own.insert(own.end(), softening.begin(), softening.end());
+  const auto add_gaps = [this](const double factor)
+  {
+    for (const auto &[i, way] : softening_gap)
+      right[i] += factor * way;
+  };
+  add_gaps(1.);
+  if (settle(cell_size, negative_of_bodies))
+    return true;
+  own.resize(n_own);
+  add_gaps(-1.);
+  active = active_before;
+  slipping = slipping_before;
+  return settle(cell_size, negative_of_bodies);
+}
+
+template <int dim>
 bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative_of_bodies)
 {
   right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
@@ -258,7 +282,7 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
     for (unsigned int i = 0; i < of_body[b].size(); ++i)
       right[of_body[b][i]] -= moved[b][i];
   by_threshold = false;
-  bool settled = settle(cell_size, negative_of_bodies);
+  bool settled = settle_with_dents(cell_size, negative_of_bodies);
   if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)
   {
     // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets

@@ -167,6 +167,22 @@ void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
   any_slides = true;
 }
 
+/// What the dents of a frame make of its rays, columns from @p first to @p end.
+template <int dim>
+void FrameSystem<dim>::add_dent(const FrameState<dim> &frame,
+                                const unsigned int first,
+                                const unsigned int end)
+{
+  const double slope = frame.dent_slope();
+  for (unsigned int i = first; i < end; ++i)
+  {
+    if (slope < 0.)
+      softening_gap.emplace_back(i, slope * frame.total_force());
+    for (unsigned int j = first; j <= i; ++j)
+      (slope < 0. ? softening : own).emplace_back(i, j, slope);
+  }
+}
+
 template <int dim>
 void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
                                    const std::vector<FrameState<dim>> &frames,
@@ -193,7 +209,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
     columns.back().pull = ray.pull;
     active.push_back(frame.closed(k, force[f][k]) || frame.free_gap(k) < 0.);
-    gap.push_back(frame.free_gap(k) - frame.dent_slope() * frame.total_force());
+    gap.push_back(frame.free_gap(k) - std::max(0., frame.dent_slope()) * frame.total_force());
   }
   const unsigned int motion_of_rays = columns.size();
   if (motion_of_rays == first)
@@ -207,9 +223,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
   if (frame.rides())
     add_motion(frame, force[f], first, f);
   if (frame.dent_slope() != 0.)
-    for (unsigned int i = first; i < motion_of_rays; ++i)
-      for (unsigned int j = first; j <= i; ++j)
-        own.emplace_back(i, j, frame.dent_slope());
+    add_dent(frame, first, motion_of_rays);
   for (unsigned int w = 0; w < ways.size(); ++w)
   {
     const std::array<typename FrameState<dim>::Vector, 2> moves = ways[w].moves(scene, frame);
@@ -300,6 +314,8 @@ void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
 {
   columns.clear();
   own.clear();
+  softening.clear();
+  softening_gap.clear();
   for (auto &list : of_body)
     list.clear();
   active.clear();

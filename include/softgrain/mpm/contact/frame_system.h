@@ -59,6 +59,10 @@ using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
  * way by -s_1 / T_1 > 0. The next d is the direction of T - k s, with the stiffness k of the bodies. A ray
  * that begins to slip does so along its T, and gives way across it by (|T| / (mu' P) - 1) / k.
  *
+ * A dent that the grid misses may become smaller under a larger force. Of a set with too many rays, which
+ * gives way less than the true one, that makes something that gives way the wrong way round, and the sets do
+ * not settle. Then dents stay as they are for this iteration.
+ *
  * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
  * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
  */
@@ -150,6 +154,7 @@ private:
   {
     return columns[i].component == 1 && slips(i - 1) != 0 ? columns[i].give : 0.;
   }
+  void add_dent(const FrameState<dim> &frame, unsigned int first, unsigned int end);
   void add_columns(const FrameScene<dim> &scene,
                    const std::vector<FrameState<dim>> &frames,
                    const RayForces &force,
@@ -204,6 +209,8 @@ private:
   bool walls_stay(const Eigen::VectorXd &here);
   /// Solves and changes sides until none is wrong. @return whether that came to an end
   bool settle(double cell_size, unsigned int negative_of_bodies);
+  /// The same, first with the exact law of dents, then where that does not end without what makes it softer.
+  bool settle_with_dents(double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
   {
@@ -258,6 +265,9 @@ private:
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::VectorXd> moved;      ///< V^T y
   std::vector<Eigen::Triplet<double>> own; ///< Q
+  /// What dents that become smaller under a larger force take from Q and from the gaps of rays.
+  std::vector<Eigen::Triplet<double>> softening;
+  std::vector<std::pair<unsigned int, double>> softening_gap; ///< column, way [m]
   std::vector<double> gap;
   std::vector<char> active;                       ///< a slide where its ray is
   std::vector<std::vector<signed char>> slipping; ///< of all rays: sign of the friction, or 0
