@@ -230,13 +230,7 @@ public:
     return twice_by(force, {{as_motion(m), as_motion(m)}}, {{as_motion(n), as_motion(n)}});
   }
   /// What a unit force of a ray does to the body as a whole; the partner feels the opposite.
-  Vector resultant(unsigned int k) const
-  {
-    Vector sum = rays[k].side[1].normal;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      sum += rays[k].by_motion[m] * by_whole_side(1, m);
-    return sum;
-  }
+  Vector resultant(unsigned int k) const;
   /// tau [N/m].
   Across tangential(const std::vector<double> &force) const;
 
@@ -252,29 +246,11 @@ public:
     return along_slides(k, moves[1] - moves[0]);
   }
   /// Components of a vector along RayHere::e.
-  Across along_slides(const unsigned int k, const Vector &way) const
-  {
-    Across result;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      result[m] = rays[k].e[m] * way;
-    return result;
-  }
+  Across along_slides(unsigned int k, const Vector &way) const;
   /// The vector that stands at @p way in the directions of RayHere::e.
-  Vector in_space(const unsigned int k, const Across &way) const
-  {
-    Vector result;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      result += way[m] * rays[k].e[m];
-    return result;
-  }
+  Vector in_space(unsigned int k, const Across &way) const;
   /// What it does to the mean motion across the rays.
-  Across motion_by(const std::array<Vector, 2> &moves) const
-  {
-    Across result;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      result[m] = by_whole_side(0, m) * moves[0] + by_whole_side(1, m) * moves[1];
-    return result;
-  }
+  Across motion_by(const std::array<Vector, 2> &moves) const;
 
   /// Adds those of its rays, after a step without inertia.
   void
@@ -295,19 +271,7 @@ private:
     return unknown(0) == none ? side : 0.5;
   }
   /// What a motion of a whole side does to component @p m of c.
-  Vector by_whole_side(const unsigned int side, const unsigned int m) const
-  {
-    if (!follows)
-      return share(side) * frame.across[m];
-    if (side == 0 && flat_partner())
-      return Vector();
-    const dealii::Tensor<2, dim - 1> by_difference = invert(change_of_slope());
-    Vector sum;
-    for (unsigned int n = 0; n < dim - 1; ++n)
-      sum += sign(side) * by_difference[m][n] *
-             (beside[2 * n].side[side].normal - beside[2 * n + 1].side[side].normal);
-    return sum;
-  }
+  Vector by_whole_side(unsigned int side, unsigned int m) const;
   /// The change of the gap's slope across a contact that is followed, from half a spacing before it to half a
   /// spacing behind it: for every direction across the rays what the frame's motion does to the difference of
   /// these two gaps.
@@ -319,13 +283,7 @@ private:
     return change;
   }
   /// Difference of these gaps, in every direction [m].
-  Across difference_beside() const
-  {
-    Across difference;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      difference[m] = beside[2 * m + 1].gap - beside[2 * m].gap;
-    return difference;
-  }
+  Across difference_beside() const;
   /// Whether the partner is a wall.
   bool flat_partner() const { return frame.partner == none && line == nullptr; }
   /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
@@ -432,5 +390,7 @@ private:
   double widest = 0.;        ///< force beyond which the contact is not narrow [N/m^(3-dim)]
 };
 } // namespace softgrain::mpm
+
+#include <softgrain/mpm/contact/frame_state.templates.h>
 
 #endif

@@ -209,7 +209,7 @@ private:
   bool walls_stay(const Eigen::VectorXd &here);
   /// Solves and changes sides until none is wrong. @return whether that came to an end
   bool settle(double cell_size, unsigned int negative_of_bodies);
-  /// The same, first with the exact law of dents, then where that does not end without what makes it softer.
+  /// Settles with the exact law of dents, and where that does not end without the dents that soften.
   bool settle_with_dents(double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
   double most_friction(const unsigned int i) const
