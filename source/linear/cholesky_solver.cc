@@ -18,10 +18,11 @@ CholeskySolver::~CholeskySolver() = default;
 
 bool CholeskySolver::factorize(SystemMatrix &matrix)
 {
-  if (matrix.pattern_is_new())
+  if (!analyzed || matrix.pattern_is_new())
   {
     factor->ldlt.analyzePattern(matrix.lower());
     matrix.clear_pattern_flag();
+    analyzed = true;
   }
   factor->ldlt.factorize(matrix.lower());
   return factor->ldlt.info() == Eigen::Success;

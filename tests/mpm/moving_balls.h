@@ -4,9 +4,7 @@
 #define softgrain_tests_mpm_moving_balls_h
 
 #include "gel.h"
-#include "scene_of.h"
-
-#include <softgrain/mpm/model/space_model.h>
+#include "space_model_of.h"
 
 #include <iostream>
 
@@ -44,15 +42,13 @@ end
 
 struct MovingBalls
 {
-  MovingBalls(const std::string &text, std::vector<std::string> changes)
+  MovingBalls(const std::string &text, const std::vector<std::string> &changes)
   {
     std::ofstream("scene.prm") << text;
-    changes.insert(changes.begin(), "Output directory=results");
-    Input input("scene.prm", changes);
-    model = input.create_model_in_space();
+    model = model_of("scene.prm", changes);
   }
 
-  const SpaceState &state() const { return dynamic_cast<const SpaceModel &>(*model).space(); }
+  const SpaceState &state() const { return state_of(*model); }
 
   dealii::Tensor<1, 3> velocity(const unsigned int b) const
   {

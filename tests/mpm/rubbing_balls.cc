@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Balls that rub. Two of them in a box that becomes lower, with friction between all: each is in balance of
 // forces and of torques, no contact bears more than its friction, and what walls do is stored or rubbed away.
-// the same. A ball that two rough plates hold and a smooth wall pushes gives way when both bear their
-// friction.
+// The mirror image of the two balls, the same with their names exchanged, and with two threads, is the same
+// within what is said below. A ball that two rough plates hold and a smooth wall pushes gives way when both
+// bear their friction.
 #include "two_balls.h"
 
 #include <softgrain/base/parallel.h>

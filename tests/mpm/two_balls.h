@@ -5,9 +5,7 @@
 #define softgrain_tests_mpm_two_balls_h
 
 #include "gel.h"
-#include "scene_of.h"
-
-#include <softgrain/mpm/model/space_model.h>
+#include "space_model_of.h"
 
 #include <iostream>
 #include <map>
@@ -66,18 +64,6 @@ subsection Stop
   set End time = 2.5
 end
 )";
-
-inline std::unique_ptr<Model<3>> model_of(const std::string &file, std::vector<std::string> changes)
-{
-  changes.insert(changes.begin(), "Output directory=results");
-  Input input(file, changes);
-  return input.create_model_in_space();
-}
-
-inline const SpaceState &state_of(const Model<3> &model)
-{
-  return dynamic_cast<const SpaceModel &>(model).space();
-}
 
 /// The largest force that is left over on a ball, over the mean force of a contact, or over a force that
 /// counts, see unbalanced_rays().

@@ -21,6 +21,7 @@ public:
 private:
   struct Factor;
   std::unique_ptr<Factor> factor;
+  bool analyzed = false;
 };
 } // namespace softgrain
 

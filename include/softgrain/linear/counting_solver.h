@@ -2,7 +2,9 @@
 #ifndef softgrain_linear_counting_solver_h
 #define softgrain_linear_counting_solver_h
 
-#include <softgrain/linear/linear_solver.h>
+#include <softgrain/linear/cholesky_solver.h>
+
+#include <utility>
 
 namespace softgrain
 {
@@ -16,8 +18,7 @@ namespace softgrain
 class CountingSolver final : public LinearSolver
 {
 public:
-  explicit CountingSolver(std::unique_ptr<LinearSolver> solver);
-  ~CountingSolver() override;
+  explicit CountingSolver(std::unique_ptr<LinearSolver> solver) : inner(std::move(solver)) {}
 
   bool factorize(SystemMatrix &matrix) override;
   std::optional<unsigned int> n_negative() const override { return negative; }
@@ -25,9 +26,8 @@ public:
   void condense(const Rows &rows, Eigen::MatrixXd &W) override { inner->condense(rows, W); }
 
 private:
-  struct Factor;
   const std::unique_ptr<LinearSolver> inner;
-  std::unique_ptr<Factor> factor; ///< null as long as the other solver counts itself
+  std::unique_ptr<CholeskySolver> counter; ///< null as long as the other solver counts itself
   std::optional<unsigned int> negative;
 };
 } // namespace softgrain

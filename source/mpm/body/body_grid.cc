@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How a body gets its grid and leaves it.
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/body/at_marker.h>
 #include <softgrain/mpm/body/body_builder.h>
 
 #include <algorithm>
@@ -168,18 +169,15 @@ void leave_grid(Body<2> &body,
   }
 }
 
-void move_boundary(Body<2> &body)
+template <int dim>
+void move_boundary(Body<dim> &body)
 {
   for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
-  {
-    const NodeWeightsView weights = body.field.marker_weights(m);
-    dealii::Tensor<1, 2> moved;
-    for (unsigned int k = 0; k < weights.size; ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        moved[d] += weights.weight[k] * body.displacement[2 * weights.node[k] + d];
-    body.boundary.position[m] = body.boundary.grid_position[m] + moved;
-  }
+    body.boundary.position[m] = body.boundary.grid_position[m] + at_marker(body, m, body.displacement);
 }
+
+template void move_boundary(Body<2> &);
+template void move_boundary(Body<3> &);
 
 double grid_distortion(const StepState<2> &s)
 {

@@ -123,9 +123,7 @@ void FrameSystem<dim>::add_effect(const Eigen::VectorXd &all, Eigen::VectorXd &h
   for (unsigned int b = 0; b < of_body.size(); ++b)
     if (!of_body[b].empty())
     {
-      of_columns.resize(of_body[b].size());
-      for (unsigned int i = 0; i < of_body[b].size(); ++i)
-        of_columns[i] = all[of_body[b][i]];
+      pick(b, all, of_columns);
       effect.noalias() = W[b] * of_columns;
       for (unsigned int i = 0; i < of_body[b].size(); ++i)
         here[of_body[b][i]] += effect[i];

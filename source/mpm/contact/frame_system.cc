@@ -178,6 +178,8 @@ void FrameSystem<dim>::add_dent(const FrameState<dim> &frame,
   {
     if (slope < 0.)
       softening_gap.emplace_back(i, slope * frame.total_force());
+    else
+      gap[i] -= slope * frame.total_force();
     for (unsigned int j = first; j <= i; ++j)
       (slope < 0. ? softening : own).emplace_back(i, j, slope);
   }
@@ -209,7 +211,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
     columns.back().pull = ray.pull;
     active.push_back(frame.closed(k, force[f][k]) || frame.free_gap(k) < 0.);
-    gap.push_back(frame.free_gap(k) - std::max(0., frame.dent_slope()) * frame.total_force());
+    gap.push_back(frame.free_gap(k));
   }
   const unsigned int motion_of_rays = columns.size();
   if (motion_of_rays == first)
@@ -375,18 +377,19 @@ void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
 }
 
 template <int dim>
-Eigen::VectorXd FrameSystem<dim>::z_of(const unsigned int b) const
+void FrameSystem<dim>::pick(const unsigned int b, const Eigen::VectorXd &all, Eigen::VectorXd &part) const
 {
-  Eigen::VectorXd of_columns(of_body[b].size());
+  part.resize(of_body[b].size());
   for (unsigned int i = 0; i < of_body[b].size(); ++i)
-    of_columns[i] = z[of_body[b][i]];
-  return of_columns;
+    part[i] = all[of_body[b][i]];
 }
 
 template <int dim>
 Eigen::VectorXd FrameSystem<dim>::force_on(const unsigned int b) const
 {
-  return V[b] * z_of(b);
+  Eigen::VectorXd of_columns;
+  pick(b, z, of_columns);
+  return V[b] * of_columns;
 }
 
 template class FrameSystem<2>;

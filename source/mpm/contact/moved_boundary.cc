@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/at_marker.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
 
 #include <algorithm>
@@ -12,15 +13,6 @@ namespace
 using Point = MovedBoundary::Point;
 using Vector = MovedBoundary::Vector;
 
-template <int dim>
-dealii::Tensor<1, dim> at_marker(const NodeWeightsView &weights, const Eigen::VectorXd &nodal)
-{
-  dealii::Tensor<1, dim> value;
-  for (unsigned int k = 0; k < weights.size; ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-      value[d] += weights.weight[k] * nodal[dim * weights.node[k] + d];
-  return value;
-}
 } // namespace
 
 template <int dim>
@@ -28,7 +20,7 @@ double largest_way(const Body<dim> &body, const Eigen::VectorXd &displacement)
 {
   double way = 0.;
   for (unsigned int m = 0; m < body.boundary.position.size(); m += body.boundary.stride)
-    way = std::max(way, at_marker<dim>(body.field.marker_weights(m), displacement).norm());
+    way = std::max(way, at_marker(body, m, displacement).norm());
   return way;
 }
 
@@ -87,7 +79,7 @@ void MovedBoundary::find_displacements(const OutlineScene &scene)
   for (unsigned int m = 0; m < body->boundary.position.size(); ++m)
   {
     Vector moved = body->driven ? scene.dt * scene.drive[body->index]
-                                : at_marker<2>(body->field.marker_weights(m), scene.increment[body->index]);
+                                : at_marker(*body, m, scene.increment[body->index]);
     if (scene.cell != nullptr)
       moved += taken;
     displacement.push_back(moved);

@@ -7,6 +7,7 @@
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/body/refinement.h>
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
+#include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/stiffness.h>
@@ -36,14 +37,6 @@ MpmModel::MpmModel(const Scene<2> &scene,
 
 namespace
 {
-/// What is best where a step does not resolve waves and inertia hardly holds what contacts do not, unless it
-/// is given.
-void choose_for_long_steps(Settings &settings)
-{
-  if (settings.theta == 0.)
-    settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
-}
-
 /// Bodies that begin outside of the mesh: what the mesh would have to hold is said at once, of all of them.
 void check_mesh_holds(const std::vector<BodyDescription<2>> &bodies, const Lattice<2> &lattice)
 {
@@ -124,9 +117,8 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     for (const Body<2> &body : state.bodies)
       prepare_solver(body);
   }
-  if (settings.scheme.inertia && settings.scheme.implicit && settings.meets_by_rays() &&
-      wanted_step() > 20.5 * cfl_step())
-    choose_for_long_steps(problem.settings);
+  if (settings.scheme.inertia && settings.scheme.implicit && settings.meets_by_rays())
+    choose_for_long_steps(wanted_step(), cfl_step(), problem.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())
   {

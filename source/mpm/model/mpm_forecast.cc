@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/mpm/model/body_cost.h>
+#include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -67,7 +68,7 @@ double n_iterations(const Settings &settings, const RunOutline &run, const doubl
       return n_bodies < 1.5 ? 2.2 : 1.8 * std::pow(n_bodies, 0.44) * longer;
     return n_bodies < 1.5 ? 5.5 : 9. * std::pow(n_bodies, 0.4) * longer;
   }
-  if (settings.meets_by_rays() && dt > 20.5 * cfl)
+  if (settings.meets_by_rays() && dt > resolves_waves_to * cfl)
     return 3. * std::pow(n_bodies, 0.2);
   return n_bodies < 1.5 ? 2. : 2.6 + 0.6 * std::min(dt / cfl, 10.);
 }
@@ -233,8 +234,8 @@ Forecast forecast(const Scene<2> &scene,
                            settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
-  const bool slow = !settings.scheme.inertia ||
-                    (settings.scheme.implicit && settings.meets_by_rays() && result.step > 20.5 * cfl);
+  const bool slow = !settings.scheme.inertia || (settings.scheme.implicit && settings.meets_by_rays() &&
+                                                 result.step > resolves_waves_to * cfl);
   const bool f_bar = has_f_bar(settings, laws, run.crowd);
   double iterations = n_iterations(settings, run, result.step, cfl);
   if (slow && f_bar && remembers(laws, run.crowd))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What checkpoints keep of a computation in space.
 #include <softgrain/model/state_file.h>
+#include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/model/space_model.h>
 
 namespace softgrain::mpm
@@ -138,6 +139,7 @@ void load_contacts(const StateReader &in, SpaceState &state)
     state.contacts.push_back(contact);
   }
 }
+
 /// Of all bodies, one after the other.
 std::vector<double> nodal(const SpaceState &state, Eigen::VectorXd Body<3>::*vector)
 {
@@ -215,7 +217,7 @@ void SpaceModel::load(StateReader &in)
     in.refuse("space/held_back", "there is another number of bodies");
   take_nodal(nodes, &Body<3>::displacement, state);
   for (Body<3> &body : state.bodies)
-    move_markers(body);
+    move_boundary(body);
   state.time = times[0];
   step_control.scale = times[1];
   last_dt = times[2];

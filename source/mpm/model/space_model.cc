@@ -2,7 +2,9 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/geometry/solid.h>
+#include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/solid_builder.h>
+#include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/driven_work.h>
 #include <softgrain/mpm/stepping/moving_step.h>
@@ -84,9 +86,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
   state.wall_force.assign(driven.size(), 0.);
   if (!this->settings.scheme.inertia)
     return;
-  // Where a step does not resolve waves, inertia hardly holds what contacts do not.
-  if (settings.theta == 0. && wanted_step() > 20.5 * cfl_step())
-    this->settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
+  choose_for_long_steps(wanted_step(), cfl_step(), this->settings);
   state.motion.impulse = momentum();
 }
 
@@ -204,10 +204,8 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   std::vector<WallMotion<3>> walls = motion();
   for (std::size_t w = 0; w < walls.size(); ++w)
     walls[w].velocity = driven[w].velocity(state.time, dt);
-  const StepOutcome outcome =
-      settings.scheme.inertia
-          ? moving_step(state, scene(), walls, gravity, dt)
-          : SpaceAtRest(state, work, settings, subgrid, pairs, walls, wall_names).go(dt, wanted);
+  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), walls, gravity, dt)
+                                                      : SpaceAtRest(state, scene(), walls).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
@@ -245,7 +243,7 @@ void SpaceModel::go_back()
   for (Body<3> &body : state.bodies)
   {
     body.displacement = before_step.displacement[body.index];
-    move_markers(body);
+    move_boundary(body);
   }
   static_cast<SpaceProgress &>(state) = before_step.progress;
   last_dt = before_step.last_dt;
@@ -295,7 +293,7 @@ void SpaceModel::settle(StepReport &report)
   StepOutcome outcome;
   try
   {
-    outcome = SpaceAtRest(state, work, settings, subgrid, pairs, motion(), wall_names).settle(last_dt);
+    outcome = SpaceAtRest(state, scene(), motion()).settle(last_dt);
   }
   catch (...)
   {

@@ -107,6 +107,30 @@ ContactWork::Gift ContactWork::gift() const
   return gift;
 }
 
+template <int dim>
+std::optional<double> energy_where_contact_gives(const std::vector<Body<dim>> &bodies,
+                                                 const double given,
+                                                 const std::function<double()> &stored)
+{
+  double kinetic = 0., floor = 0.;
+  for (const Body<dim> &body : bodies)
+    if (!body.driven)
+    {
+      kinetic += body.kinetic_energy();
+      floor += floor_strain * floor_strain * body.law->young_modulus() * body.mass.sum() / body.density;
+    }
+  // Most steps end here.
+  if (given <= allowed * kinetic + floor)
+    return std::nullopt;
+  const double held = kinetic + stored();
+  return given <= allowed * held + floor ? std::nullopt : std::make_optional(held);
+}
+
+template std::optional<double>
+energy_where_contact_gives(const std::vector<Body<2>> &, double, const std::function<double()> &);
+template std::optional<double>
+energy_where_contact_gives(const std::vector<Body<3>> &, double, const std::function<double()> &);
+
 std::string why_contact_gives(const Problem &problem,
                               const State &state,
                               const Workspace &work,
@@ -114,23 +138,14 @@ std::string why_contact_gives(const Problem &problem,
                               const std::vector<Eigen::VectorXd> &increment)
 {
   const ContactWork::Gift gift = contact.gift();
-  double kinetic = 0., floor = 0.;
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-    {
-      kinetic += body.kinetic_energy();
-      floor += floor_strain * floor_strain * body.law->young_modulus() * body.mass.sum() / body.density;
-    }
-  // Most steps end here; what is stored takes a look at every point.
-  if (gift.energy <= allowed * kinetic + floor)
-    return "";
-  const double held = kinetic + elastic_energy(state, work.share, &increment);
-  if (gift.energy <= allowed * held + floor)
+  const std::optional<double> held = energy_where_contact_gives(
+      state.bodies, gift.energy, [&] { return elastic_energy(state, work.share, &increment); });
+  if (!held)
     return "";
   const ContactRow<2> &row = work.contact.contact_rows()[gift.row];
   std::ostringstream text;
   text << "contact would give the bodies " << short_number(gift.energy) << " J/m where they have "
-       << short_number(held) << " J/m, most of it where body '" << state.bodies[row.body].name << "' meets "
+       << short_number(*held) << " J/m, most of it where body '" << state.bodies[row.body].name << "' meets "
        << partner_of(state, row) << " near (" << short_number(row.place[0]) << ", "
        << short_number(row.place[1]) << ") m, with a gap of "
        << short_number(row.gap / problem.lattice->cell_size()) << " cells at the start of the step";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/moving_equations.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -9,15 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace softgrain::mpm
 {
 namespace
 {
-constexpr double most_given = 1e-3; ///< share of the energy of all bodies that contact may give in a step
-/// Energy of such a strain is within the tolerance of the contact problem.
-constexpr double floor_strain = 1e-6;
-
 class MovingStep : public SpaceRayStep
 {
 public:
@@ -72,22 +70,18 @@ void MovingStep::note_contact_work()
 
 std::string MovingStep::why_contact_gives() const
 {
-  double held = 0., floor = 0.;
-  for (const Body<3> &body : world.bodies)
+  const auto stored = [this]
   {
-    held += body.kinetic_energy();
-    floor += floor_strain * floor_strain * body.law->young_modulus() * body.rest_area;
-  }
-  // Most steps end here; what is stored takes a look at every point.
-  if (-taken <= most_given * held + floor)
-    return "";
-  for (const Body<3> &body : world.bodies)
-    held +=
-        measure_points(body, Eigen::VectorXd(body.displacement + way[body.index]), way[body.index]).energy;
-  if (-taken <= most_given * held + floor)
-    return "";
-  return "contact would give the bodies " + short_number(-taken) + " J where they have " +
-         short_number(held) + " J";
+    double sum = 0.;
+    for (const Body<3> &body : world.bodies)
+      sum +=
+          measure_points(body, Eigen::VectorXd(body.displacement + way[body.index]), way[body.index]).energy;
+    return sum;
+  };
+  const std::optional<double> held = energy_where_contact_gives(world.bodies, -taken, stored);
+  return held ? "contact would give the bodies " + short_number(-taken) + " J where they have " +
+                    short_number(*held) + " J"
+              : "";
 }
 
 void MovingStep::account_body(Body<3> &body, SpaceState &state)

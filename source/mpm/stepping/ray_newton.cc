@@ -20,7 +20,7 @@ constexpr unsigned int most_rises = 8;
 constexpr double back_from = 100.;         ///< rise from which on a step begins anew
 constexpr double keeps_dents_from = 0.3;   ///< resistance
 constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
-constexpr double longest_way = 0.3;        ///< of a place under a ray in an iteration [cells]
+constexpr double longest_way = 0.3;        ///< of a place that presses, in an iteration [cells]
 } // namespace
 
 template <int dim>

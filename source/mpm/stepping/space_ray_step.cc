@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/stepping/space_ray_step.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ void SpaceRayStep::accept_ways(SpaceState &state)
                        [&](Body<3> &body)
                        {
                          body.displacement += ways[body.index];
-                         move_markers(body);
+                         move_boundary(body);
                        });
 }
 } // namespace softgrain::mpm

@@ -53,19 +53,6 @@ void StepAtRest::accept(SpaceState &state)
 }
 } // namespace
 
-void move_markers(Body<3> &body)
-{
-  Boundary<3> &boundary = body.boundary;
-  for (unsigned int m = 0; m < boundary.position.size(); ++m)
-  {
-    const NodeWeightsView weights = body.field.marker_weights(m);
-    boundary.position[m] = boundary.grid_position[m];
-    for (unsigned int i = 0; i < weights.size; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        boundary.position[m][d] += weights.weight[i] * body.displacement[3 * weights.node[i] + d];
-  }
-}
-
 StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const double most_resistance)
 {
   std::vector<WallMotion<3>> walls = motion;
@@ -75,13 +62,13 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const do
       wall.point += plan.dt * wall.velocity * wall.normal;
       wall.velocity = 0.;
     }
-  SpaceEquations equations(state.bodies, settings, work, plan, pairs.frictionless());
-  StepAtRest step(state, {work, settings, subgrid, pairs, wall_names}, walls, plan, equations);
+  SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, scene.pairs.frictionless());
+  StepAtRest step(state, scene, walls, plan, equations);
   return try_ray_step(step, careful, most_resistance, state);
 }
 
 double SpaceAtRest::unbalanced()
 {
-  return unbalanced_rays(state.bodies, state.frames, state.held_back, settings.cell_size);
+  return unbalanced_rays(state.bodies, state.frames, state.held_back, scene.settings.cell_size);
 }
 } // namespace softgrain::mpm

@@ -70,7 +70,8 @@ void leave_grid(Body<2> &body,
 void check_markers(const Body<2> &body, const Lattice<2> &lattice);
 
 /// Places of the boundary markers for the present displacement of the nodes.
-void move_boundary(Body<2> &body);
+template <int dim>
+void move_boundary(Body<dim> &body);
 
 /// Largest over smallest stretch of the grid at any point since it was laid.
 double grid_distortion(const StepState<2> &s);

@@ -59,9 +59,9 @@ using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
  * way by -s_1 / T_1 > 0. The next d is the direction of T - k s, with the stiffness k of the bodies. A ray
  * that begins to slip does so along its T, and gives way across it by (|T| / (mu' P) - 1) / k.
  *
- * A dent that the grid misses may become smaller under a larger force. Of a set with too many rays, which
- * gives way less than the true one, that makes something that gives way the wrong way round, and the sets do
- * not settle. Then dents stay as they are for this iteration.
+ * The dent that the grid misses falls again under larger forces. Where too many rays are pressed a contact is
+ * stiffer than it really is, and the slope of that dent then makes its whole compliance negative: the active
+ * set does not settle. In such an iteration falling dents keep their depth.
  *
  * A wall under a load is one more unknown, its way a: with g_a, s_a and r_a what it does to gaps, slides and
  * mean motions, its row is sum_k P_k g_a + T_k s_a - tau r_a - stiffness a = -load.
@@ -173,8 +173,8 @@ private:
               const RayForces &force,
               unsigned int i,
               LinearSolver::Rows &rows) const;
-  /// What z holds for the columns of a body.
-  Eigen::VectorXd z_of(unsigned int b) const;
+  /// Puts what @p all holds for the columns of a body into @p part.
+  void pick(unsigned int b, const Eigen::VectorXd &all, Eigen::VectorXd &part) const;
   void find_order();
   /// Solves for the present sides of all conditions. @return whether there is a solution
   bool solve_active();

@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/stepping/step.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,14 @@ private:
   const unsigned int components;
   std::vector<double> relative; ///< of bodies, and of what is driven [m/s]
 };
+
+/// Energy that bodies have, where contact would give them more than a thousandth of it; else nothing.
+/// @param given by contact [J/m^(3-dim)]
+/// @param stored tells the elastic energy: it takes a look at every point, and is seldom asked
+template <int dim>
+std::optional<double> energy_where_contact_gives(const std::vector<Body<dim>> &bodies,
+                                                 double given,
+                                                 const std::function<double()> &stored);
 
 /**
  * @brief Why a step with inertia may not be accepted: contact gives the bodies more than a thousandth of the

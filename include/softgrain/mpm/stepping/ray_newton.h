@@ -77,7 +77,7 @@ private:
   /// The largest ways of an iteration [m]. Nodes on the rim of a body may go far and move nothing.
   struct Farthest
   {
-    double place = 0.; ///< of a place that is under a ray, or of a wall: how far contact has been foreseen
+    double place = 0.; ///< of a place under a ray that presses, or of a wall under a load
     double node = 0.;  ///< of a node of a body that meets something: no place goes further
   };
   Farthest farthest(const Vectors &direction) const;

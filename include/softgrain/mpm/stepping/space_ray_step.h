@@ -10,16 +10,6 @@
 
 namespace softgrain::mpm
 {
-/// What a step in space knows of its scene, beside the state.
-struct SpaceScene
-{
-  SpaceWorkspace &work;
-  const Settings &settings;
-  const HertzCompliance &subgrid;
-  const ContactPairs &pairs;
-  const std::vector<std::string> &wall_names;
-};
-
 /// A step in space, at rest or with inertia: how it finds ways and forces, and what becomes of contacts.
 class SpaceRayStep : private RayNewton<3>
 {

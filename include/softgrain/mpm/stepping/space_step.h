@@ -56,26 +56,23 @@ struct SpaceState : SpaceProgress
   std::vector<SphereSurface> surfaces; ///< of the bodies, in the configuration of their grids
 };
 
+/// What a step in space knows of its scene, beside the state.
+struct SpaceScene
+{
+  SpaceWorkspace &work;
+  const Settings &settings;
+  const HertzCompliance &subgrid;
+  const ContactPairs &pairs;
+  const std::vector<std::string> &wall_names;
+};
+
 /// Steps at rest in space.
 class SpaceAtRest final : public RaysAtRest
 {
 public:
   /// @param motion of the walls; in held steps they stand still
-  SpaceAtRest(SpaceState &state,
-              SpaceWorkspace &work,
-              const Settings &settings,
-              const HertzCompliance &subgrid,
-              const ContactPairs &pairs,
-              const std::vector<WallMotion<3>> &motion,
-              const std::vector<std::string> &wall_names)
-      : RaysAtRest(settings)
-      , state(state)
-      , work(work)
-      , settings(settings)
-      , subgrid(subgrid)
-      , pairs(pairs)
-      , motion(motion)
-      , wall_names(wall_names)
+  SpaceAtRest(SpaceState &state, const SpaceScene &scene, const std::vector<WallMotion<3>> &motion)
+      : RaysAtRest(scene.settings), state(state), scene(scene), motion(motion)
   {
   }
 
@@ -87,16 +84,9 @@ protected:
 
 private:
   SpaceState &state;
-  SpaceWorkspace &work;
-  const Settings &settings;
-  const HertzCompliance &subgrid;
-  const ContactPairs &pairs;
+  const SpaceScene scene;
   const std::vector<WallMotion<3>> motion;
-  const std::vector<std::string> &wall_names;
 };
-
-/// Puts markers of a body where its nodes have moved them.
-void move_markers(Body<3> &body);
 } // namespace softgrain::mpm
 
 #endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models of scenes in space, and what they hold.
+#ifndef softgrain_tests_mpm_space_model_of_h
+#define softgrain_tests_mpm_space_model_of_h
+
+#include "scene_of.h"
+
+#include <softgrain/mpm/model/space_model.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+inline std::unique_ptr<softgrain::Model<3>> model_of(const std::string &file,
+                                                     std::vector<std::string> changes)
+{
+  changes.insert(changes.begin(), "Output directory=results");
+  softgrain::Input input(file, changes);
+  return input.create_model_in_space();
+}
+
+inline const softgrain::mpm::SpaceState &state_of(const softgrain::Model<3> &model)
+{
+  return dynamic_cast<const softgrain::mpm::SpaceModel &>(model).space();
+}
+
+#endif
