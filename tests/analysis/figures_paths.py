@@ -49,7 +49,7 @@ def write_snapshots(directory, times, strain, band):
             group["walls/position_m"] = np.array([0, 6, 0, 6.])
 
 
-def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False, grains=None):
+def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False, grains=None, law=""):
     """Isotropic to t = 1, sheared to 0.8 at t = 2 with q/p to 0.3, back to 0.4 at t = 3; strains begin at 0.5.
     With @close the walls are driven until t = 0.5 before they are pressed, and their stress at t = 1 is not quite what is asked."""
     directory = os.path.join(WORK, name)
@@ -63,7 +63,7 @@ def write_path(name, kappa, unload=False, model="bpm", friction=0, close=False, 
             for wall in ("top", "right")) + "  end\n"
     with open(os.path.join(directory, "parameters.prm"), "w", encoding="utf-8") as file:
         file.write(f"set Model = {model}\nsubsection Contact\n  set Friction = {friction}\nend\nsubsection Materials\n"
-                   "  subsection grain\n    subsection Power law\n      set Force at contact = 100\n    end\n"
+                   f"  subsection grain\n{law}    subsection Power law\n      set Force at contact = 100\n    end\n"
                    f"    subsection Neo-Hookean\n      set Young's modulus = {STIFFNESS}\n    end\n  end\nend\n"
                    "subsection Primaries\n  set Smallest diameter = 1e-4\n  set Largest diameter = 1e-4\nend\n"
                    f"subsection Stages\n  set Names = {stages}\n{drives}end\n")
@@ -116,6 +116,15 @@ class Figures(unittest.TestCase):
         # (5.16) holds exactly without friction; with it the prediction is 0.01 too large.
         lines = [line for line in printed.splitlines() if line.startswith(("| BPM", "| MPM"))]
         self.assertEqual([line.split("|")[-2].strip() for line in lines], ["0.000", "0.000", "0.000", "0.010"])
+
+    def test_stiffness_is_that_of_the_law(self):
+        """p_I = F0/<a0> with F0 of the law that the material names, whatever other sections say."""
+        from softgrain.figures import thesis_5
+        potential = "    set Law = power_potential\n    subsection Power potential\n      set Characteristic force = 200\n    end\n"
+        for law, kappa in (("", 0.4), ("    set Law = power_law\n", 0.4), (potential, 0.2), (potential.replace("_potential", "_law", 1), 0.4)):
+            with self.subTest(law=law):
+                path = thesis_5.read_path(write_path(f"law-{len(os.listdir(WORK))}", 0.4, law=law))
+                self.assertAlmostEqual(path.kappa, kappa, delta=1e-9)
 
     def test_too_few_pressures_are_not_fitted(self):
         # 0.4 and 0.41 are one pressure; runs of another number of grains are no places of the same line.

@@ -15,6 +15,7 @@ import numpy as np
 from .. import InputError
 from .. import Run as Output
 from .. import open as open_run
+from .one_grain import characteristic_force
 
 FEWEST = 3  # pressures of a fit of (5.2)-(5.5): a line goes through any two
 # The steady state: the last share of the shear strain, and the shear strain that it takes at least.
@@ -99,20 +100,12 @@ class Path:
 
 def stiffness_of(parameters):
     """
-    F0/<a0> of bonded primaries by their size distribution, Young's modulus of material points [Pa].
+    F0/<a0> of bonded primaries by their law and size distribution, Young's modulus of material
+    points [Pa].
     """
-
-    def found(ending):
-        values = [
-            parameters[name]
-            for name in parameters
-            if name.startswith("Materials/") and name.endswith(ending)
-        ]
-        numbers = [value for value in values if isinstance(value, (int, float))]
-        return max(numbers) if numbers else None
-
     if str(parameters.get("Model", "mpm")).lower() == "bpm":
-        force, small, large = found("Force at contact"), *(
+        force = characteristic_force(parameters)
+        small, large = (
             parameters[f"Primaries/{name} diameter"] for name in ("Smallest", "Largest")
         )
         if large <= small or not force:
@@ -124,7 +117,12 @@ def stiffness_of(parameters):
         return force / mean.get(
             parameters.get("Primaries/Size distribution", "uniform area"), (small + large) / 2
         )
-    return found("Young's modulus")
+    values = [
+        parameters[name]
+        for name in parameters
+        if name.startswith("Materials/") and name.endswith("Young's modulus")
+    ]
+    return max((value for value in values if isinstance(value, (int, float))), default=None)
 
 
 def stages_of(output):
