@@ -26,17 +26,16 @@ double whole_power(double x, unsigned int n)
 
 [[maybe_unused]] const bool registered = Registry<Attraction>::instance().add(
     "power_law",
-    "F0 (1 + gap/a0)^-exponent up to a cutoff, (3.1) of Nguyen (2016); exponent 7: Lennard-Jones.",
+    "force F0 (1 + gap/a0)^-exponent up to a cutoff; exponent 7: the attraction of Lennard-Jones.",
     [] { return std::make_unique<PowerLaw>(); });
 } // namespace
 
 void PowerLaw::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using dealii::Patterns::Double;
-  prm.declare_entry(
-      "Force at contact", "100", Double(0.),
-      "F0 of (3.1), the attraction of two primaries that touch, which is the largest. Units: N/m.");
-  prm.declare_entry("Exponent", "7", Double(1.01, 100.), "Exponent gamma of (3.1). Units: none.");
+  prm.declare_entry("Force at contact", "100", Double(0.),
+                    "F0, the attraction of two primaries that touch, which is the largest. Units: N/m.");
+  prm.declare_entry("Exponent", "7", Double(1.01, 100.), "Exponent gamma of the force. Units: none.");
   declare_cutoff(prm);
 }
 

@@ -11,8 +11,7 @@ namespace
 [[maybe_unused]] const bool registered =
     Registry<Attraction>::instance().add("power_potential",
                                          "energy -F0 a0 (1 + gap/a0)^-exponent up to a cutoff: (3.1) of "
-                                         "Nguyen (2016) as a potential, to which the "
-                                         "thesis's stresses belong.",
+                                         "Nguyen (2016).",
                                          [] { return std::make_unique<PowerPotential>(); });
 } // namespace
 

@@ -7,8 +7,8 @@
 namespace softgrain::bpm
 {
 /**
- * @brief Attraction of @cite nguyen2016, eq. (3.1): `F = F0 (1 + δ/a0)^-γ` with the gap δ and a0 the sum of
- * the radii, nothing beyond `δ = cutoff a0`.
+ * @brief Attraction `F = F0 (1 + δ/a0)^-γ` with the gap δ and a0 the sum of the radii, nothing beyond
+ * `δ = cutoff a0`.
  *
  * γ = 7 is the attractive part of Lennard-Jones. Where primaries overlap (δ < 0, an error of the contact
  * solution) the force stays at its maximum F0. The energy is zero at the cutoff.

@@ -7,12 +7,12 @@
 namespace softgrain::bpm
 {
 /**
- * @brief The expression of @cite nguyen2016, eq. (3.1) taken for a potential: `U = -F0 a0 (1 + δ/a0)^-γ`, so
- * that the force is `F = γ F0 (1 + δ/a0)^-(γ+1)`, and γ F0 at contact.
+ * @brief Attraction of @cite nguyen2016, eq. (3.1), which is an energy: `U = -F0 a0 (1 + δ/a0)^-γ`, so that
+ * the force is `F = γ F0 (1 + δ/a0)^-(γ+1)`, and γ F0 at contact.
  *
  * The stresses that the thesis reports, a plateau of F0/⟨a0⟩ (@cite nguyen2016, eq. (3.32)) and an unloading
- * modulus γ times that of eq. (3.37), are those of this law; with eq. (3.1) as a force they are a sixth of it
- * (doc/results/thesis-3.md). Nothing beyond `δ = cutoff a0`.
+ * modulus γ times that of eq. (3.37), are those of this law; with the same expression as a force they are a
+ * sixth of it (doc/results/thesis-3.md). Nothing beyond `δ = cutoff a0`.
  */
 class PowerPotential final : public Attraction
 {
