@@ -12,7 +12,12 @@ from running import RunFailed, run
 
 WIDTH = 35.8e-3  # of the box of 300 disks [m]
 QUIET = {"Output/Fields every": "0", "Output/Snapshots every": "2e-5", "Output/Measures": "all"}
-BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7"}  # doc/results/bonded-particles.md, "The step"
+# The force as attraction; doc/results/bonded-particles.md, "The step".
+BONDED = {"Output/Snapshots every": "5e-5", "Time/Time step": "5e-7", "Materials/grain/Law": "power_law"}
+# The thesis's energy, with primaries that are larger by .4 and the long steps of doc/results/thesis-5.md.
+ENERGY = {"Output/Snapshots every": "5e-5", "Time/Time step": "7.5e-7", "Primaries/Smallest diameter": "0.10e-3",
+          "Primaries/Largest diameter": "0.18e-3", "Contact/Tolerance": "3e-3", "Contact/Wall tolerance": "1",
+          "Contact/Penetration tolerance": "3e-3"}
 # A wall 25 times slower, by steps as much longer: .3 cells each, all of them written. See doc/results/quasi-static.md.
 SLOW = {"Walls/top/Velocity": "0.2", "Time/Time step": "4.8e-4", "Output/Snapshots every": "4.8e-4", "Stop/End time": "0.1"}
 # Without inertia: the same steps, every tenth in balance and written. See doc/results/thesis-4.md.
@@ -51,6 +56,7 @@ SERIES = {
                         {"Packing/Seed": str(seed), "Contact/Solver": "condensed", "Time/Time step": "0",
                          "Time/CFL multiple": "2"}) for seed in range(1, 4)],
     "bpm": [(f"bpm-{seed}", "bpm", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
+    "bpm-energy": [(f"bpm-energy-{seed}", "bpm", {**ENERGY, "Packing/Seed": str(seed)}) for seed in SEEDS],
     "bpm-friction": [(f"bpm-friction-{seed}", "bpm_friction", {**BONDED, "Packing/Seed": str(seed)}) for seed in SEEDS],
 }
 
