@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of doc/results/thesis-5.md: soft grains compacted isotropically, sheared biaxially and unloaded, by MPM and by BPM. A run that
-is there already is not repeated; `softgrain figures thesis-5` draws them."""
+"""Runs of doc/results/thesis-5.md and biaxial.md: soft grains compacted isotropically, sheared biaxially and unloaded, by MPM and by
+BPM. A run that is there already is not repeated; `softgrain figures thesis-5` draws them."""
 import argparse
 import math
 import pathlib
@@ -9,6 +9,7 @@ import pathlib
 from running import run_all
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
+AREA = 2.9e-6  # of a grain [m^2]
 ROOM = 1.03  # of the sides of larger boxes: few grains between walls fill a box of that size, many jam before
 CELL = 3.2e-4  # of the gallery's scene of soft grains [m]
 CLOSING = 0.2  # volume strain while pressure rises on soft grains with inertia
@@ -87,23 +88,32 @@ def with_inertia(case):
 
 
 def bonded(case):
-    """At an inertial number of --inertia, which sets the speed of the wall; 200 states on the way. Walls meet the grains at a moderate
-    speed, and pressure rises in four times that in which stress crosses the box: at once it would be a blow, which bonds remember."""
+    """At an inertial number of --inertia, which sets the speed of the wall; 200 states on the way. The whole pressure acts on the walls from
+    the first step, as in the thesis. With --rise and --slow-ramp walls meet the grains at a moderate speed, and pressure rises in four
+    times that in which stress crosses the box, or slower: at once is a blow, which bonds remember."""
     slow = DIAMETER * math.sqrt(DENSITY["bpm"] / case.pressure)  # over which the rate of strain is the inertial number [s]
     speed = case.inertia * height(case) / slow
     way = 0.5 * sum(strain for _, strain, _ in legs(case)) * height(case)
-    ramp, rising = 4 * slow * height(case) / DIAMETER, "t/{0:.4g}"
+    crossing = slow * height(case) / DIAMETER
+    ramp, rising = 4 * crossing, "t/{0:.4g}"
     if case.slow_ramp:  # the isotropic line of all pressures in one run
         ramp, rising = case.slow_ramp * 1e-3, f"exp({math.log(RANGE):.4f}*(t/{{0:.4g}}-1))"
-    changes = {"Stages/close/Stop/Packing fraction": "0.78", "Stages/press/Stop/End time": f"{ramp:.4g}",
-               "Stages/compact/Stop/End time": f"{2e-3 * height(case) / SIDE:g}",
+    slowly = case.rise or case.slow_ramp
+    rest = 2e-3 * height(case) / SIDE if slowly else 1.5 * crossing
+    changes = {"Materials/grain/Law": case.law, "Stages/compact/Stop/End time": f"{rest:.4g}",
                "Output/Snapshots every": f"{ramp / 100 if case.slow_ramp else way / speed / 200:.3g}", "Output/History every": "20",
-               **box("bpm", case), **shear(["close", "press", "compact"], case, speed)}
+               **box("bpm", case), **shear(["close", "press", "compact"] if slowly else ["compact"], case, speed)}
+    if slowly:
+        changes.update({"Stages/close/Stop/Packing fraction": "0.78", "Stages/press/Stop/End time": f"{ramp:.4g}"})
+    if case.damping:
+        grains = case.number * AREA * DENSITY["bpm"]
+        changes["Stages/shear/right/Damping"] = f"{case.damping * math.sqrt(0.1 * grains * case.pressure):.3g}"
     pressed = f"{case.pressure:g}*{rising.format(ramp)}"
     for wall in ("top", "right"):
-        changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2",
-                        f"Stages/press/{wall}/Drive": "pressure", f"Stages/press/{wall}/Pressure": pressed,
-                        f"Stages/compact/{wall}/Pressure": f"{case.pressure:g}"})
+        changes[f"Stages/compact/{wall}/Pressure"] = f"{case.pressure:g}"
+        if slowly:
+            changes.update({f"Stages/close/{wall}/Drive": "velocity", f"Stages/close/{wall}/Velocity": "2",
+                            f"Stages/press/{wall}/Drive": "pressure", f"Stages/press/{wall}/Pressure": pressed})
     if case.thesis_primaries:
         changes.update({"Primaries/Smallest diameter": "0.07e-3", "Primaries/Largest diameter": "0.13e-3"})
     return "gallery/biaxial_thirty_grains_bpm.prm", changes
@@ -157,6 +167,10 @@ def main():
                         help="go on from the compacted state of the run of the same name, without turning round, in this folder")
     parser.add_argument("--periodic", action="store_true", help="a cell that repeats in place of walls")
     parser.add_argument("--room", type=float, help="of the sides of a box whose packing jams, over those that thirty grains have")
+    parser.add_argument("--law", choices=("power_potential", "power_law"), default="power_potential",
+                        help="bpm: (3.1) as an energy or as a force (default: %(default)s)")
+    parser.add_argument("--rise", action="store_true", help="bpm: pressure rises, in place of the whole from the first step")
+    parser.add_argument("--damping", type=float, help="bpm: of the wall on the right while sheared, over sqrt(m p)")
     parser.add_argument("--slow-ramp", type=float, default=0., metavar="MS", help="bpm: pressure rises 32 times in this time [ms]")
     parser.add_argument("--way", type=float, default=0.2, help="of the wall in a step, mpm [cells] (default: %(default)s)")
     parser.add_argument("--thesis-primaries", action="store_true", help="bpm: of 0.07 to 0.13 mm, about 250 to a grain")

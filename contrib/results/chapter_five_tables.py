@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of doc/results/thesis-5.md from runs of chapter_five.py and simple_shear.py: steady states, how well walls keep their
-pressure, unloading, cycles; and small files of their curves. Stresses of bonded primaries are means over history.csv, whose steps are
+"""Tables of doc/results/thesis-5.md and biaxial.md from runs of chapter_five.py and simple_shear.py: steady states, how well walls
+keep their pressure, unloading, cycles, contacts at rest; and small files of their curves. Stresses of bonded primaries are means over history.csv, whose steps are
 many more than the states that are measured."""
 import argparse
 import csv
@@ -230,6 +230,25 @@ def cycle_table(path):
     return lines
 
 
+CONTACTS_HEAD = head("run", "states", "Z of single states", "contacts that bear a force in any", "mean force above a tenth of the mean")
+
+
+def contacts_row(path):
+    """Contacts between grains in the second half of the isotropic stage: those of bonded grains flicker from step to step."""
+    _, begin, end = next(stage for stage in stages_of(path.output) if stage[0] == "compact")
+    snapshots, forces, single = path.output.snapshots, {}, []
+    places = np.flatnonzero((snapshots.times >= 0.5 * (begin + end)) & (snapshots.times <= end * (1 + 1e-9)))
+    for place in places:
+        pairs = snapshots[int(place)].pairs
+        kept = (pairs.wall == NONE) & (pairs.normal_force_N_per_m > 0)
+        single.append(kept.sum())
+        for a, b, force in zip(pairs.body_a[kept], pairs.body_b[kept], pairs.normal_force_N_per_m[kept]):
+            forces[min(a, b), max(a, b)] = forces.get((min(a, b), max(a, b)), 0.) + force
+    mean, share = np.array(list(forces.values())), 2 / path.grains
+    return row(name_of(path), len(places), *(f"{share * number:.2f}" for number in (
+        np.mean(single), len(mean), (mean > 0.1 * mean.mean()).sum())))
+
+
 RAMP = (("packing_fraction", 3), ("void_ratio", 3), ("coordination_of_bodies", 2))
 RANGES = ((0.25, 1.2), (2 / 11, 32 / 11), (0.25, 5.))  # of p/p_I; the second is that of the thesis
 RAMP_HEAD = head("run", "p/p_I", "states", "Φ (5.2)", "e (5.3)", "Z (5.4)", "Z over e (5.5)")
@@ -310,6 +329,9 @@ def main():
         print("\n".join([STEADY_HEAD, *map(steady_row, steady), "", CHECKS_HEAD, *map(checks_row, steady), "", SHAPE_HEAD,
                          *map(shape_row, steady), ""]))
         print("\n".join([*mean_table(straight), ""]))
+        bonded = [path for path in straight if path.model == "bpm"]
+        if bonded:
+            print("\n".join([CONTACTS_HEAD, *map(contacts_row, bonded), ""]))
         for group in groups_of(straight):
             if not_fitted(group):
                 continue

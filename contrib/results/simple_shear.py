@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of doc/results/thesis-5.md: thirty soft grains in a cell that repeats, compacted and sheared by a lattice that slides, by MPM
+"""Runs of doc/results/biaxial.md: thirty soft grains in a cell that repeats, compacted and sheared by a lattice that slides, by MPM
 and by BPM. A run that is there already is not repeated."""
 import argparse
 import math
