@@ -4,6 +4,8 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace softgrain
 {
@@ -58,6 +60,11 @@ void SystemMatrix::reinit(const unsigned int dim,
       }
   }
   new_pattern = true;
+}
+
+void SystemMatrix::refuse(const unsigned int cell)
+{
+  throw std::logic_error("cell " + std::to_string(cell) + " has no place in the matrix of its body");
 }
 
 Eigen::MatrixXd SystemMatrix::rigid_motions() const

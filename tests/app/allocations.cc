@@ -99,7 +99,7 @@ void loops_of_a_body(const std::string &f_bar)
   const mpm::Body<2> &body = model->bodies()[0];
   mpm::StepState<2> at;
   SystemMatrix matrix;
-  lay_out_stiffness(body.field, matrix);
+  lay_out_stiffness(body.field, matrix, false);
   BandedSolver solver;
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(body.field.n_dofs());
   Eigen::VectorXd force, mass = body.mass;

@@ -2,11 +2,16 @@
 // Frames between balls and at walls, as ray_frames has them in the plane: what rays do to the nodes is the
 // derivative of their gaps, and the matrix of Newton's method is the derivative of that, with both components
 // of the motion of a frame counted in. Forces on both sides are equal and opposite. Exchanged bodies have the
-// same lattice.
+// same lattice. Newton's matrix has a place for every cell that a surface goes through, also for those
+// without material points.
 #include "frame_derivatives.h"
 #include "gel.h"
+#include "space_model_of.h"
 
-#include <softgrain/mpm/model/space_model.h>
+#include <softgrain/linear/linear_solver.h>
+#include <softgrain/mpm/stepping/space_equations.h>
+
+#include <set>
 
 using namespace softgrain;
 using namespace softgrain::mpm;
@@ -48,16 +53,49 @@ subsection Stop
   set End time = 1
 end
 )";
+
+/// Adds to the matrix of every body in all cells of its surface, which throws where one has no place.
+void add_everywhere(const SpaceState &state)
+{
+  SpaceWorkspace work;
+  work.reinit(state.bodies, LinearSolverSettings());
+  for (const Body<3> &body : state.bodies)
+  {
+    std::set<unsigned int> with_points, cells;
+    for (const auto &color : body.field.colors())
+      with_points.insert(color.begin(), color.end());
+    const dealii::Point<3> center = body.center();
+    for (unsigned int i = 0; i < 100; ++i)
+      for (unsigned int j = 0; j < 100; ++j)
+      {
+        const double across = std::sqrt(1. - std::pow(0.02 * i - 0.99, 2)), angle = 0.02 * M_PI * j;
+        const dealii::Tensor<1, 3> direction(
+            {across * std::cos(angle), across * std::sin(angle), 0.02 * i - 0.99});
+        cells.insert(
+            body.field.functions_at(state.surfaces[body.index].at(center + direction).position).cell);
+      }
+    unsigned int without = 0;
+    for (const unsigned int cell : cells)
+    {
+      without += with_points.count(cell) == 0;
+      work.matrices[body.index].add_cell<3>(
+          cell, [](unsigned int, unsigned int, unsigned int, unsigned int) { return 1.; }, 1.);
+    }
+    std::cout << body.name << ": " << cells.size() << " cells of the surface, " << without
+              << " without material points\n";
+  }
+}
 } // namespace
 
 int main()
 {
   std::ofstream("scene.prm") << text;
-  Input input("scene.prm", {"Output directory=results"});
-  const auto any = input.create_model_in_space();
-  const SpaceState &state = dynamic_cast<const SpaceModel &>(*any).space();
+  const auto any = model_of("scene.prm", {});
+  const SpaceState &state = state_of(*any);
   const std::vector<WallMotion<3>> walls{
       {dealii::Point<3>(0, 0, 1.1), dealii::Tensor<1, 3>({0., 0., 1.}), 0., true}};
+  // The ball on the left reaches into the next cells by so little that no point lies there.
+  add_everywhere(state_of(*model_of("scene.prm", {"Bodies/a/Center=2.7002, 3.31, 3.42"})));
   const FrameScene<3> scene{state.bodies, state.surfaces, walls, 1., {}, 0.5};
   Vectors start;
   for (const Body<3> &body : state.bodies)

@@ -33,7 +33,7 @@ struct Squeezed
         u[2 * i + d] = -0.005 * body.field.position(body.field.node_of_independent(i))[d];
     body.displacement = u;
     mpm::evaluate_stress(body, u, u, {0., true, 0.}, points);
-    lay_out_stiffness(body.field, matrix);
+    lay_out_stiffness(body.field, matrix, false);
     matrix.set_zero();
     mpm::add_stiffness(body, points, 1., matrix);
     matrix.add_mass<2>(body.mass, 1e-3 * body.law->young_modulus() / body.mass.sum());

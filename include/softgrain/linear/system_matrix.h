@@ -42,11 +42,14 @@ public:
    * cell.
    * @param value of (node a, direction e) in the row and (node b, direction d) in the column, nodes counted
    * within the cell: value(a, e, b, d)
+   * @throw std::logic_error for a cell that was not laid out: a matrix that lacks a part would pass unnoticed
    */
   template <int dim, class Value>
   void add_cell(const unsigned int cell, const Value &value, const double factor)
   {
     const unsigned int n = places[cell].n_nodes;
+    if (n == 0)
+      refuse(cell);
     const int *start = places[cell].start.data();
     double *values = matrix.valuePtr();
     for (unsigned int b = 0; b < n; ++b)
@@ -77,6 +80,8 @@ private:
     unsigned int n_nodes = 0;
     std::vector<int> start; ///< of its blocks from the diagonal down, column by column, one per direction
   };
+
+  [[noreturn]] static void refuse(unsigned int cell);
 
   Sparse matrix;
   unsigned int n_components = 0;   ///< unknowns per node

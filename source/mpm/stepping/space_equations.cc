@@ -14,7 +14,9 @@ namespace
 {
 /// Widest band in space, where factors fill so that a band is best up to some 1500 nodes.
 constexpr unsigned int widest_band = 2000;
-constexpr double locked = 1e4; ///< of the torque that keeps a round body from turning, see StepEquations
+/// Of the torque that keeps a round body from turning, see StepEquations. Other bodies resist turning as they
+/// resist all motion.
+constexpr double locked = 1e4;
 } // namespace
 
 void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings)
@@ -26,7 +28,7 @@ void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolv
   solvers.clear();
   for (const Body<3> &body : bodies)
   {
-    lay_out_stiffness(body.field, matrices[body.index]);
+    lay_out_stiffness(body.field, matrices[body.index], true);
     solvers.push_back(
         std::make_unique<LowRankSolver>(create_linear_solver(of_space, matrices[body.index], 3, true)));
   }
@@ -58,7 +60,8 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                             plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
                         rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))
                                                     : Eigen::MatrixXd(body.displacement.size(), 0);
-                        rotation_weight[b] = 30. * locked * dt_2 * young * body.rest_area;
+                        rotation_weight[b] = 30. * (body.boundary.circular ? locked : plan.regularisation) *
+                                             dt_2 * young * body.rest_area;
                       });
 }
 

@@ -13,9 +13,10 @@ class SystemMatrix;
 namespace softgrain::mpm
 {
 /// Lays out @p matrix for the independent nodes of @p field and its cells with material points.
-/// @param all_cells those too that only the outline reaches, in which rays may meet it
+/// @param all_cells those too that only the surface reaches: rays may meet it there, and their second
+/// derivatives are parts of Newton's matrix
 template <int dim>
-void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, bool all_cells = false);
+void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, bool all_cells);
 
 /**
  * @brief Stiffness -d(internal force)/d(displacement) for the stress and tangent in @p s, times @p factor,
