@@ -18,8 +18,6 @@ namespace
 {
 using dealii::numbers::PI;
 
-constexpr double widest_angle = 1.4; ///< of places that a wall may meet, from the first one [rad]
-
 /// Edge of an icosahedron over the radius of the sphere through its corners.
 constexpr double edge_of_icosahedron = 1.0514622242382672;
 
@@ -114,6 +112,23 @@ std::pair<Shape<3>::Place, Shape<3>::Place> Shape<3>::bounding_box() const
   return box;
 }
 
+SurfacePlace<3> place_of(const dealii::Point<3> &position, const dealii::Tensor<1, 3> &normal)
+{
+  SurfacePlace<3> place;
+  place.position = position;
+  place.normal = normal;
+  unsigned int smallest = 0;
+  for (unsigned int d = 1; d < 3; ++d)
+    if (std::abs(normal[d]) < std::abs(normal[smallest]))
+      smallest = d;
+  dealii::Tensor<1, 3> axis;
+  axis[smallest] = 1.;
+  place.tangent[0] = axis - normal[smallest] * normal;
+  place.tangent[0] /= place.tangent[0].norm();
+  place.tangent[1] = dealii::cross_product_3d(normal, place.tangent[0]);
+  return place;
+}
+
 void Sphere::declare_parameters(dealii::ParameterHandler &prm) const
 {
   prm.declare_entry("Radius", "0", dealii::Patterns::Double(0), "Radius of a sphere. Units: m.");
@@ -135,6 +150,15 @@ void Sphere::check(const std::string &body) const
 double Sphere::volume() const
 {
   return 4. / 3. * PI * radius * radius * radius;
+}
+
+SurfacePlace<3> Sphere::place(const Place &x) const
+{
+  dealii::Tensor<1, 3> normal = x - center;
+  normal /= normal.norm();
+  SurfacePlace<3> result = place_of(center + radius * normal, normal);
+  result.bend[0][0] = result.bend[1][1] = 1. / radius;
+  return result;
 }
 
 std::pair<double, double> Sphere::distances_from_plane(const Place &point,

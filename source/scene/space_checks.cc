@@ -40,6 +40,9 @@ const std::vector<std::string> known = {"Dimension",
                                         "Bodies/*/Shape",
                                         "Bodies/*/Center",
                                         "Bodies/*/Radius",
+                                        "Bodies/*/Semi-axes",
+                                        "Bodies/*/Exponents",
+                                        "Bodies/*/Rotation",
                                         "Bodies/*/Velocity",
                                         "Bodies/*/Angular velocity",
                                         "Packing/",
@@ -151,15 +154,6 @@ std::string scheme_of(const ParameterSection &parameters)
   return "";
 }
 
-/// Depth by which two balls, the only shape there is, lie in each other [m].
-double overlap_of(const BodyDescription<3> &a, const BodyDescription<3> &b)
-{
-  const std::vector<double> one = a.shape->numbers(), other = b.shape->numbers();
-  const dealii::Point<3> center(one[0], one[1], one[2]);
-  const double radii = one[3] + other[3];
-  return (1. - 1e-9) * radii - center.distance(dealii::Point<3>(other[0], other[1], other[2]));
-}
-
 void check_velocity(const BodyDescription<3> &body)
 {
   const std::string path = "Bodies/" + body.name + "/Velocity";
@@ -180,24 +174,32 @@ void check_velocity(const BodyDescription<3> &body)
 void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
 {
   std::vector<std::string> names;
+  bool all_enclose = true;
   for (const BodyDescription<3> &body : scene.bodies)
   {
     names.push_back(body.name);
-    mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); });
+    mistakes.attempt(
+        [&]()
+        {
+          all_enclose = false;
+          body.shape->check("Bodies/" + body.name);
+          all_enclose = true;
+        });
     mistakes.attempt([&]() { check_velocity(body); });
   }
   if (names.empty() && !scene.packing.method)
     mistakes.add(
         InputError("'Bodies/Names' = '' is not allowed with 'Dimension' = '3': it must name at least one "
                    "body, or 'Packing' must bring some"));
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+  // What encloses nothing, as just found, overlaps nothing.
+  for (unsigned int b = 0; b < scene.bodies.size() && all_enclose; ++b)
     for (unsigned int a = 0; a < b; ++a)
     {
-      const double overlap = overlap_of(scene.bodies[a], scene.bodies[b]);
-      if (overlap > 0.)
+      const double depth = overlap(*scene.bodies[a].shape, *scene.bodies[b].shape);
+      if (depth > 0.)
       {
         std::ostringstream text;
-        text << "'Bodies/" << names[a] << "' and 'Bodies/" << names[b] << "' overlap by " << overlap
+        text << "'Bodies/" << names[a] << "' and 'Bodies/" << names[b] << "' overlap by " << depth
              << " m: they must lie beside each other at the start";
         mistakes.add(InputError(text.str()));
       }

@@ -2,6 +2,7 @@
 #ifndef softgrain_geometry_solid_h
 #define softgrain_geometry_solid_h
 
+#include <softgrain/geometry/rest_surface.h>
 #include <softgrain/geometry/shape.h>
 
 #include <array>
@@ -21,7 +22,8 @@ struct TriangulatedSurface
  * @brief The shape of a body in space at rest, in its place: `Bodies/NAME/Shape` names a member of this
  * family where `Dimension` is 3.
  *
- * A shape knows how deep a place lies in it. Grids cut it by that alone.
+ * A shape is smooth, and every ray from its centre meets its surface once. It knows how deep a place lies in
+ * it, by which grids cut it, and how its surface runs, where contact is.
  */
 template <>
 class Shape<3>
@@ -40,8 +42,14 @@ public:
   /// @param body "Bodies/NAME", for messages. @throw InputError when the shape encloses nothing
   virtual void check(const std::string &body) const = 0;
 
-  /// Distance of @p p to the surface, positive inside [m].
+  /// How deep @p p lies inside, below 0 outside [m]. Its size is the distance to the surface, or less.
   virtual double depth(const Place &p) const = 0;
+
+  /// The place of the surface on the ray from the centre to @p x, which is not the centre [m].
+  virtual SurfacePlace<3> place(const Place &x) const = 0;
+
+  /// Whether it is a ball, which is the same when it is turned.
+  virtual bool round() const { return false; }
 
   /// [m^3]
   virtual double volume() const = 0;
@@ -66,6 +74,12 @@ public:
 template <>
 Registry<Shape<3>> &Registry<Shape<3>>::instance();
 
+/// A place of a surface with its unit normal and with some tangents, without bends.
+SurfacePlace<3> place_of(const dealii::Point<3> &position, const dealii::Tensor<1, 3> &normal);
+
+/// How far two bodies lie in each other [m]; 0 or less: they do not.
+double overlap(const Shape<3> &a, const Shape<3> &b);
+
 /// A ball.
 class Sphere final : public Shape<3>
 {
@@ -78,6 +92,8 @@ public:
   void check(const std::string &body) const override;
   double depth(const Place &p) const override { return radius - p.distance(center); }
   double volume() const override;
+  SurfacePlace<3> place(const Place &x) const override;
+  bool round() const override { return true; }
   std::pair<double, double> distances_from_plane(const Place &point,
                                                  const dealii::Tensor<1, 3> &normal) const override;
   /// A geodesic sphere: an icosahedron with divided sides, the same in the mirrors of all three axes.

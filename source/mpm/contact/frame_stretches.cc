@@ -59,12 +59,12 @@ SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outl
   return surface;
 }
 
-SampledSurface<3> sample_surface(const Body<3> &body, const SphereSurface &ball)
+SampledSurface<3> sample_surface(const Body<3> &body, const SolidSurface &solid)
 {
   SampledSurface<3> surface;
   const Boundary<3> &boundary = body.boundary;
   surface.samples.resize(boundary.position.size());
-  for (const auto &[a, b, c] : ball.triangles)
+  for (const auto &[a, b, c] : solid.triangles)
   {
     const dealii::Point<3> &x = boundary.position[a];
     const dealii::Tensor<1, 3> area =
@@ -84,7 +84,7 @@ SampledSurface<3> sample_surface(const Body<3> &body, const SphereSurface &ball)
     auto &sample = surface.samples[m];
     sample.position = boundary.position[m];
     sample.normal /= sample.normal.norm();
-    sample.place = ball.at(boundary.grid_position[m]);
+    sample.place = solid.at(boundary.grid_position[m]);
   }
   return surface;
 }

@@ -114,12 +114,10 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
                             markers, ground.store);
   body.index = state.bodies.size();
   body.boundary.grid_position = body.boundary.position = surface.vertices;
-  body.boundary.circular = true;
+  body.boundary.circular = shape.round();
   start(description, body);
   state.bodies.push_back(std::move(body));
-  const std::vector<double> numbers = shape.numbers(); // of a ball, the only shape there is
-  state.surfaces.emplace_back(dealii::Point<3>(numbers[0], numbers[1], numbers[2]), numbers[3],
-                              surface.triangles);
+  state.surfaces.emplace_back(description.shape, surface.triangles);
 }
 
 void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) const

@@ -5,7 +5,7 @@
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/geometry/outline_surface.h>
-#include <softgrain/geometry/sphere_surface.h>
+#include <softgrain/geometry/solid_surface.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/contact_frame.h>
@@ -23,7 +23,7 @@ namespace softgrain::mpm
 {
 /// What rays meet of a body.
 template <int dim>
-using BodySurface = std::conditional_t<dim == 2, OutlineSurface, SphereSurface>;
+using BodySurface = std::conditional_t<dim == 2, OutlineSurface, SolidSurface>;
 
 /// The law of dents that a grid misses.
 template <int dim>

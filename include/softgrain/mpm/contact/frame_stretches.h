@@ -3,7 +3,7 @@
 #define softgrain_mpm_contact_frame_stretches_h
 
 #include <softgrain/geometry/outline_surface.h>
-#include <softgrain/geometry/sphere_surface.h>
+#include <softgrain/geometry/solid_surface.h>
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
@@ -30,7 +30,7 @@ struct FrameStretch
 SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outline);
 
 /// A ball as it is now, at the markers of its body, which are the vertices of a geodesic sphere.
-SampledSurface<3> sample_surface(const Body<3> &body, const SphereSurface &ball);
+SampledSurface<3> sample_surface(const Body<3> &body, const SolidSurface &solid);
 
 /// Stretches of a body no further than @p reach [m] from a plane: connected along its outline.
 template <int dim>

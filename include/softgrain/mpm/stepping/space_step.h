@@ -53,7 +53,7 @@ struct SpaceProgress
 struct SpaceState : SpaceProgress
 {
   std::vector<Body<3>> bodies;
-  std::vector<SphereSurface> surfaces; ///< of the bodies, in the configuration of their grids
+  std::vector<SolidSurface> surfaces; ///< of the bodies, in the configuration of their grids
 };
 
 /// What a step in space knows of its scene, beside the state.

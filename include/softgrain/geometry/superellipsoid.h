@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_geometry_superellipsoid_h
+#define softgrain_geometry_superellipsoid_h
+
+#include <softgrain/geometry/solid.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <vector>
+
+namespace softgrain
+{
+/**
+ * @brief A convex body between an ellipsoid, a box and a cylinder, all of them with round edges.
+ *
+ * In the directions of its axes, with x, y and z over the semi-axes,
+ *
+ *     N(x, y, z) = ((|x|^m + |y|^m)^(n/m) + |z|^n)^(1/n) = 1,   n, m >= 2
+ *
+ * (A. H. Barr, Superquadrics and angle-preserving transformations, 1981). n = m = 2 is an ellipsoid; with n
+ * and m large it is a box, with n large and m = 2 a cylinder. N is a norm, so that surface, normal, curvature
+ * and support follow in closed form.
+ */
+class Superellipsoid : public Shape<3>
+{
+public:
+  Superellipsoid() = default;
+  /// @param rotation axis times angle [rad]
+  Superellipsoid(const Place &center,
+                 const dealii::Tensor<1, 3> &semi_axes,
+                 const std::array<double, 2> &exponents,
+                 const dealii::Tensor<1, 3> &rotation);
+
+  void declare_parameters(dealii::ParameterHandler &prm) const override;
+  void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override;
+  void check(const std::string &body) const override;
+  /// 1 - N, as a length: no more than the distance to the surface.
+  double depth(const Place &p) const override;
+  double volume() const override;
+  std::pair<double, double> distances_from_plane(const Place &point,
+                                                 const dealii::Tensor<1, 3> &normal) const override;
+  /// A geodesic sphere, stretched along the axes and brought to the surface.
+  TriangulatedSurface surface(double spacing) const override;
+  std::optional<Place> surface_in_box(const Place &lower, const Place &upper) const override;
+  SurfacePlace<3> place(const Place &x) const override;
+  std::vector<double> numbers() const override;
+
+protected:
+  void declare_axes(dealii::ParameterHandler &prm) const;
+  void parse_axes(const dealii::ParameterHandler &prm, const Place &center);
+
+private:
+  using Vector = dealii::Tensor<1, 3>;
+
+  /// N with its first and second derivatives, at a place that is not the centre [1, 1/m, 1/m^2].
+  struct Level
+  {
+    double value = 0.;
+    Vector gradient;
+    dealii::SymmetricTensor<2, 3> hessian;
+  };
+  Level level(const Place &p) const;
+  void find_turn();
+
+  Place center;
+  Vector semi_axes;                             ///< [m]
+  std::array<double, 2> exponents = {{2., 2.}}; ///< n and m
+  Vector rotation;                              ///< axis times angle [rad]
+  /// The axes are its columns.
+  dealii::Tensor<2, 3> turn = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
+};
+
+/// An ellipsoid: n = m = 2.
+class Ellipsoid final : public Superellipsoid
+{
+public:
+  void declare_parameters(dealii::ParameterHandler &prm) const override { declare_axes(prm); }
+  void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override
+  {
+    parse_axes(prm, center);
+  }
+};
+} // namespace softgrain
+
+#endif

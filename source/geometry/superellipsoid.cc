@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/superellipsoid.h>
+#include <softgrain/parameters/parameter_values.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/physics/transformations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace softgrain
+{
+namespace
+{
+using Vector = dealii::Tensor<1, 3>;
+
+constexpr double most_slender = 10.;
+constexpr double largest_exponent = 20.; ///< edges are then a tenth of a semi-axis wide
+
+/// N = (|u|^p + |v|^p)^(1/p) of two numbers, one of them not 0, and its derivatives for u, v >= 0.
+struct Norm
+{
+  Norm(const double u, const double v, const double p)
+  {
+    const double most = std::max(u, v);
+    value = most * std::pow(std::pow(u / most, p) + std::pow(v / most, p), 1. / p);
+    const double a = u / value, b = v / value;
+    by_u = std::pow(a, p - 1.);
+    by_v = std::pow(b, p - 1.);
+    u_u = (p - 1.) / value * (std::pow(a, p - 2.) - by_u * by_u);
+    v_v = (p - 1.) / value * (std::pow(b, p - 2.) - by_v * by_v);
+    u_v = -(p - 1.) / value * by_u * by_v;
+  }
+  double value, by_u, by_v, u_u, v_v, u_v;
+};
+
+/// Norm dual to Norm with exponent @p p.
+double dual(const double u, const double v, const double p)
+{
+  const double q = p / (p - 1.), most = std::max({std::abs(u), std::abs(v), 1e-300});
+  return most * std::pow(std::pow(std::abs(u) / most, q) + std::pow(std::abs(v) / most, q), 1. / q);
+}
+} // namespace
+
+Superellipsoid::Superellipsoid(const Place &center,
+                               const Vector &semi_axes,
+                               const std::array<double, 2> &exponents,
+                               const Vector &rotation)
+    : center(center), semi_axes(semi_axes), exponents(exponents), rotation(rotation)
+{
+  find_turn();
+}
+
+void Superellipsoid::find_turn()
+{
+  const double angle = rotation.norm();
+  turn = dealii::unit_symmetric_tensor<3>();
+  if (angle > 0.)
+    turn = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(Vector(rotation / angle), angle);
+}
+
+void Superellipsoid::declare_axes(dealii::ParameterHandler &prm) const
+{
+  using namespace dealii::Patterns;
+  prm.declare_entry("Semi-axes", "0, 0, 0", List(Double(0), 3, 3, ","),
+                    "Semi-axes of an ellipsoid or a superellipsoid, \"a, b, c\". Units: m.");
+  prm.declare_entry("Rotation", "0, 0, 0", List(Double(), 3, 3, ","),
+                    "Rotation of an ellipsoid or a superellipsoid, whose axes lie along x, y and z before: a "
+                    "vector along the axis of the rotation, as long as its angle. Units: degrees.");
+}
+
+void Superellipsoid::parse_axes(const dealii::ParameterHandler &prm, const Place &body_center)
+{
+  center = body_center;
+  semi_axes = vector_of_numbers<3>(prm.get("Semi-axes"));
+  rotation = dealii::numbers::PI / 180. * vector_of_numbers<3>(prm.get("Rotation"));
+  find_turn();
+}
+
+void Superellipsoid::declare_parameters(dealii::ParameterHandler &prm) const
+{
+  declare_axes(prm);
+  prm.declare_entry("Exponents", "2, 2", dealii::Patterns::List(dealii::Patterns::Double(), 2, 2, ","),
+                    "Exponents \"n, m\" of a superellipsoid ((x/a)^m + (y/b)^m)^(n/m) + (z/c)^n = 1, from 2 "
+                    "to 20: with \"2, 2\" it is an ellipsoid, with larger ones a box, and with a larger n "
+                    "alone a cylinder, with round edges.");
+}
+
+void Superellipsoid::parse_parameters(const dealii::ParameterHandler &prm, const Place &body_center)
+{
+  parse_axes(prm, body_center);
+  const dealii::Tensor<1, 2> both = vector_of_numbers<2>(prm.get("Exponents"));
+  exponents = {{both[0], both[1]}};
+}
+
+void Superellipsoid::check(const std::string &body) const
+{
+  const auto [least, greatest] = std::minmax({semi_axes[0], semi_axes[1], semi_axes[2]});
+  std::ostringstream axes;
+  axes << "'" << body << "/Semi-axes' = '" << semi_axes[0] << ", " << semi_axes[1] << ", " << semi_axes[2]
+       << "' ";
+  if (!(least > 0.))
+    throw InputError(axes.str() + "leaves the body empty: all must be greater than 0");
+  if (greatest > most_slender * least)
+    throw InputError(axes.str() + "is not allowed: one may be at most ten times another");
+  for (const double exponent : exponents)
+    if (!(exponent >= 2. && exponent <= largest_exponent))
+    {
+      std::ostringstream text;
+      text << "'" << body << "/Exponents' = '" << exponents[0] << ", " << exponents[1]
+           << "' is not allowed: both must be between 2 and " << largest_exponent;
+      throw InputError(text.str());
+    }
+}
+
+Superellipsoid::Level Superellipsoid::level(const Place &p) const
+{
+  const Vector from_center = p - center;
+  Vector x, sign;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    double along = 0.;
+    for (unsigned int e = 0; e < 3; ++e)
+      along += turn[e][d] * from_center[e];
+    x[d] = std::abs(along) / semi_axes[d];
+    sign[d] = along < 0. ? -1. : 1.;
+  }
+  const double n = exponents[0], m = exponents[1];
+  const bool at_pole = x[0] + x[1] < 1e-150;
+  const Norm inner = at_pole ? Norm(1., 0., m) : Norm(x[0], x[1], m);
+  const double r = at_pole ? 0. : inner.value;
+  const Norm outer(r, x[2], n);
+  // N_r times the second derivatives of r, which are as large as 1/r at the poles.
+  const double slope = std::pow(r / outer.value, n - 2.) / outer.value * inner.value;
+  const std::array<double, 2> along = {{inner.by_u, inner.by_v}};
+  Vector gradient({outer.by_u * inner.by_u, outer.by_u * inner.by_v, outer.by_v});
+  dealii::SymmetricTensor<2, 3> hessian;
+  hessian[0][0] = slope * inner.u_u;
+  hessian[0][1] = slope * inner.u_v;
+  hessian[1][1] = slope * inner.v_v;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    for (unsigned int j = i; j < 2; ++j)
+      hessian[i][j] += outer.u_u * along[i] * along[j];
+    hessian[i][2] = outer.u_v * along[i];
+  }
+  hessian[2][2] = outer.v_v;
+  Level result;
+  result.value = outer.value;
+  for (unsigned int d = 0; d < 3; ++d)
+    gradient[d] *= sign[d] / semi_axes[d];
+  result.gradient = turn * gradient;
+  dealii::Tensor<2, 3> scaled;
+  for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int e = 0; e < 3; ++e)
+      scaled[d][e] = hessian[d][e] * sign[d] * sign[e] / (semi_axes[d] * semi_axes[e]);
+  result.hessian = dealii::symmetrize(turn * scaled * dealii::transpose(turn));
+  return result;
+}
+
+double Superellipsoid::depth(const Place &p) const
+{
+  const double least = std::min({semi_axes[0], semi_axes[1], semi_axes[2]});
+  if ((p - center).norm() < 1e-12 * least)
+    return least;
+  const Level here = level(p);
+  // N grows by no more than 1 over the least semi-axis, and outside by no more than it does at p.
+  return here.value < 1. ? (1. - here.value) * least : (1. - here.value) / here.gradient.norm();
+}
+
+double Superellipsoid::volume() const
+{
+  const double s = 2. / exponents[0], t = 2. / exponents[1];
+  return 2. * semi_axes[0] * semi_axes[1] * semi_axes[2] * s * t * std::beta(0.5 * s + 1., s) *
+         std::beta(0.5 * t, 0.5 * t);
+}
+
+std::pair<double, double> Superellipsoid::distances_from_plane(const Place &point, const Vector &normal) const
+{
+  Vector along;
+  for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int e = 0; e < 3; ++e)
+      along[d] += semi_axes[d] * turn[e][d] * normal[e];
+  const double reach = dual(dual(along[0], along[1], exponents[1]), along[2], exponents[0]),
+               middle = (center - point) * normal;
+  return {middle - reach, middle + reach};
+}
+
+TriangulatedSurface Superellipsoid::surface(const double spacing) const
+{
+  const double longest = std::max({semi_axes[0], semi_axes[1], semi_axes[2]}),
+               corner = std::sqrt(3.) * std::pow(3., -1. / std::max(exponents[0], exponents[1]));
+  TriangulatedSurface result = Sphere(Place(), 1.).surface(spacing / (corner * longest));
+  for (Place &x : result.vertices)
+  {
+    Vector stretched;
+    for (unsigned int d = 0; d < 3; ++d)
+      stretched[d] = semi_axes[d] * x[d];
+    x = place(center + turn * stretched).position;
+  }
+  return result;
+}
+
+/// A place between one of the box that lies inside and the corner that is farthest out. N is convex: it is
+/// greatest at a corner, and smallest where no coordinate alone makes it smaller.
+std::optional<Superellipsoid::Place> Superellipsoid::surface_in_box(const Place &lower,
+                                                                    const Place &upper) const
+{
+  Place near = center, far = lower;
+  for (unsigned int c = 0; c < 8; ++c)
+  {
+    const Place corner(c & 1 ? upper[0] : lower[0], c & 2 ? upper[1] : lower[1], c & 4 ? upper[2] : lower[2]);
+    if (depth(corner) < depth(far))
+      far = corner;
+  }
+  if (!(depth(far) < 0.))
+    return std::nullopt;
+  for (unsigned int d = 0; d < 3; ++d)
+    near[d] = std::clamp(center[d], lower[d], upper[d]);
+  for (unsigned int sweep = 0; sweep < 30 && !(depth(near) > 0.); ++sweep)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      double low = lower[d], high = upper[d];
+      for (unsigned int halving = 0; halving < 30; ++halving)
+      {
+        near[d] = 0.5 * (low + high);
+        (level(near).gradient[d] > 0. ? high : low) = near[d];
+      }
+    }
+  if (!(depth(near) > 0.))
+    return std::nullopt;
+  for (unsigned int halving = 0; halving < 50; ++halving)
+  {
+    const Place middle = near + 0.5 * (far - near);
+    (depth(middle) > 0. ? near : far) = middle;
+  }
+  return near;
+}
+
+SurfacePlace<3> Superellipsoid::place(const Place &x) const
+{
+  Level here = level(x);
+  // N is homogeneous: its slope is the same on the whole ray, and its second derivative falls with 1/N.
+  here.hessian *= here.value;
+  const double steep = here.gradient.norm();
+  SurfacePlace<3> result = place_of(center + (x - center) / here.value, here.gradient / steep);
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      result.bend[i][j] = result.tangent[i] * (here.hessian * result.tangent[j]) / steep;
+  return result;
+}
+
+std::vector<double> Superellipsoid::numbers() const
+{
+  std::vector<double> all(exponents.begin(), exponents.end());
+  for (const auto &of_three : {Vector(center), semi_axes, rotation})
+    for (unsigned int d = 0; d < 3; ++d)
+      all.push_back(of_three[d]);
+  return all;
+}
+
+namespace
+{
+[[maybe_unused]] const bool registered =
+    Registry<Shape<3>>::instance().add(
+        "ellipsoid", "Semi-axes and Rotation", [] { return std::make_unique<Ellipsoid>(); }) &&
+    Registry<Shape<3>>::instance().add("superellipsoid",
+                                       "Semi-axes, Exponents and Rotation: also boxes and cylinders with "
+                                       "round edges",
+                                       [] { return std::make_unique<Superellipsoid>(); });
+} // namespace
+} // namespace softgrain

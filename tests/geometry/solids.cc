@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Shapes in space: places lie on the surface, normals and bends are those of differences, supports and
+// volumes those of fine triangles, depths below distances, and what touches does not overlap.
+#include <softgrain/geometry/superellipsoid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <string>
+
+using namespace softgrain;
+using Point = dealii::Point<3>;
+using Vector = dealii::Tensor<1, 3>;
+
+namespace
+{
+std::string below(const double limit, const double value)
+{
+  return value < limit ? "small" : std::to_string(value) + " is not below " + std::to_string(limit);
+}
+
+/// By how much a little way along the tangents leads beside where place() says, over the cube of the way.
+double beside_second_order(const Shape<3> &shape)
+{
+  double most = 0.;
+  for (const Point &x : shape.surface(0.7).vertices)
+  {
+    const SurfacePlace<3> here = shape.place(x);
+    for (const double angle : {0.3, 1.4, 2.5})
+    {
+      constexpr double way = 1e-3;
+      const dealii::Tensor<1, 2> a({way * std::cos(angle), way * std::sin(angle)});
+      const Point told = here.position + a[0] * here.tangent[0] + a[1] * here.tangent[1] -
+                         0.5 * (a * (here.bend * a)) * here.normal;
+      // The place that stands over the told one along the normal.
+      Point at = told;
+      double low = -1e-4, high = 1e-4;
+      for (unsigned int halving = 0; halving < 60; ++halving)
+      {
+        const double middle = 0.5 * (low + high);
+        at = told + middle * here.normal;
+        (shape.depth(at) > 0. ? low : high) = middle;
+      }
+      most = std::max(most, std::abs(0.5 * (low + high)) / (way * way * way));
+    }
+  }
+  return most;
+}
+
+double volume_of(const TriangulatedSurface &surface)
+{
+  double sum = 0.;
+  for (const auto &[a, b, c] : surface.triangles)
+  {
+    const Vector x(surface.vertices[a]), y(surface.vertices[b]), z(surface.vertices[c]);
+    sum += x * dealii::cross_product_3d(y, z) / 6.;
+  }
+  return sum;
+}
+
+void look_at(const std::string &name, const Shape<3> &shape)
+{
+  std::cout << name << ":\n  a way of 1e-3 is told to third order, with a factor "
+            << (beside_second_order(shape) < 20. ? "below 20" : "above 20") << '\n';
+  const TriangulatedSurface fine = shape.surface(0.04);
+  std::cout << "  volume of triangles over that told " << std::fixed << std::setprecision(3)
+            << volume_of(fine) / shape.volume() << '\n';
+  double off_normal = 0., off_surface = 0., beyond = 0.;
+  for (const Vector &direction : {Vector({1., 0., 0.}), Vector({0.3, -0.5, 0.8}), Vector({-0.2, 0.9, 0.1})})
+  {
+    const Vector n = direction / direction.norm();
+    const auto [least, greatest] = shape.distances_from_plane(Point(0.1, 0.2, 0.3), n);
+    double low = 1e9, high = -1e9;
+    for (const Point &x : fine.vertices)
+    {
+      low = std::min(low, (x - Point(0.1, 0.2, 0.3)) * n);
+      high = std::max(high, (x - Point(0.1, 0.2, 0.3)) * n);
+    }
+    beyond = std::max({beyond, std::abs(low - least), std::abs(high - greatest)});
+  }
+  unsigned int too_deep = 0, wrong_side = 0;
+  for (const Point &x : shape.surface(0.5).vertices)
+  {
+    const SurfacePlace<3> place = shape.place(x);
+    off_surface = std::max(off_surface, std::abs(shape.depth(place.position)));
+    off_normal = std::max(off_normal, std::abs(place.normal.norm() - 1.));
+    for (const double d : {-0.4, -0.05, 0.05, 0.3})
+    {
+      const double depth = shape.depth(place.position - d * place.normal);
+      too_deep += std::abs(depth) > (1. + 1e-12) * std::abs(d);
+      wrong_side += depth * d <= 0.;
+    }
+  }
+  std::cout << "  places off the surface: " << below(1e-12, off_surface)
+            << ", normals that are not unit: " << below(1e-12, off_normal) << '\n'
+            << "  support beyond the triangles: " << below(4e-3, beyond) << '\n'
+            << "  depths beyond distances: " << too_deep << ", on the wrong side: " << wrong_side << '\n';
+  unsigned int missed = 0;
+  const auto [lower, upper] = shape.bounding_box();
+  for (const Point &x : fine.vertices)
+  {
+    // A box about a place of the surface is gone through by it.
+    const Vector half({0.11, 0.07, 0.09});
+    const auto found = shape.surface_in_box(x - half, x + half);
+    missed += !found || std::abs(shape.depth(*found)) > 1e-10;
+  }
+  missed += shape.surface_in_box(upper + Vector({1., 1., 1.}), upper + Vector({2., 2., 2.})).has_value();
+  std::cout << "  boxes of the surface that are missed: " << missed << '\n';
+}
+} // namespace
+
+int main()
+{
+  const Point center(0.2, -0.1, 0.4);
+  const Vector turn({0.4, -0.7, 0.2});
+  look_at("sphere", Sphere(center, 1.3));
+  look_at("ellipsoid", Superellipsoid(center, Vector({1.5, 1.1, 0.8}), {{2., 2.}}, turn));
+  look_at("superellipsoid", Superellipsoid(center, Vector({1.2, 1.1, 0.9}), {{4., 3.}}, turn));
+  look_at("cylinder", Superellipsoid(center, Vector({1., 1., 1.2}), {{6., 2.}}, turn));
+
+  const Sphere ball(center, 1.3);
+  const Superellipsoid round(center, Vector({1.3, 1.3, 1.3}), {{2., 2.}}, turn);
+  double off = 0.;
+  for (const Point &x : ball.surface(0.3).vertices)
+  {
+    const SurfacePlace<3> a = ball.place(x), b = round.place(x);
+    off = std::max({off, a.position.distance(b.position), (a.normal - b.normal).norm(),
+                    (a.bend - b.bend).norm(), std::abs(a.bend[0][0] - 1. / 1.3)});
+  }
+  std::cout << "a ball as an ellipsoid is another one by " << below(1e-12, off) << '\n';
+
+  // Both touch along x, where the second is turned about it.
+  const Superellipsoid one(Point(0., 0., 0.), Vector({1.5, 1.1, 0.8}), {{2., 2.}}, Vector());
+  for (const double gap : {1e-6, -1e-3, -0.2})
+  {
+    const Superellipsoid other(Point(2.5 + gap, 0., 0.), Vector({1., 0.7, 1.2}), {{2., 2.}},
+                               Vector({0.6, 0., 0.}));
+    std::cout << "a gap of " << std::setprecision(6) << gap << " is told as an overlap of "
+              << std::setprecision(3) << (overlap(one, other) > 0. ? overlap(one, other) : 0.) << '\n';
+  }
+  const Sphere left(Point(0., 0., 0.), 1.), right(Point(1.9, 0., 0.), 1.);
+  std::cout << "balls .1 in each other: " << overlap(left, right) << '\n';
+}
