@@ -20,7 +20,7 @@ ELEMENTS = {
 }
 
 
-def forces(program, folder, poisson, cells, cut, last):
+def forces(program, folder, poisson, cells, cut, last, more):
     """{travel: F/(E R^2)} of one run, and its summary."""
     h = RADIUS / cells
     low = -RADIUS - (1.1 + cut) * h
@@ -28,7 +28,7 @@ def forces(program, folder, poisson, cells, cut, last):
                "Mesh/Upper": f"{-low}, {-low}, {RADIUS - low + h}", "Stop/End time": last,
                "Materials/gel/Neo-Hookean/Poisson's ratio": poisson, "Output/Number of field outputs": 0,
                "Output/Fields every": 0.01, "Output/Field parts": "contacts", "Walls/top/Velocity": 2 * RADIUS,
-               "Time/Wall way": 0.1}
+               "Time/Wall way": 0.1, **more}
     summary, rows = run(program, SCENE, folder / f"{poisson}-{cells:g}-{cut}", changes, threads=1, again=False)
     return {at: min(rows, key=lambda row: abs(row["time_s"] - at))["top_force_N"] / (YOUNG * RADIUS**2)
             for at in ELEMENTS[poisson] if at <= last + 1e-9}, summary
@@ -43,11 +43,13 @@ def main():
     parser.add_argument("--cells", type=float, nargs="+", default=(3, 4, 6), help="in the radius")
     parser.add_argument("--cuts", type=float, nargs="+", default=CUTS, help="shifts of the grid in cells")
     parser.add_argument("--last", type=float, default=0.3, help="travel of each plate over the radius")
+    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="changes of the scene")
     arguments = parser.parse_args()
+    more = dict(text.split("=", 1) for text in arguments.set)
     for poisson, cells in itertools.product(arguments.poisson, arguments.cells):
         found, seconds = [], []
         for cut in arguments.cuts:
-            force, summary = forces(arguments.program, arguments.folder, poisson, cells, cut, arguments.last)
+            force, summary = forces(arguments.program, arguments.folder, poisson, cells, cut, arguments.last, more)
             found.append(force)
             seconds.append(summary["wall_seconds"])
         columns = []
