@@ -73,7 +73,7 @@ void stiffness_of(const std::string &law)
   mpm::StepState<3> at, beside;
   const Eigen::VectorXd force = force_of(body, u, at);
   SystemMatrix matrix;
-  mpm::lay_out_stiffness(body.field, matrix);
+  mpm::lay_out_stiffness(body.field, matrix, false);
   mpm::add_stiffness(body, at, 1., matrix);
   const Eigen::VectorXd Kd = matrix.lower().selfadjointView<Eigen::Lower>() * d;
   const double step = 1e-5;

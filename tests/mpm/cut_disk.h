@@ -37,7 +37,7 @@ inline Eigen::VectorXd
 stiffness_times(const mpm::Body<2> &body, const mpm::StepState<2> &points, const Eigen::VectorXd &nodal)
 {
   SystemMatrix matrix;
-  lay_out_stiffness(body.field, matrix);
+  lay_out_stiffness(body.field, matrix, false);
   matrix.set_zero();
   mpm::add_stiffness(body, points, 1., matrix);
   return matrix.lower().selfadjointView<Eigen::Lower>() * nodal;

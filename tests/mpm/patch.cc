@@ -35,7 +35,7 @@ double condition(const mpm::MpmModel &model)
 {
   const mpm::Body<2> &body = model.bodies()[0];
   SystemMatrix matrix;
-  lay_out_stiffness(body.field, matrix);
+  lay_out_stiffness(body.field, matrix, false);
   matrix.set_zero();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(body.field.n_dofs());
   mpm::StepState<2> at;
