@@ -69,13 +69,12 @@ def read_section(data: dict, names=frozenset()) -> Listed:
 
 
 @functools.lru_cache(maxsize=None)
-def _listed(program: str, model: str, _) -> Listed:
-    return read_section(
-        json.loads(call([program, "parameters", "--model", model, "--format", "json"]))
-    )
+def _listed(program: str, model: str, dimension: str, _) -> Listed:
+    asked = ["--model", model, "--dimension", dimension, "--format", "json"]
+    return read_section(json.loads(call([program, "parameters", *asked])))
 
 
-def listing(model: str = "mpm", program: Optional[str] = None) -> Listed:
-    """All parameters of a model."""
+def listing(model: str = "mpm", program: Optional[str] = None, dimension: int = 2) -> Listed:
+    """All parameters of a model, in the plane or in space."""
     found: str = find_program(program)
-    return _listed(found, model, os.stat(found).st_mtime_ns)
+    return _listed(found, model, str(dimension), os.stat(found).st_mtime_ns)

@@ -269,9 +269,14 @@ class Scene(Section):
     <BLANKLINE>
     """
 
-    def __init__(self, model: Optional[str] = None, program: Optional[str] = None):
-        super().__init__(listing(model or "mpm", program), "", self)
+    def __init__(
+        self, model: Optional[str] = None, program: Optional[str] = None, dimension: int = 2
+    ):
+        """dimension: 3 for a scene in space"""
+        super().__init__(listing(model or "mpm", program, dimension), "", self)
         self.__dict__.update(_program=program, _grains=[], title="")
+        if dimension != 2:
+            self._values["Dimension"] = str(dimension)
         if model:
             self._values["Model"] = model
 
@@ -279,6 +284,11 @@ class Scene(Section):
         if name == "model" and value != self.model:
             raise InputError(
                 f"the model of a scene decides what parameters it has: say Scene('{value}')"
+            )
+        if name == "dimension" and str(value) != self.dimension:
+            raise InputError(
+                "the dimension of a scene decides what parameters it has: say"
+                f" Scene(dimension={value})"
             )
         if name == "title":
             self.__dict__[name] = value
@@ -294,7 +304,8 @@ class Scene(Section):
         }
         if UNREAD in entries:
             call([find_program(program), "check", os.fspath(path)])  # says what is wrong with it
-        scene = cls(entries.pop("Model", None), program)
+        dimension = 3 if entries.pop("Dimension", "2").strip() == "3" else 2
+        scene = cls(entries.pop("Model", None), program, dimension)
         for name in sorted(entries, key=lambda name: not name.endswith(f"/{NAMES}")):
             scene[name] = entries[name]
         return scene

@@ -95,6 +95,7 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
   parameters_command->add_option("--model", model,
                                  "model whose parameters are printed: mpm (default) or bpm");
+  parameters_command->add_option("--dimension", dimension, "2 (default), or 3: those of a scene in space");
   parameters_command->add_option("--format", format, "prm (default), json or md")
       ->check(CLI::IsMember({"prm", "json", "md"}));
   CLI::App *measure_command = app.add_subcommand("measure", "compute measures from the snapshots of a run");
@@ -374,8 +375,12 @@ void CommandLine::print_parameters() const
     throw InputError("this program was built without any model");
   const bool has_mpm = std::find(models.begin(), models.end(), "mpm") != models.end();
   const std::string shown = !model.empty() ? model : has_mpm ? "mpm" : models.front();
-  declare_all_parameters(prm, shown, names);
+  if ((dimension != 2 && dimension != 3) || (dimension == 3 && shown != "mpm"))
+    throw InputError("'--dimension' = '" + std::to_string(dimension) +
+                     "' is not allowed: it must be 2 or, for the model mpm, 3");
+  declare_all_parameters(prm, shown, names, dimension);
   prm.set("Model", shown);
+  prm.set("Dimension", std::to_string(dimension));
   for (const std::string section : {"Materials", "Bodies", "Walls", "Obstacles", "Stages"})
   {
     prm.enter_subsection(section);
@@ -386,8 +391,8 @@ void CommandLine::print_parameters() const
   // no default normal, and the obstacle lie where they are in nobody's way.
   prm.enter_subsection("Walls");
   prm.enter_subsection("NAME");
-  prm.set("Point", "0, -1");
-  prm.set("Normal", "0, 1");
+  prm.set("Point", dimension == 3 ? "0, 0, -1" : "0, -1");
+  prm.set("Normal", dimension == 3 ? "0, 0, 1" : "0, 1");
   prm.leave_subsection();
   prm.leave_subsection();
   prm.enter_subsection("Obstacles");

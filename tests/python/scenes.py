@@ -172,6 +172,24 @@ class Scenes(unittest.TestCase):
             written = entries(write("again.prm", softgrain.Scene.read(path).text))
             self.assertEqual(written, entries(path), path)
 
+    def test_in_space(self):
+        """A scene in space has the shapes of space."""
+        scene = softgrain.Scene("mpm", dimension=3)
+        scene.materials.add("gel", youngs_modulus=1e5)
+        scene.bodies.add("egg", shape="ellipsoid", center=(0, 0, 5e-3), semi_axes=(4e-3, 4e-3, 5e-3), rotation=(0, 0, 30))
+        scene.walls.add("top", point=(0, 0, 10e-3), velocity=1e-3)
+        scene.walls.add("bottom")
+        scene.mesh(lower=(-5e-3, -5e-3, -1e-3), upper=(5e-3, 5e-3, 11e-3), cell_size=1.8e-3)
+        scene.time(scheme="quasi_static", wall_way=0.1)
+        scene.stop.end_time = 0.2
+        run = scene.run("table/egg")
+        self.assertEqual((run.parameters["Dimension"], run.summary["bodies"]), (3, 1))
+        self.assertEqual(entries(write("egg.prm", softgrain.Scene.read("table/egg.prm").text)), entries("table/egg.prm"))
+        for said, call in ((r"say Scene\(dimension=2\)", lambda: setattr(scene, "dimension", 2)),
+                           ("has no 'semi_axes_'|has no 'angle'", lambda: scene.bodies.egg.angle)):
+            with self.assertRaisesRegex(softgrain.InputError, said):
+                call()
+
     def test_grains(self):
         """Disks at places of one's own are a table beside the file."""
         scene = softgrain.Scene("mpm")

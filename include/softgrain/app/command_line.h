@@ -60,6 +60,7 @@ private:
   bool overwrite = false;
   std::string checkpoint; ///< empty: the newest
   std::string model;
+  unsigned int dimension = 2; ///< of the scene whose parameters are printed
   std::string format = "prm";
   std::string directory; ///< of snapshots to measure
   std::string table;     ///< of measures; empty: in the same folder
