@@ -21,13 +21,20 @@ using Vector = dealii::Tensor<1, 3>;
 constexpr double most_slender = 10.;
 constexpr double largest_exponent = 20.; ///< edges are then a tenth of a semi-axis wide
 
-/// N = (|u|^p + |v|^p)^(1/p) of two numbers, one of them not 0, and its derivatives for u, v >= 0.
+/// N = (|u|^p + |v|^p)^(1/p).
+double norm_of(const double u, const double v, const double p)
+{
+  const double most = std::max(std::abs(u), std::abs(v));
+  return most > 0.
+             ? most * std::pow(std::pow(std::abs(u) / most, p) + std::pow(std::abs(v) / most, p), 1. / p)
+             : 0.;
+}
+
+/// N with its derivatives for u, v >= 0, one of them not 0.
 struct Norm
 {
-  Norm(const double u, const double v, const double p)
+  Norm(const double u, const double v, const double p) : value(norm_of(u, v, p))
   {
-    const double most = std::max(u, v);
-    value = most * std::pow(std::pow(u / most, p) + std::pow(v / most, p), 1. / p);
     const double a = u / value, b = v / value;
     by_u = std::pow(a, p - 1.);
     by_v = std::pow(b, p - 1.);
@@ -38,11 +45,10 @@ struct Norm
   double value, by_u, by_v, u_u, v_v, u_v;
 };
 
-/// Norm dual to Norm with exponent @p p.
+/// The norm dual to that with exponent @p p.
 double dual(const double u, const double v, const double p)
 {
-  const double q = p / (p - 1.), most = std::max({std::abs(u), std::abs(v), 1e-300});
-  return most * std::pow(std::pow(std::abs(u) / most, q) + std::pow(std::abs(v) / most, q), 1. / q);
+  return norm_of(u, v, p / (p - 1.));
 }
 } // namespace
 
@@ -117,17 +123,21 @@ void Superellipsoid::check(const std::string &body) const
     }
 }
 
+Superellipsoid::Vector Superellipsoid::over_axes(const Place &p) const
+{
+  Vector x = (p - center) * turn;
+  for (unsigned int d = 0; d < 3; ++d)
+    x[d] /= semi_axes[d];
+  return x;
+}
+
 Superellipsoid::Level Superellipsoid::level(const Place &p) const
 {
-  const Vector from_center = p - center;
-  Vector x, sign;
+  Vector x = over_axes(p), sign;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    double along = 0.;
-    for (unsigned int e = 0; e < 3; ++e)
-      along += turn[e][d] * from_center[e];
-    x[d] = std::abs(along) / semi_axes[d];
-    sign[d] = along < 0. ? -1. : 1.;
+    sign[d] = x[d] < 0. ? -1. : 1.;
+    x[d] = std::abs(x[d]);
   }
   const double n = exponents[0], m = exponents[1];
   const bool at_pole = x[0] + x[1] < 1e-150;
@@ -164,12 +174,9 @@ Superellipsoid::Level Superellipsoid::level(const Place &p) const
 
 double Superellipsoid::depth(const Place &p) const
 {
-  const double least = std::min({semi_axes[0], semi_axes[1], semi_axes[2]});
-  if ((p - center).norm() < 1e-12 * least)
-    return least;
-  const Level here = level(p);
-  // N grows by no more than 1 over the least semi-axis, and outside by no more than it does at p.
-  return here.value < 1. ? (1. - here.value) * least : (1. - here.value) / here.gradient.norm();
+  const Vector x = over_axes(p);
+  return (1. - norm_of(norm_of(x[0], x[1], exponents[1]), x[2], exponents[0])) *
+         std::min({semi_axes[0], semi_axes[1], semi_axes[2]});
 }
 
 double Superellipsoid::volume() const

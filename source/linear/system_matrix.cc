@@ -104,6 +104,8 @@ void SystemMatrix::add_plane_cell(const unsigned int cell,
   // Both directions of a node follow each other in a column.
   using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
   const unsigned int n = places[cell].n_nodes;
+  if (n == 0)
+    refuse(cell);
   const int *start = places[cell].start.data();
   double *const values = matrix.valuePtr();
   const double *const xx = blocks, *const xy = blocks + n * stride, *const yy = blocks + 2 * n * stride;

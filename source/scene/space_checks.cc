@@ -178,20 +178,15 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
   for (const BodyDescription<3> &body : scene.bodies)
   {
     names.push_back(body.name);
-    mistakes.attempt(
-        [&]()
-        {
-          all_enclose = false;
-          body.shape->check("Bodies/" + body.name);
-          all_enclose = true;
-        });
+    if (!mistakes.attempt([&]() { body.shape->check("Bodies/" + body.name); }))
+      all_enclose = false;
     mistakes.attempt([&]() { check_velocity(body); });
   }
   if (names.empty() && !scene.packing.method)
     mistakes.add(
         InputError("'Bodies/Names' = '' is not allowed with 'Dimension' = '3': it must name at least one "
                    "body, or 'Packing' must bring some"));
-  // What encloses nothing, as just found, overlaps nothing.
+  // A shape that encloses nothing has no surface to look at.
   for (unsigned int b = 0; b < scene.bodies.size() && all_enclose; ++b)
     for (unsigned int a = 0; a < b; ++a)
     {

@@ -34,7 +34,7 @@ public:
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override;
   void check(const std::string &body) const override;
-  /// 1 - N, as a length: no more than the distance to the surface.
+  /// 1 - N times the least semi-axis: N grows by no more than 1 over that.
   double depth(const Place &p) const override;
   double volume() const override;
   std::pair<double, double> distances_from_plane(const Place &point,
@@ -60,6 +60,8 @@ private:
     dealii::SymmetricTensor<2, 3> hessian;
   };
   Level level(const Place &p) const;
+  /// Coordinates of @p p along the axes, over the semi-axes.
+  Vector over_axes(const Place &p) const;
   void find_turn();
 
   Place center;
