@@ -96,10 +96,17 @@ PLANE = (
     "pivot_m",
     "normal",
     "force_N_per_m",
+    "image_m",
 )  # three components in the file, two that count
 
 
 def in_plane(name, values):
+    """
+    A vector without its third component, a number of a body or wall as a whole number.
+
+    >>> in_plane("image_m", np.array([[1., 2., 0.]])).tolist()
+    [[1.0, 2.0]]
+    """
     if name in INDICES:
         return values.astype(int)
     return values[:, :2] if name in PLANE and values.ndim == 2 else values
