@@ -6,8 +6,6 @@ namespace softgrain
 {
 namespace
 {
-[[maybe_unused]] const bool registered[] = {MissingSolverKind::add("trilinos_direct", "Trilinos"),
-                                            MissingSolverKind::add("cg_ilu", "Trilinos"),
-                                            MissingSolverKind::add("cg_amg", "Trilinos")};
+[[maybe_unused]] const bool registered = MissingSolverKind::add("cg_amg", "Trilinos");
 } // namespace
 } // namespace softgrain

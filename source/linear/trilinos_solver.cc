@@ -9,7 +9,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector_memory.h>
@@ -157,19 +156,6 @@ private:
   std::vector<Index> indices; ///< of all unknowns
 };
 
-class TrilinosDirect final : public TrilinosBase
-{
-  void prepare(const SystemMatrix &) override
-  {
-    solver = std::make_unique<Wrappers::SolverDirect>(control);
-    solver->initialize(matrix);
-  }
-  void apply() override { solver->solve(solution, right); }
-
-  dealii::SolverControl control;
-  std::unique_ptr<Wrappers::SolverDirect> solver;
-};
-
 /// Up to deal.II 9.7 multigrid is always ML, which is told the unknowns of a node, too. From 9.8 on it may be
 /// MueLu, with other names of parameters, and only deal.II's own description serves both.
 constexpr bool multigrid_is_ml = !DEAL_II_VERSION_GTE(9, 8, 0);
@@ -217,21 +203,13 @@ void prepare_multigrid(Amg &amg,
 class TrilinosCg final : public TrilinosBase
 {
 public:
-  TrilinosCg(const LinearSolverSettings &settings, const bool amg, const unsigned int dim)
-      : settings(settings), use_amg(amg), dim(dim)
-  {
-  }
+  TrilinosCg(const LinearSolverSettings &settings, const unsigned int dim) : settings(settings), dim(dim) {}
 
 private:
   void prepare(const SystemMatrix &source) override
   {
-    if (use_amg)
-    {
-      motions = source.rigid_motions();
-      prepare_multigrid(amg, matrix, motions, dim);
-    }
-    else
-      ilu.initialize(matrix, Wrappers::PreconditionILU::AdditionalData(1, 0., 1., 0));
+    motions = source.rigid_motions();
+    prepare_multigrid(amg, matrix, motions, dim);
   }
 
   void apply() override
@@ -242,10 +220,7 @@ private:
     dealii::SolverCG<Wrappers::MPI::Vector> cg(control, memory);
     try
     {
-      if (use_amg)
-        cg.solve(matrix, solution, right, amg);
-      else
-        cg.solve(matrix, solution, right, ilu);
+      cg.solve(matrix, solution, right, amg);
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {
@@ -256,43 +231,24 @@ private:
   }
 
   const LinearSolverSettings settings;
-  const bool use_amg;
   const unsigned int dim;
   Eigen::MatrixXd motions;
   Wrappers::PreconditionAMG amg;
-  Wrappers::PreconditionILU ilu;
 };
 
-class DirectKind final : public LinearSolverKind
-{
-public:
-  std::unique_ptr<LinearSolver> create(const LinearSolverSettings &, unsigned int) const override
-  {
-    return std::make_unique<TrilinosDirect>();
-  }
-};
-
-template <bool use_amg>
 class CgKind final : public LinearSolverKind
 {
 public:
   std::unique_ptr<LinearSolver> create(const LinearSolverSettings &settings,
                                        const unsigned int dim) const override
   {
-    return std::make_unique<TrilinosCg>(settings, use_amg, dim);
+    return std::make_unique<TrilinosCg>(settings, dim);
   }
 };
 
-template <class Kind>
-bool add(const std::string &name, const std::string &description)
-{
-  return Registry<LinearSolverKind>::instance().add(name, description,
-                                                    [] { return std::make_unique<Kind>(); });
-}
-
-[[maybe_unused]] const bool registered[] = {
-    add<DirectKind>("trilinos_direct", "Amesos of Trilinos"),
-    add<CgKind<false>>("cg_ilu", "conjugate gradients of Trilinos with an incomplete factorisation"),
-    add<CgKind<true>>("cg_amg", "the same with algebraic multigrid (ML), for large bodies without contact")};
+[[maybe_unused]] const bool registered = Registry<LinearSolverKind>::instance().add(
+    "cg_amg",
+    "conjugate gradients with algebraic multigrid (ML of Trilinos), for large bodies without contact",
+    [] { return std::make_unique<CgKind>(); });
 } // namespace
 } // namespace softgrain

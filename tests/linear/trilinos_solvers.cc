@@ -81,6 +81,5 @@ int main(int, char **argv)
             << ", 51842 unknowns in 18 iterations " << yes(solves(160, 18, true)) << ", without rotations "
             << yes(solves(160, 18, false)) << '\n';
   set_n_threads(4);
-  for (const char *const name : {"cg_amg", "cg_ilu", "trilinos_direct"})
-    std::cout << name << ", sixteen bodies at once: the same bits " << yes(same_at_once(name)) << '\n';
+  std::cout << "cg_amg, sixteen bodies at once: the same bits " << yes(same_at_once("cg_amg")) << '\n';
 }
