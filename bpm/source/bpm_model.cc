@@ -3,6 +3,7 @@
 #include <softgrain/base/interruption.h>
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/scene/loads_over_step.h>
 
 #include <deal.II/base/timer.h>
 
@@ -79,21 +80,47 @@ void BpmModel::drive_walls(const double dt)
   }
 }
 
-void BpmModel::accelerate()
+void BpmModel::accelerate(const double dt)
 {
-  if (!is_pulled)
+  if (load_names.empty())
     return;
   const Primaries &disks = dynamics->disks();
   acceleration.resize(disks.size());
+  of_loads.resize(load_names.size() - 1);
+  for (auto &of_load : of_loads)
+    of_load.resize(disks.size());
+  std::vector<const Load<2> *> loads;
+  for (const auto &load : scene.loads)
+    loads.push_back(load.get());
+  std::vector<dealii::Tensor<1, 2>> means;
+  // Loads that are the same everywhere are asked once.
+  const bool everywhere = !is_loaded && !scene.loads.see_velocity();
   for (std::size_t i = 0; i < disks.size(); ++i)
   {
-    acceleration[i] = {scene.gravity[0], scene.gravity[1]};
-    const std::vector<Expression> &force = body_force[disks.body[i]];
-    if (force.empty())
-      continue;
-    const std::array<double, 2> &x = disks.position[i], &X = disks.start[i];
-    for (unsigned int d = 0; d < 2; ++d)
-      acceleration[i][d] += force[d]({x[0], x[1], X[0], X[1], now});
+    const std::array<double, 2> &x = disks.position[i], &v = disks.velocity[i];
+    LoadPlace<2> place{{x[0], x[1]}, {x[0], x[1]}, dealii::Tensor<1, 2>({v[0], v[1]}), now};
+    if (is_loaded)
+      place.at_rest = dealii::Point<2>(disks.start[i][0], disks.start[i][1]);
+    loads.resize(scene.loads.size());
+    if (const auto &own = own_load[disks.body[i]])
+      loads.push_back(own.get());
+    mean_accelerations(loads, place, dt, means);
+    acceleration[i] = {0., 0.};
+    for (std::size_t number = 0; number < means.size(); ++number)
+    {
+      const dealii::Tensor<1, 2> &pull = means[number];
+      for (unsigned int d = 0; d < 2; ++d)
+        acceleration[i][d] += pull[d];
+      if (number < of_loads.size())
+        of_loads[number][i] = {pull[0], pull[1]};
+    }
+    if (everywhere)
+    {
+      std::fill(acceleration.begin(), acceleration.end(), acceleration[i]);
+      for (auto &of_load : of_loads)
+        std::fill(of_load.begin(), of_load.end(), of_load[i]);
+      return;
+    }
   }
 }
 
@@ -167,11 +194,11 @@ StepReport BpmModel::advance(const double dt_limit)
   const auto try_step = [&](const double dt) -> Attempt
   {
     drive_walls(dt);
-    accelerate();
+    accelerate(dt);
     DynamicsReport done;
     try
     {
-      done = dynamics->step(dt, moving_walls, acceleration, scene.gravity);
+      done = dynamics->step(dt, moving_walls, acceleration, of_loads);
     }
     catch (const Interrupted &)
     {
@@ -239,12 +266,20 @@ void BpmModel::keep_books(const DynamicsReport &report)
   balance.body_force_impulse += report.force_impulse;
   balance.note_momentum(dynamics->moving());
   balance.cell_work += report.cell_work;
-  balance.gravity_work += report.gravity_work;
-  balance.body_force_work += report.force_work - report.gravity_work;
+  double left = report.force_work;
+  for (std::size_t load = 0; load < report.load_work.size(); ++load)
+  {
+    balance.load_work.add(load_names[load], report.load_work[load]);
+    left -= report.load_work[load];
+  }
+  if (!load_names.empty())
+    balance.load_work.add(load_names.back(), left);
   balance.contact_loss += report.contact_loss;
   balance.adhesion_work += report.adhesion_work;
   balance.driven_work += report.driven_work;
   balance.wall_damping_loss += report.damping_loss;
+  balance.losses.add(report.losses);
+  balance.sums.add(report.sums);
 }
 
 double BpmModel::momentum_error() const
@@ -270,7 +305,7 @@ Energies BpmModel::energies() const
   for (const Wall &wall : moving_walls)
     energies.kinetic += wall.kinetic_energy();
   energies.elastic = dynamics->attraction_energy();
-  energies.dissipated = balance.contact_loss + balance.wall_damping_loss;
+  energies.dissipated = balance.dissipated();
   energies.external_work = external_work(balance, moving_walls, moving_obstacles);
   return energies;
 }
@@ -297,9 +332,7 @@ std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 std::vector<std::pair<std::string, double>> BpmModel::works() const
 {
   Workers workers;
-  workers.gravity = scene.gravity.norm_square() > 0.;
-  workers.body_forces =
-      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
+  workers.loads = load_names;
   workers.cell =
       std::any_of(moving_walls.begin(), moving_walls.end(), [](const Wall &wall) { return wall.repeats(); });
   workers.driven_bodies = std::any_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });

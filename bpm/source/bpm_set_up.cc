@@ -172,14 +172,14 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   // More than a step, for what it accelerates.
   settings.dynamics.look_ahead = 1.5 * wanted_step();
   for (const BodyDescription<2> &body : scene.bodies)
-    body_force.push_back(body.body_force.empty() || body.body_force == "0; 0"
-                             ? std::vector<Expression>()
-                             : vector_expression(body.body_force, {"x", "y", "X", "Y", "t"}));
-  is_loaded =
-      std::any_of(body_force.begin(), body_force.end(), [](const auto &force) { return !force.empty(); });
+    own_load.push_back(body_force(body.body_force));
+  const bool own = std::any_of(own_load.begin(), own_load.end(), [](const auto &load) { return bool(load); });
+  load_names = scene.loads.names();
+  if (own)
+    load_names.push_back(name_of_body_force);
+  is_loaded = own || scene.loads.look_at_points();
   if (is_loaded)
     disks.start = disks.position;
-  is_pulled = is_loaded || scene.gravity.norm() > 0.;
   weigh(disks);
   is_graded = !disks.strength.empty();
   rotates = disks.rotate();

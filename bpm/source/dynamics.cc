@@ -266,27 +266,37 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
 
 void Dynamics::account(const double dt,
                        const std::vector<std::array<double, 2>> &acceleration,
-                       const dealii::Tensor<1, 2> &gravity,
+                       const std::vector<std::vector<std::array<double, 2>>> &of_loads,
                        DynamicsReport &report) const
 {
   // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
   // but for the work of the attraction, which is compared with its potential.
   struct Work
   {
-    ExactSum loss, force, gravity, impulse[2];
+    ExactSum loss, force, impulse[2];
+    std::vector<ExactSum> load;
   };
+  const std::size_t n_loads = of_loads.size();
   const std::size_t n = n_own(), n_pieces = n / grain + 1;
+  const auto work_of = [&](const std::array<double, 2> &pull, const std::size_t i)
+  {
+    double sum = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+      sum += dt * primaries.mass[i] * pull[d] * 0.5 * (primaries.velocity[i][d] + bodies.velocity[i][d]);
+    return sum;
+  };
   const bool pulled = !acceleration.empty();
   std::vector<Work> of_piece(n_pieces);
   parallel_for(n, grain,
                [&](const std::size_t begin, const std::size_t end)
                {
                  Work &work = of_piece[begin / grain];
+                 work.load.resize(n_loads);
                  for (std::size_t i = begin; i < end; ++i)
                  {
                    if (inverse_mass[i] == 0.)
                      continue;
-                   double kinetic_loss = 0., attraction = 0., force_work = 0., gravity_work = 0.;
+                   double kinetic_loss = 0., attraction = 0., force_work = 0.;
                    for (unsigned int d = 0; d < 2; ++d)
                    {
                      const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
@@ -296,7 +306,6 @@ void Dynamics::account(const double dt,
                        continue;
                      const double impulse = dt * primaries.mass[i] * acceleration[i][d];
                      force_work += impulse * 0.5 * (before + after);
-                     gravity_work += dt * primaries.mass[i] * gravity[d] * 0.5 * (before + after);
                      work.impulse[d].add(impulse);
                    }
                    if (rotations)
@@ -309,10 +318,11 @@ void Dynamics::account(const double dt,
                    if (!pulled)
                      continue;
                    work.force.add(force_work);
-                   work.gravity.add(gravity_work);
+                   for (std::size_t load = 0; load < n_loads; ++load)
+                     work.load[load].add(work_of(of_loads[load][i], i));
                  }
                });
-  std::vector<ExactSum> all(5);
+  std::vector<ExactSum> all(4 + n_loads);
   for (const Work &work : of_piece)
   {
     all[0].add(work.loss);
@@ -321,13 +331,15 @@ void Dynamics::account(const double dt,
     all[1].add(work.force);
     all[2].add(work.impulse[0]);
     all[3].add(work.impulse[1]);
-    all[4].add(work.gravity);
+    for (std::size_t load = 0; load < work.load.size(); ++load)
+      all[4 + load].add(work.load[load]);
   }
   if (share)
     add_over_ranks(all, share->of_ranks());
   report.contact_loss += all[0].value();
   report.force_work += all[1].value();
-  report.gravity_work += all[4].value();
+  for (std::size_t load = 0; load < n_loads; ++load)
+    report.load_work.push_back(all[4 + load].value());
   report.force_impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
 }
 
@@ -355,7 +367,7 @@ void Dynamics::move_primaries(const double dt)
 DynamicsReport Dynamics::step(const double dt,
                               std::vector<Wall> &walls,
                               const std::vector<std::array<double, 2>> &acceleration,
-                              const dealii::Tensor<1, 2> &gravity)
+                              const std::vector<std::vector<std::array<double, 2>>> &of_loads)
 {
   DynamicsReport report;
   {
@@ -381,7 +393,7 @@ DynamicsReport Dynamics::step(const double dt,
     move_walls(dt, walls, report);
     if (obstacles != nullptr)
       move_obstacles(dt, report);
-    account(dt, acceleration, gravity, report);
+    account(dt, acceleration, of_loads, report);
     account_driven(dt, report);
     report.contact_loss += report.adhesion_work;
     note_contacts(dt);

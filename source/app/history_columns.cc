@@ -21,8 +21,9 @@ std::string column_of_work(const std::string &name)
 std::map<std::string, std::string> works_of_all_scenes()
 {
   std::map<std::string, std::string> columns;
-  for (const auto &[column, value] :
-       columns_of_work(Balance(), {}, {}, Workers{true, true, true, true, true, true}))
+  Workers all{true, true, true, true, Registry<Load<2>>::instance().names()};
+  all.loads.push_back(name_of_body_force);
+  for (const auto &[column, value] : columns_of_work(Balance(), {}, {}, all))
     columns[column] = "has a meaning of its own";
   columns[column_of_work("external")] = "is the sum of all works";
   columns[column_of_work("regularisation")] = "has a meaning of its own";

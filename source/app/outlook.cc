@@ -151,13 +151,15 @@ std::optional<RunOutline> outline_of(Input &input)
   outline.to_pack = input.scene().packing.method != nullptr;
   WallsAlone model(input.scene(), input.solid_area(outline.crowd));
   const std::vector<WallState<2>> start = model.walls();
-  StagePath<2> path(input.stages(), model, input.scene().gravity);
+  StagePath<2> path(input.stages(), model, input.scene().loads);
   path.begin();
   bool known = true;
   const StopConditions &stop = input.stop();
   // Conditions that look back have seen nothing: when they end a run is not known beforehand.
   const StopMemory nothing;
-  const auto of_run = [&] { return stop.empty() ? 0. : stop.fraction_done({model, start, 0.}, nothing); };
+  const auto of_run = [&] {
+    return stop.empty() ? 0. : stop.fraction_done({model, start, input.scene().loads}, nothing);
+  };
   for (unsigned int n = 0; known && n < std::max<std::size_t>(1, input.stages().size()); ++n)
   {
     if (n > 0)

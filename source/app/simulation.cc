@@ -62,7 +62,7 @@ Simulation<dim>::Simulation(const Input &input,
     , field_schedule(parameters.fields_every)
     , snapshot_schedule(parameters.snapshots_every)
     , planner(model.equal_steps())
-    , path(input.stages(), model, scene.gravity)
+    , path(input.stages(), model, scene.loads)
 {
 }
 
@@ -330,7 +330,7 @@ double Simulation<dim>::fraction_done() const
 template <int dim>
 RunStateIn<dim> Simulation<dim>::run_state() const
 {
-  return {model, walls_at_start, planner.slack(), 0., scene.gravity, nullptr, stop.end_time() > 0.};
+  return {model, walls_at_start, scene.loads, planner.slack(), 0., nullptr, stop.end_time() > 0.};
 }
 
 template <int dim>

@@ -18,12 +18,8 @@ const char *const state_name = "driver/stage", *const seen_name = "driver/stage_
 }
 
 template <int dim>
-StagePath<dim>::StagePath(const Stages &stages, Model<dim> &model, const dealii::Tensor<1, dim> &gravity)
-    : stages(stages)
-    , model(model)
-    , gravity(gravity)
-    , expected(stages.size(), 1.)
-    , walls_at_begin(model.walls())
+StagePath<dim>::StagePath(const Stages &stages, Model<dim> &model, const Loads<dim> &loads)
+    : stages(stages), model(model), loads(loads), expected(stages.size(), 1.), walls_at_begin(model.walls())
 {
 }
 
@@ -58,7 +54,7 @@ void StagePath<dim>::next(const double run_done)
 template <int dim>
 RunStateIn<dim> StagePath<dim>::state(const double slack) const
 {
-  return {model, walls_at_begin, slack, begin_time, gravity};
+  return {model, walls_at_begin, loads, slack, begin_time};
 }
 
 template <int dim>

@@ -79,7 +79,7 @@ public:
       , fields(input.run().fields_every)
       , snapshots(input.run().snapshots_every)
       , planner(model.equal_steps())
-      , path(input.stages(), model, input.scene().gravity)
+      , path(input.stages(), model, input.scene().loads)
   {
     path.begin();
   }
@@ -113,13 +113,8 @@ public:
 private:
   RunState state() const
   {
-    return {model,
-            walls_at_start,
-            planner.slack(),
-            0.,
-            input.scene().gravity,
-            nullptr,
-            input.stop().end_time() > 0.};
+    return {model, walls_at_start, input.scene().loads,         planner.slack(),
+            0.,    nullptr,        input.stop().end_time() > 0.};
   }
   double run_done() const { return input.stop().empty() ? 0. : input.stop().fraction_done(state(), seen); }
 

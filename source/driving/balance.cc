@@ -24,24 +24,28 @@ void Balance::save(StateWriter &out, const std::string &name) const
 {
   out.write(name, std::vector<double>{initial_momentum[0], initial_momentum[1], body_force_impulse[0],
                                       body_force_impulse[1], wall_impulse[0], wall_impulse[1],
-                                      largest_momentum, gravity_work, body_force_work, contact_loss,
-                                      wall_damping_loss, adhesion_work, growth_work, cell_work, driven_work});
+                                      largest_momentum, contact_loss, wall_damping_loss, adhesion_work,
+                                      growth_work, cell_work, driven_work});
+  load_work.save(out, name + "_of_loads");
+  losses.save(out, name + "_of_losses");
+  sums.save(out, name + "_of_sums");
 }
 
 void Balance::load(const StateReader &in, const std::string &name)
 {
-  const std::vector<double> b = in.read_doubles(name, 15);
+  const std::vector<double> b = in.read_doubles(name, 13);
   initial_momentum = dealii::Tensor<1, 2>({b[0], b[1]});
   body_force_impulse = dealii::Tensor<1, 2>({b[2], b[3]});
   wall_impulse = dealii::Tensor<1, 2>({b[4], b[5]});
   largest_momentum = b[6];
-  gravity_work = b[7];
-  body_force_work = b[8];
-  contact_loss = b[9];
-  wall_damping_loss = b[10];
-  adhesion_work = b[11];
-  growth_work = b[12];
-  cell_work = b[13];
-  driven_work = b[14];
+  contact_loss = b[7];
+  wall_damping_loss = b[8];
+  adhesion_work = b[9];
+  growth_work = b[10];
+  cell_work = b[11];
+  driven_work = b[12];
+  load_work.load(in, name + "_of_loads");
+  losses.load(in, name + "_of_losses");
+  sums.load(in, name + "_of_sums");
 }
 } // namespace softgrain

@@ -113,7 +113,7 @@ namespace
 /// @p state as the condition sees it whose memory is @p own.
 RunState with_memory(const RunState &state, const std::vector<double> &own)
 {
-  return {state.model, state.walls_at_start, state.time_slack, state.begin, state.gravity,
+  return {state.model, state.walls_at_start, state.loads, state.time_slack, state.begin,
           &own,        state.ends_anyway};
 }
 } // namespace

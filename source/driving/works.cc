@@ -29,8 +29,8 @@ std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balan
     add(true, wall.description.name, wall.work);
   for (const Obstacle &obstacle : obstacles)
     add(true, obstacle.description.name, obstacle.work);
-  add(workers.gravity, "gravity", balance.gravity_work);
-  add(workers.body_forces, "body_force", balance.body_force_work);
+  for (const std::string &load : workers.loads)
+    add(true, load, balance.load_work.of(load));
   add(workers.driven_bodies, "driven_bodies", balance.driven_work);
   add(workers.growth, "growth", balance.growth_work);
   add(workers.cell, "cell", balance.cell_work);

@@ -60,7 +60,7 @@ void declare_motion(dealii::ParameterHandler &prm, const bool in_space)
                       "Units: rad/s.");
   prm.declare_entry(
       "Body force", "0; 0", Anything(),
-      "Force per mass besides gravity, formulas of x, y (place now), X, Y (place at rest) and t: "
+      "Force per mass beside section 'Loads', formulas of x, y (place now), X, Y (place at rest) and t: "
       "\"bx; by\". Units: N/kg.");
   prm.declare_entry(
       "Driven", "false", Bool(),

@@ -210,6 +210,15 @@ void check_cell(const Scene<2> &scene)
     }
 }
 
+/// In a cell that repeats a body is at many places, and its velocity is that beside the motion of the cell.
+void check_loads(const Scene<2> &scene)
+{
+  for (const auto &load : scene.loads)
+    if (load->sees_velocity() && std::any_of(scene.walls.begin(), scene.walls.end(), repeats))
+      throw InputError("'Loads/" + load->key() +
+                       "' is not allowed in a cell that repeats, where bodies have no velocity of their own");
+}
+
 /// Bodies may touch at the start, but not overlap: directly or through the sides of a cell.
 void check_bodies_apart(const Scene<2> &scene)
 {
@@ -248,6 +257,7 @@ void check_scene(const Scene<2> &scene)
   mistakes.attempt([&]() { check_walls(scene.walls); });
   mistakes.attempt([&]() { (void) ContactPairs(scene); }); // whether its tables agree with themselves
   mistakes.attempt([&]() { check_sides(scene.walls); });
+  mistakes.attempt([&]() { check_loads(scene); });
   mistakes.end();
   // Of each wall and each obstacle the first body: often one place is wrong, and many bodies lie beyond it.
   for (const WallDescription<2> &wall : scene.walls)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/mistakes.h>
-#include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/contact_law.h>
 #include <softgrain/scene/packing_parameters.h>
@@ -54,11 +53,10 @@ void SceneParameters::declare_parameters(dealii::ParameterHandler &prm) const
       "mpm, of the length along which bodies touch; N/m with Model = bpm, of every pair of primaries.");
   prm.declare_entry("Adhesion of pairs", "", Anything(), table + " Units: those of 'Adhesion'.");
   prm.leave_subsection();
-  prm.enter_subsection("Loads");
-  prm.declare_entry("Gravity", dimension == 3 ? "0, 0, 0" : "0, 0", List(Double(), dimension, dimension, ","),
-                    std::string("Acceleration of gravity, ") +
-                        (dimension == 3 ? "\"gx, gy, gz\"" : "\"gx, gy\"") + ". Units: m/s^2.");
-  prm.leave_subsection();
+  if (dimension == 3)
+    Loads<3>::declare_parameters(prm);
+  else
+    Loads<2>::declare_parameters(prm);
 }
 
 template <int dim>
@@ -110,8 +108,8 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   mistakes.attempt([&]() { parse_contact(prm, scene); });
   mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
   mistakes.attempt([&]() { rub_at_walls(prm, scene); });
+  mistakes.attempt([&]() { scene.loads = Loads<2>::parse_parameters(prm); });
   mistakes.end();
-  scene.gravity = pair_of_numbers(prm.get({"Loads"}, "Gravity"));
   return scene;
 }
 
@@ -123,8 +121,8 @@ Scene<3> SceneParameters::parse_parameters_in_space(dealii::ParameterHandler &pr
   mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<3>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters<3>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<3>(prm); });
+  mistakes.attempt([&]() { scene.loads = Loads<3>::parse_parameters(prm); });
   mistakes.end();
-  scene.gravity = vector_of_numbers<3>(prm.get({"Loads"}, "Gravity"));
   parse_contact(prm, scene);
   rub_at_walls(prm, scene);
   return scene;

@@ -46,7 +46,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Bodies/*/Velocity",
                                         "Bodies/*/Angular velocity",
                                         "Packing/",
-                                        "Loads/Gravity",
+                                        "Loads/",
                                         "Walls/Names",
                                         "Walls/*/Type",
                                         "Walls/*/Point",
@@ -81,7 +81,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Stop/"};
 
 /// What a scheme does not know in space, beside what none does.
-const std::vector<std::string> unknown_at_rest = {"Loads/Gravity", "Time/Theta", "Time/CFL multiple"},
+const std::vector<std::string> unknown_at_rest = {"Loads/", "Time/Theta", "Time/CFL multiple"},
                                unknown_to_inertia = {"Quasi-static/"};
 
 bool matches(const std::vector<std::string> &path, const std::string &pattern)

@@ -89,7 +89,8 @@ double end_of_shear(const StopConditions &stop, const bool broken)
     const double strain = 5e-4 * i, ratio = 0.3 * (1. - std::exp(-strain / 0.1));
     model.state.walls = box(std::exp(strain / 2.), std::exp(-strain / 2.), 1. + ratio, 1. - ratio);
     ++model.steps;
-    const RunState state{model, start};
+    const Loads<2> none;
+    const RunState state{model, start, none};
     stop.note(state, memory);
     if (broken && i == 500)
     {
@@ -133,11 +134,26 @@ Shown chain(const double difference)
   return model;
 }
 
-void balance(const std::string &what, const Shown &model, const dealii::Tensor<1, 2> &gravity = {})
+/// Pulls down by 1 N/kg.
+class Weight final : public Load<2>
+{
+public:
+  std::string key() const override { return "Weight"; }
+  void declare_parameters(dealii::ParameterHandler &) const override {}
+  void parse_parameters(dealii::ParameterHandler &) override {}
+  bool acts() const override { return true; }
+  bool is_uniform() const override { return true; }
+  dealii::Tensor<1, 2> acceleration(const LoadPlace<2> &) const override
+  {
+    return dealii::Tensor<1, 2>({0., -1.});
+  }
+};
+
+void balance(const std::string &what, const Shown &model, const Loads<2> &loads = {})
 {
   const StopConditions stop = conditions({{"Equilibrium", "0.01"}, {"Equilibrium energy", "1e-3"}});
   StopMemory memory;
-  const RunState state{model, model.state.walls, 0., 0., gravity};
+  const RunState state{model, model.state.walls, loads};
   stop.note(state, memory);
   const double done = stop.fraction_done(state, memory);
   std::cout << what << ": " << done;
@@ -163,7 +179,9 @@ int main()
   balance("nearly", chain(0.009));
   balance("not", chain(0.03));
   // The lower disk is pushed up by 0.1 and the upper one down: weight mends the one and spoils the other.
-  balance("with weight", chain(0.1), dealii::Tensor<1, 2>({0., -1.}));
+  Loads<2> weight;
+  weight.add(std::make_shared<Weight>());
+  balance("with weight", chain(0.1), weight);
   Shown other = chain(0.);
   other.walls_left_over = 0.5;
   balance("a wall is not", other);

@@ -150,6 +150,27 @@ end
 """
 
 
+FLYING = {
+    "mpm": SCENE + """
+subsection Bodies
+  set Names = disk
+  subsection disk
+    set Radius   = 0.3
+    set Center   = 0, 0.5
+    set Velocity = 2; 0
+  end
+end
+subsection Time
+  set Time step = 1e-2
+  set Theta     = 0.5
+end
+subsection Newton
+  set Residual tolerance = 1e-12
+end
+""",
+    "bpm": STICKING.replace("set Velocity = 0; 1", "set Velocity = 2; 0").replace("set Time step = 1e-4", "set Time step = 1e-2")}
+
+
 def run(name, text, *changes):
     """Columns of the history of a run, by name."""
     WORK.mkdir(parents=True, exist_ok=True)
@@ -224,6 +245,18 @@ def check_sticking():
     assert abs(lost + work) < 1e-9 * lost, f"contact law: its work is {work} J/m, what the disk has lost {lost} J/m"
 
 
+def check_flying():
+    for model, text in FLYING.items():
+        history, _ = run(f"flying_{model}", text, "Loads/Quadratic drag=3", "Stop/End time=0.5")
+        mass = 2 * history["kinetic_energy_J_per_m"][0] / 2 ** 2
+        for time, kinetic, work in zip(history["time_s"], history["kinetic_energy_J_per_m"], history["quadratic_drag_work_J_per_m"]):
+            expected = 0.5 * mass * (2 / (1 + 3 * 2 * time)) ** 2
+            assert abs(kinetic - expected) < 1e-3 * expected, f"load, {model}: {kinetic}, not {expected}"
+            first = history["kinetic_energy_J_per_m"][0]
+            change = kinetic - first
+            assert abs(work - change) < 1e-9 * first, f"load, {model}: its work is {work}, not {change}"
+
+
 def check_table():
     """CONTRIBUTING's table has a row for every module here, at most four files each, and the folders exist."""
     page = (SOURCE / "CONTRIBUTING.md").read_text()
@@ -240,6 +273,6 @@ def check_table():
         assert header, f"{module}.cc includes nothing of softgrain"
 
 
-for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate, check_sticking):
+for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate, check_sticking, check_flying):
     check()
     print(check.__name__[6:].replace("_", " "), "as expected")

@@ -11,7 +11,7 @@ namespace softgrain
  * @brief Looks whether the columns that walls and obstacles have in history.csv can be told apart.
  *
  * A column is called after its wall or obstacle, "NAME_work_J_per_m" for example. Nothing may be called as
- * what does work in every scene, "gravity" for example, whether this scene has that or not; nor may a wall
+ * what does work in every scene, "growth" for example, whether this scene has that or not; nor may a wall
  * and an obstacle have one name.
  *
  * @throw InputErrors with a line for each name

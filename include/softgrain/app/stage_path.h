@@ -20,7 +20,7 @@ template <int dim>
 class StagePath
 {
 public:
-  StagePath(const Stages &stages, Model<dim> &model, const dealii::Tensor<1, dim> &gravity);
+  StagePath(const Stages &stages, Model<dim> &model, const Loads<dim> &loads);
 
   bool empty() const { return stages.empty(); }
   unsigned int number() const { return current; } ///< from 0
@@ -65,7 +65,7 @@ private:
 
   const Stages &stages;
   Model<dim> &model;
-  const dealii::Tensor<1, dim> gravity; ///< [m/s^2]
+  const Loads<dim> &loads;
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
   double run_done_at_begin = 0.;

@@ -2,6 +2,8 @@
 #ifndef softgrain_driving_balance_h
 #define softgrain_driving_balance_h
 
+#include <softgrain/driving/named_sums.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <string>
@@ -18,12 +20,14 @@ class StateWriter;
 struct Balance
 {
   dealii::Tensor<1, 2> initial_momentum, body_force_impulse, wall_impulse; ///< [N s/m]
-  double largest_momentum = 0;                  ///< scale of the momentum error [N s/m]
-  double gravity_work = 0, body_force_work = 0; ///< done by gravity, and by body forces beside it [J/m]
-  double driven_work = 0;                       ///< done by driven bodies [J/m]
-  double growth_work = 0;                       ///< energy that active laws brought in [J/m]
-  double cell_work = 0;    ///< of a cell that deforms, beside that of its sides: see CellMotion [J/m]
-  double contact_loss = 0; ///< [J/m]
+  double largest_momentum = 0; ///< scale of the momentum error [N s/m]
+  NamedSums load_work;         ///< done by loads, by their names [J/m]
+  NamedSums losses;            ///< beside those below; columns NAME_J_per_m [J/m]
+  NamedSums sums;              ///< what else columns of the history add up, by their names
+  double driven_work = 0;      ///< done by driven bodies [J/m]
+  double growth_work = 0;      ///< energy that active laws brought in [J/m]
+  double cell_work = 0;        ///< of a cell that deforms, beside that of its sides: see CellMotion [J/m]
+  double contact_loss = 0;     ///< [J/m]
   double adhesion_work =
       0; ///< done by adhesion, which pulls what comes nearer; not part of contact_loss [J/m]
   double wall_damping_loss = 0; ///< in the damping of walls that are free to move [J/m]
@@ -39,10 +43,13 @@ struct Balance
    */
   double momentum_error(const dealii::Tensor<1, 2> &momentum, double rounding = 0.) const;
 
+  /// All that is lost [J/m].
+  double dissipated() const { return contact_loss + losses.sum() + wall_damping_loss; }
+
   /// Done by all but walls and obstacles, which keep their own [J/m].
   double work_beside_walls() const
   {
-    return gravity_work + body_force_work + driven_work + growth_work + cell_work + adhesion_work;
+    return load_work.sum() + driven_work + growth_work + cell_work + adhesion_work;
   }
 
   void save(StateWriter &out, const std::string &name) const;

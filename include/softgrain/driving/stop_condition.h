@@ -27,9 +27,9 @@ struct RunStateIn
 {
   const Model<dim> &model;
   const std::vector<WallState<dim>> &walls_at_start;
+  const Loads<dim> &loads;                     ///< on all bodies
   double time_slack = 0;                       ///< what counts as having arrived [s]
   double begin = 0;                            ///< from when times count [s]
-  dealii::Tensor<1, dim> gravity = {};         ///< [m/s^2]
   const std::vector<double> *memory = nullptr; ///< what note() has kept; of this condition alone
   bool ends_anyway = false;                    ///< whether the run ends at some time, whatever happens
 };

@@ -15,8 +15,8 @@ namespace softgrain
 /// What does work in a scene beside walls and obstacles, whether it has done any yet or not.
 struct Workers
 {
-  bool gravity = false, body_forces = false, driven_bodies = false, growth = false, cell = false,
-       adhesion = false;
+  bool driven_bodies = false, growth = false, cell = false, adhesion = false;
+  std::vector<std::string> loads; ///< by name
 };
 
 /// All that was done on the bodies since the start: by walls, obstacles and what @p balance has [J/m].

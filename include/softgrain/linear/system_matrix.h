@@ -67,6 +67,16 @@ public:
   template <int dim>
   void add_mass(const Eigen::VectorXd &mass, double factor);
 
+  /// Adds a symmetric @p block to that of a node with itself.
+  template <int dim>
+  void add_node(const unsigned int node, const dealii::SymmetricTensor<2, dim> &block)
+  {
+    double *values = matrix.valuePtr();
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = d; e < dim; ++e)
+        values[matrix.outerIndexPtr()[dim * node + d] + (e - d)] += block[e][d];
+  }
+
   /// The matrix; only its lower triangle is stored.
   const Sparse &lower() const { return matrix; }
   /// Whether the pattern changed since the flag was last cleared, so that an analysis has to be made anew.

@@ -4,6 +4,7 @@
 
 #include <softgrain/base/expression.h>
 #include <softgrain/geometry/curve.h>
+#include <softgrain/scene/loads.h>
 #include <softgrain/scene/pair_table.h>
 
 #include <deal.II/base/point.h>
@@ -98,8 +99,8 @@ struct Scene
   PackingDescription<dim> packing;
   std::vector<WallDescription<dim>> walls;
   std::vector<ObstacleDescription<dim>> obstacles;
-  dealii::Tensor<1, dim> gravity; ///< [m/s^2]
-  double friction = 0;            ///< between bodies, where the table of pairs says nothing
+  Loads<dim> loads;    ///< on all bodies
+  double friction = 0; ///< between bodies, where the table of pairs says nothing
   std::vector<PairValue> friction_pairs;
   std::shared_ptr<const ContactLaw> contact_law; ///< null: Coulomb's
   double adhesion = 0; ///< strength where the table says nothing [N/m^2]; between primaries [N/m]

@@ -45,8 +45,8 @@ double energy_scale(const Model<2> &model, const double elastic)
   return stress ? std::abs(stress->mean()) * box_of(walls)->volume() : 0.;
 }
 
-/// Mean force on a body that its contacts and gravity leave over, over the mean force of a contact.
-double unbalanced_force(const Snapshot<2> &snapshot, const dealii::Tensor<1, 2> &gravity)
+/// Mean force on a body that its contacts and loads leave over, over the mean force of a contact.
+double unbalanced_force(const Snapshot<2> &snapshot, const Loads<2> &loads, const double time)
 {
   std::vector<dealii::Tensor<1, 2>> sum(snapshot.bodies.size());
   std::vector<bool> touched(snapshot.bodies.size(), false);
@@ -70,7 +70,9 @@ double unbalanced_force(const Snapshot<2> &snapshot, const dealii::Tensor<1, 2> 
   for (std::size_t b = 0; b < sum.size(); ++b)
     if (touched[b])
     {
-      left_over += (sum[b] + snapshot.bodies[b].mass * gravity).norm();
+      const auto &body = snapshot.bodies[b];
+      const LoadPlace<2> place{body.center, body.center, body.velocity, time};
+      left_over += (sum[b] + body.mass * loads.acceleration(place)).norm();
       ++n;
     }
   return left_over / n / contact_force;
@@ -126,7 +128,7 @@ public:
       seen.force = unknown;
     else if (state.model.step() >= seen.next)
     {
-      seen.force = std::max(walls, unbalanced_force(state.model.snapshot(), state.gravity));
+      seen.force = std::max(walls, unbalanced_force(state.model.snapshot(), state.loads, state.model.time()));
       seen.failures = std::min(seen.failures + 1., 10.);
       seen.next = state.model.step() + seen.failures;
     }

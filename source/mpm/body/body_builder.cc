@@ -49,7 +49,7 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
     if (body.law->n_history() > 0)
       body.law->initial_history(point.history());
     body.rest_area += volume;
-    if (!body.body_force.empty())
+    if (body.loads.look_at_points())
       body.rest_position.push_back(point.position());
   }
   body.n_points = n;
@@ -126,9 +126,6 @@ Body<2> make_body(const BodyDescription<2> &description,
   body.driven = description.driven;
   body.averaged = context.settings.averaged_dilatation(body.law->poisson_ratio());
   body.levels = std::move(levels);
-  // The parameter's default says that there is no load, and then none is evaluated.
-  if (!description.body_force.empty() && description.body_force != "0; 0")
-    body.body_force = vector_expression(description.body_force, {"x", "y", "X", "Y", "t"});
   make_boundary(body, description, context);
   of_body(description,
           [&]()

@@ -136,7 +136,7 @@ void MpmModel::move_bodies(std::vector<unsigned int> owners)
     take("mpm/points/" + slot.name, slot.n_components);
   // What loads need to know of points at rest, in the same way.
   const auto rest_size = [&](const unsigned int b)
-  { return state.bodies[b].body_force.empty() ? 0 : 2 * std::size_t(state.bodies[b].n_points); };
+  { return state.bodies[b].loads.look_at_points() ? 2 * std::size_t(state.bodies[b].n_points) : 0; };
   std::vector<double> rest;
   for (const Body<2> &body : state.bodies)
     if (work.share.holds(body.index))

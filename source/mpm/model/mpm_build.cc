@@ -90,6 +90,12 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     state.bodies.push_back(make_body(body, state.bodies.size(), laws[body.material],
                                      problem.scene.materials[body.material].density, context,
                                      levels[state.bodies.size()]));
+  for (Body<2> &body : state.bodies)
+  {
+    body.loads = problem.scene.loads;
+    if (const auto own = body_force(descriptions[body.index].body_force))
+      body.loads.add(own);
+  }
   problem.pairs = ContactPairs(problem.scene);
   if (problem.pairs.adhere())
     state.adhesion = Adhesion(problem.scene.contact_law, touching * settings.finest_cell());

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/base/expression.h>
 #include <softgrain/constitutive/law_registry.h>
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/driving/wall.h>
-#include <softgrain/geometry/shape.h>
-#include <softgrain/geometry/solid.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/mpm/body/refinement.h>
+#include <softgrain/mpm/model/capabilities.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/model/space_model.h>
@@ -129,7 +127,7 @@ private:
       throw InputError(
           "'Time/Time step' = '0' is not allowed with 'Dimension' = '3' and 'Time/Scheme' = 'quasi_static': "
           "set it, or 'Time/Wall way', greater than 0");
-    check_start_at_rest(scene, settings);
+    check_capabilities(scene, settings);
     SpaceModel::Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
@@ -160,77 +158,6 @@ private:
     }
   }
 
-  /// @throw InputError when walls have what a scheme without inertia would ignore
-  static void check_wall_inertia(const Scene<2> &scene, const Settings &settings)
-  {
-    for (const WallDescription<2> &wall : scene.walls)
-    {
-      const WallInertia given = wall.drive->inertia();
-      if (!settings.scheme.inertia && (given.mass || given.damping))
-        throw InputError("'Walls/" + wall.name + (given.mass ? "/Mass" : "/Damping") +
-                         "' has no effect with 'Time/Scheme' = 'quasi_static': leave it at automatic");
-      if (!settings.scheme.inertia && !wall.drive->prescribed() && settings.max_held_steps == 0)
-        throw InputError("'Quasi-static/Held steps' = '0' is not allowed with the pressure on wall '" +
-                         wall.name + "', which is found in held steps: it must be greater than 0");
-    }
-  }
-
-  /// @throw InputError when bodies start with a motion that a scheme without inertia would ignore
-  template <int dim>
-  static void check_start_at_rest(const Scene<dim> &scene, const Settings &settings)
-  {
-    // Three places that no symmetry connects: a velocity that is 0 at all of them is 0.
-    const double places[3][3] = {{0.31, 0.17, -0.29}, {-0.23, 0.41, 0.13}, {0.07, -0.37, 0.22}};
-    for (const BodyDescription<dim> &body : scene.bodies)
-    {
-      if (settings.scheme.inertia || body.driven)
-        continue;
-      const std::string ignored =
-          "' has no effect with 'Time/Scheme' = 'quasi_static', where nothing has inertia: leave it at 0";
-      if (body.angular_velocity != 0.)
-        throw InputError("'Bodies/" + body.name + "/Angular velocity" + ignored);
-      if (body.velocity.empty())
-        continue;
-      const double width = width_of(*body.shape);
-      const std::vector<std::string> axes = {"x", "y", "z"};
-      for (const Expression &component :
-           vector_expression(body.velocity, {axes.begin(), axes.begin() + dim}, dim))
-        for (const auto &place : places)
-        {
-          std::vector<double> x;
-          for (unsigned int d = 0; d < dim; ++d)
-            x.push_back(body.center[d] + width * place[d]);
-          if (component(x) != 0.)
-            throw InputError("'Bodies/" + body.name + "/Velocity' = '" + body.velocity + ignored);
-        }
-    }
-  }
-  static double width_of(const Shape<2> &shape) { return shape.size(); }
-  static double width_of(const Shape<3> &shape) { return std::cbrt(shape.volume()); }
-
-  /// @throw InputError when a wall slides or a cell repeats and settings do not know that
-  static void check_cell(const Scene<2> &scene, const Settings &settings)
-  {
-    const std::string needs = " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'";
-    if (settings.meets_by_rays() && settings.scheme.implicit)
-      return;
-    for (const WallDescription<2> &wall : scene.walls)
-      if (wall.drive->slides() || wall.drive->shears())
-        throw InputError("'Walls/" + wall.name +
-                         (wall.drive->shears() ? "/Shear stress'" : "/Tangential velocity'") + needs);
-      else if (wall.type == WallDescription<2>::Type::periodic)
-        throw InputError("'Walls/" + wall.name + "/Type' = 'periodic'" + needs);
-  }
-
-  /// @throw InputError when a scene with obstacles asks for what does not know them
-  static void check_obstacles(const Scene<2> &scene, const Settings &settings)
-  {
-    if (!scene.obstacles.empty() && !settings.meets_by_rays())
-      throw InputError("'Contact/Geometry' = '" + settings.contact_geometry +
-                       "' is not allowed where the scene has 'Obstacles/" + scene.obstacles.front().name +
-                       "': it sees planes only");
-  }
-
   using Laws = std::vector<std::shared_ptr<const constitutive::Law<2>>>;
 
   static std::pair<Settings, Laws> read(const Scene<2> &scene, dealii::ParameterHandler &prm)
@@ -239,10 +166,7 @@ private:
     settings.parse_parameters(prm);
     check_free_walls(scene);
     check_sliding_walls(scene);
-    check_wall_inertia(scene, settings);
-    check_start_at_rest(scene, settings);
-    check_obstacles(scene, settings);
-    check_cell(scene, settings);
+    check_capabilities(scene, settings);
     // What a packing will put where is not known before it is made.
     if (settings.refine_near_contact > 0 && !scene.packing.method)
       check_refinement(scene, settings);

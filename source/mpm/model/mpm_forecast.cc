@@ -98,7 +98,8 @@ double factor_of_contacts(const Settings &settings,
 /// half the height of the mesh.
 double cut_by_falls(const Scene<2> &scene, const Settings &settings, const RunOutline &run, const double dt)
 {
-  const double g = scene.gravity.norm(), height = (settings.mesh_upper - settings.mesh_lower).norm();
+  const double g = scene.loads.uniform(0.).norm(),
+               height = (settings.mesh_upper - settings.mesh_lower).norm();
   if (g == 0. || run.crowd.n_bodies() < 1.5 || !settings.scheme.inertia)
     return dt;
   const double longest = run.duration > 0. ? run.duration : std::numeric_limits<double>::max();

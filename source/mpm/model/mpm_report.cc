@@ -81,14 +81,16 @@ Energies MpmModel::energies() const
 std::vector<std::pair<std::string, double>> MpmModel::works() const
 {
   Workers workers;
-  workers.gravity = problem.scene.gravity.norm_square() > 0.;
+  workers.loads = problem.scene.loads.names();
   for (const BodyDescription<2> &body : problem.scene.bodies)
     workers.driven_bodies = workers.driven_bodies || body.driven;
   for (const Body<2> &body : state.bodies)
   {
-    workers.body_forces = workers.body_forces || !body.body_force.empty();
     workers.growth = workers.growth || (!body.driven && body.law->is_active());
   }
+  if (std::any_of(state.bodies.begin(), state.bodies.end(),
+                  [&](const Body<2> &body) { return body.loads.size() > problem.scene.loads.size(); }))
+    workers.loads.push_back(name_of_body_force);
   workers.cell = state.repeats();
   workers.adhesion = problem.pairs.adhere();
   return columns_of_work(state.balance, state.walls, state.obstacles, workers);

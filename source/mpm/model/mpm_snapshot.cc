@@ -244,16 +244,17 @@ double force_time(const TimeScheme &scheme, const double time, const double dt)
 std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
 {
   const Balance &balance = state.balance;
+  const auto of_loss = [&](const std::string &name)
+  { return std::pair<std::string, double>(name + "_J_per_m", balance.losses.of(name)); };
   std::vector<std::pair<std::string, double>> columns = {
       {"force_time_s", force_time(problem.settings.scheme, time(), last_dt)},
       {"plain_solves", work.contact.plain_solves},
       {"contact_loss_J_per_m", balance.contact_loss},
       {"rotational_energy_J_per_m", rotational_energy()},
-      {"scheme_damping_J_per_m", balance.scheme_damping},
-      {"regularisation_work_J_per_m", balance.regularisation_work}};
+      of_loss(loss::scheme),
+      of_loss(loss::regularisation)};
   if (!problem.settings.scheme.inertia)
-    columns.insert(columns.end(),
-                   {{"held_steps", held_steps}, {"released_energy_J_per_m", balance.released_energy}});
+    columns.insert(columns.end(), {{"held_steps", held_steps}, of_loss(loss::released)});
   if (laws_limit_step())
     columns.emplace_back("law_cuts", law_cuts);
   if (problem.settings.meets_by_rays())

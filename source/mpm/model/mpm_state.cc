@@ -68,8 +68,7 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     counts.push_back(law_cuts);
   out.write("mpm/step", counts);
   b.save(out, "mpm/balance/common");
-  out.write("mpm/balance/own", std::vector<double>{b.law_loss, b.scheme_damping, b.subgrid_energy,
-                                                   b.regularisation_work, b.released_energy});
+  out.write("mpm/balance/own", std::vector<double>{b.subgrid_energy});
   save_walls(out, "mpm/walls", state.walls);
   save_obstacles(out, "mpm/obstacles", state.obstacles);
 
@@ -132,14 +131,10 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   if (laws_limit_step())
     law_cuts = counts[3];
   settled_step = 0; // what comes is another step, of whatever number
-  const std::vector<double> own = in.read_doubles("mpm/balance/own", 5);
+  const std::vector<double> own = in.read_doubles("mpm/balance/own", 1);
   Balance &b = state.balance;
   b.load(in, "mpm/balance/common");
-  b.law_loss = own[0];
-  b.scheme_damping = own[1];
-  b.subgrid_energy = own[2];
-  b.regularisation_work = own[3];
-  b.released_energy = own[4];
+  b.subgrid_energy = own[0];
   const std::vector<std::uint64_t> keys = in.read_keys("mpm/contact/keys", ListSize::rows_of(1));
   const std::size_t components = problem.slippery() ? 1 : 2;
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses", components * keys.size());

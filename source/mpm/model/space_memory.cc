@@ -164,24 +164,24 @@ void save_motion(const SpaceState &state, StateWriter &out)
   out.write("space/velocity", nodal(state, &Body<3>::velocity));
   out.write("space/internal_force", nodal(state, &Body<3>::internal_force));
   const MotionBalance &balance = state.motion;
-  std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.gravity_work,
-                              balance.largest_momentum};
+  std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.largest_momentum};
   add(balance.impulse, sums);
   out.write("space/motion", sums);
+  balance.load_work.save(out, "space/loads");
 }
 
 void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &state)
 {
   take_nodal(in.read_doubles("space/velocity", n_dofs), &Body<3>::velocity, state);
   take_nodal(in.read_doubles("space/internal_force", n_dofs), &Body<3>::internal_force, state);
-  const std::vector<double> sums = in.read_doubles("space/motion", 7);
+  const std::vector<double> sums = in.read_doubles("space/motion", 6);
   MotionBalance &balance = state.motion;
   balance.scheme_damping = sums[0];
   balance.contact_loss = sums[1];
-  balance.gravity_work = sums[2];
-  balance.largest_momentum = sums[3];
-  const double *at = &sums[4];
+  balance.largest_momentum = sums[2];
+  const double *at = &sums[3];
   take(at, balance.impulse);
+  balance.load_work.load(in, "space/loads");
 }
 } // namespace
 

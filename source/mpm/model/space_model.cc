@@ -69,7 +69,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     , lattice(settings.space_lower, settings.space_upper, settings.cell_size)
     , subgrid{settings.subgrid_compliance(), settings.cell_size, settings.space_lower}
     , pairs(scene)
-    , gravity(scene.gravity)
+    , loads(scene.loads)
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
@@ -113,6 +113,7 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
   Body<3> body = make_solid(description.name, shape, law, density, settings, *function, ground.lattice,
                             markers, ground.store);
   body.index = state.bodies.size();
+  body.loads = loads;
   body.boundary.grid_position = body.boundary.position = surface.vertices;
   body.boundary.circular = shape.round();
   start(description, body);
@@ -202,7 +203,7 @@ Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &r
   std::vector<WallMotion<3>> walls = motion();
   for (std::size_t w = 0; w < walls.size(); ++w)
     walls[w].velocity = driven[w].velocity(state.time, dt);
-  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), walls, gravity, dt)
+  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), walls, dt)
                                                       : SpaceAtRest(state, scene(), walls).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)

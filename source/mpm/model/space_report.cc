@@ -42,7 +42,7 @@ Energies SpaceModel::energies() const
   }
   energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss;
-  energies.external_work = state.motion.gravity_work;
+  energies.external_work = state.motion.load_work.sum();
   for (const DrivenWall &wall : driven)
     energies.external_work += wall.work;
   return energies;
@@ -132,8 +132,8 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
   std::vector<std::pair<std::string, double>> columns;
   for (const DrivenWall &wall : driven)
     columns.emplace_back(wall.description.name + "_work_J", wall.work);
-  if (gravity.norm_square() > 0.)
-    columns.emplace_back("gravity_work_J", state.motion.gravity_work);
+  for (const std::string &load : loads.names())
+    columns.emplace_back(load + "_work_J", state.motion.load_work.of(load));
   return columns;
 }
 

@@ -2,6 +2,7 @@
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/account_contacts.h>
+#include <softgrain/mpm/stepping/account_loads.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 
 #include <algorithm>
@@ -52,16 +53,6 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
   }
 }
 
-/// Work of @p gravity on a body whose nodes move at @p rate [W/m].
-double gravity_work(const Body<2> &body, const dealii::Tensor<1, 2> &gravity, const Eigen::VectorXd &rate)
-{
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.field.n_independent(); ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-      sum += body.mass[i] * gravity[d] * rate[2 * i + d];
-  return sum;
-}
-
 /// Gives the points what the step has come to.
 void keep_stress(const StepState<2> &trial, Body<2> &body)
 {
@@ -80,9 +71,8 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
 {
   const double dt = step.plan.dt;
   const std::vector<WallMotion<2>> &motion = step.motion;
-  for (const double taken : step.scheme_damping)
-    state.balance.scheme_damping += taken;
-  state.balance.regularisation_work += step.regularisation_work;
+  state.balance.losses.add(step.losses);
+  state.balance.sums.add(step.sums);
   state.resistance = step.resistance;
   account_contacts(problem, state, work, step, dt);
   if (state.adhesion.remembers())
@@ -91,27 +81,12 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       note_contacts(state, work, step.increment, motion, dt);
     state.adhesion.finish_step();
   }
-  dealii::Tensor<1, 2> load;
-  work.load.assign(state.bodies.size(), load);
+  account_loads(state, work, step);
   for (Body<2> &body : state.bodies)
     if (body.driven)
     {
       body.translate(dt * work.drive[body.index]);
       move_boundary(body);
-    }
-    else if (step.external[body.index].size() > 0)
-    {
-      const Eigen::VectorXd &force = step.external[body.index];
-      const double work_done = force.dot(step.rate[body.index]) * dt,
-                   of_gravity = body.body_force.empty()
-                                    ? work_done
-                                    : gravity_work(body, problem.scene.gravity, step.rate[body.index]) * dt;
-      state.balance.gravity_work += of_gravity;
-      state.balance.body_force_work += work_done - of_gravity;
-      for (unsigned int i = 0; i < body.field.n_independent(); ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-          work.load[body.index][d] += force[2 * i + d];
-      load += work.load[body.index];
     }
   std::vector<double> law_loss(state.bodies.size(), 0.), law_supply = law_loss;
   const std::optional<CellMotion> cell = state.cell_motion(motion);
@@ -154,13 +129,12 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
           if (!body.driven && problem.settings.meets_by_rays())
             message.add_outline(body);
       });
-  for (const double loss : law_loss)
-    state.balance.law_loss += loss;
+  for (const double lost : law_loss)
+    state.balance.losses.add(loss::law, lost);
   for (const double supply : law_supply)
     state.balance.growth_work += supply;
   if (cell && problem.settings.scheme.inertia)
     measure_against_cell(state, *cell, dt);
-  state.balance.body_force_impulse += dt * load;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     state.walls[w].travel += dt * motion[w].velocity;

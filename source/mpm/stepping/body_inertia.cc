@@ -20,9 +20,15 @@ void BodyInertia<dim>::begin(const Body<dim> &body,
   keeps = keeps_spin;
   rotation = whole_rotation(body);
   half_turn.setZero();
-  spin.setZero();
   holding.setZero();
   weight = keeps ? torque * dt * dt * body.law->young_modulus() * body.rest_area : 0.;
+  note_load(body, load);
+}
+
+template <int dim>
+void BodyInertia<dim>::note_load(const Body<dim> &body, const Eigen::VectorXd &load)
+{
+  spin.setZero();
   if (!keeps || load.size() == 0)
     return;
   for (unsigned int i = 0; i < body.mass.size(); ++i)

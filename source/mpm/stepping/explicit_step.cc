@@ -67,8 +67,8 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   const StepPlan plan{dt, false, 0.};
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   const unsigned int n_bodies = state.bodies.size();
-  Vectors v(n_bodies), increment(n_bodies),
-      external = external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
+  const LoadTimes loads{state.time, state.time, dt, true};
+  Vectors v(n_bodies), increment(n_bodies), external = external_forces(state.bodies, work.share, loads);
   for (const Body<2> &body : state.bodies)
     v[body.index] = body.velocity;
   std::optional<RayRows> rays;
@@ -148,7 +148,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   outcome.reason = why_contact_gives(problem, state, work, contact, increment);
   if (!outcome.reason.empty())
     return outcome;
-  FoundStep found{plan, motion, v, forces, increment, rate, external, {}, 0., {}, {}, 0.};
+  FoundStep found{plan, motion, v, forces, increment, rate, external, loads};
   if (rays)
     state.frames = rays->frames_after();
   accept_step(problem, state, work, found);

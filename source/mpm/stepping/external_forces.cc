@@ -7,24 +7,24 @@
 
 namespace softgrain::mpm
 {
-std::vector<Eigen::VectorXd> external_forces(const std::vector<Body<2>> &bodies,
-                                             const BodyShare &share,
-                                             const dealii::Tensor<1, 2> &gravity,
-                                             const double time)
+std::vector<Eigen::VectorXd>
+external_forces(const std::vector<Body<2>> &bodies, const BodyShare &share, const LoadTimes &times)
 {
   std::vector<Eigen::VectorXd> forces(bodies.size());
   const auto load = [&](const Body<2> &body)
   {
-    if (!external_force(body, gravity, time, forces[body.index]))
+    if (!external_force(body, times, forces[body.index]))
       forces[body.index].resize(0);
   };
-  const auto is_pushed = [](const Body<2> &body) { return !body.driven && !body.body_force.empty(); };
-  if (share.alone() || std::any_of(bodies.begin(), bodies.end(), is_pushed))
+  // Points lie with one rank, and so do places of nodes.
+  const auto is_for_one = [](const Body<2> &body)
+  { return !body.driven && (body.loads.look_at_points() || body.loads.see_velocity()); };
+  if (share.alone() || std::any_of(bodies.begin(), bodies.end(), is_for_one))
     share.for_mine(bodies, load,
                    [&](BodyShare::Message &message)
                    {
                      for (const Body<2> &body : bodies)
-                       if (is_pushed(body) || (!body.driven && gravity.norm_square() > 0.))
+                       if (!body.driven && !body.loads.empty())
                        {
                          forces[body.index].conservativeResize(body.field.n_dofs());
                          message.add(body.index, forces[body.index].data(), forces[body.index].size());

@@ -201,15 +201,11 @@ void ImplicitStep::accept(State &state_to_change)
                   equations.increment,
                   rate,
                   equations.external,
-                  std::vector<double>(trial.size(), 0.),
-                  0.,
-                  {},
-                  {},
-                  0.};
+                  equations.load_times()};
   for (unsigned int b = 0; b < trial.size(); ++b)
   {
-    found.scheme_damping[b] = told[b][0];
-    found.regularisation_work += told[b][1];
+    found.losses.add(loss::scheme, told[b][0]);
+    found.losses.add(loss::regularisation, told[b][1]);
   }
   accept_step(problem, state_to_change, work, found);
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/moving_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
 
@@ -11,24 +10,33 @@ MovingEquations::MovingEquations(const std::vector<Body<3>> &bodies,
                                  const Settings &settings,
                                  SpaceWorkspace &work,
                                  const StepPlan &plan,
-                                 const dealii::Tensor<1, 3> &gravity,
+                                 const double time,
                                  const bool slippery)
-    : SpaceEquations(bodies, settings, work, plan, false), inertia(bodies.size())
+    : SpaceEquations(bodies, settings, work, plan, false)
+    , loads{time + 0.5 * plan.dt, time, plan.dt, false}
+    , inertia(bodies.size())
 {
   work.share.for_mine(bodies,
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        if (!external_force(body, gravity, 0., external[b]))
+                        if (!external_force(body, loads, external[b]))
                           external[b].resize(0);
                         inertia[b].begin(body, settings.scheme, plan.dt, slippery && body.boundary.circular,
                                          external[b]);
                       });
+  fixed_external = external;
 }
 
 void MovingEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
 {
   const unsigned int b = body.index;
+  if (body.loads.see_velocity())
+  {
+    external[b] = fixed_external[b];
+    add_forces_of_velocity(body, loads, increment[b], external[b]);
+    inertia[b].note_load(body, external[b]);
+  }
   inertia[b].find_missing(body, v, increment[b], internal[b], external[b], missing_impulse[b]);
 }
 
@@ -48,6 +56,8 @@ void MovingEquations::assemble_exact(const Body<3> &body)
   matrix.set_zero();
   add_stiffness(body, work.trial[b], theta * theta * plan.dt * plan.dt, matrix);
   inertia[b].add_mass(body, matrix);
+  if (body.loads.see_velocity())
+    add_load_tangent(body, loads, increment[b], theta * plan.dt, matrix);
   // A ball that is pulled has no stiffness against a turn to be taken back.
   const double weight = inertia[b].held_weight(body, work.trial[b]);
   work.solvers[b]->set_update(weight > 0. ? Eigen::MatrixXd(inertia[b].held())

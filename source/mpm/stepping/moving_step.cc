@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/account_loads.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/moving_equations.h>
 #include <softgrain/mpm/stepping/moving_step.h>
@@ -93,7 +94,14 @@ void MovingStep::account_body(Body<3> &body, SpaceState &state)
   state.regularisation_work += moving.held_work(b);
   if (const Eigen::VectorXd &load = moving.external[b]; load.size() > 0)
   {
-    balance.gravity_work += load.dot(way[b]);
+    double left = load.dot(way[b]);
+    auto name = body.loads.begin();
+    for (const double work : powers_of_loads(body, moving.load_times(), moving.increment[b], way[b]))
+    {
+      balance.load_work.add((*name++)->name, work);
+      left -= work;
+    }
+    balance.load_work.add((*name)->name, left);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         balance.impulse[d] += plan.dt * load[3 * i + d];
@@ -121,11 +129,10 @@ void MovingStep::accept(SpaceState &state)
 StepOutcome moving_step(SpaceState &state,
                         const SpaceScene &scene,
                         const std::vector<WallMotion<3>> &motion,
-                        const dealii::Tensor<1, 3> &gravity,
                         const double dt)
 {
   const StepPlan plan{dt, false, 0.};
-  MovingEquations equations(state.bodies, scene.settings, scene.work, plan, gravity,
+  MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time,
                             scene.pairs.frictionless());
   MovingStep step(state, scene, motion, plan, equations);
   return try_ray_step(step, false, std::numeric_limits<double>::max(), state);

@@ -165,7 +165,7 @@ void account_free_wall(const Problem &problem,
   state.balance.wall_damping_loss += dt * damping * moving * rate;
   const double change = free.speed - free.start_speed;
   if (scheme_damping)
-    state.balance.scheme_damping += (theta - 0.5) * mass * change * change;
+    state.balance.losses.add(loss::scheme, (theta - 0.5) * mass * change * change);
 }
 
 namespace

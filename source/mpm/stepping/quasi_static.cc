@@ -108,7 +108,7 @@ StepOutcome find_balance(const Problem &problem, State &state, Workspace &work, 
   const DrivesAtRest rest(work);
   const StepOutcome outcome = settle_rays(problem, state, work, dt);
   if (outcome.held_steps > 0)
-    state.balance.released_energy += before - not_booked(state, work.share);
+    state.balance.losses.add(loss::released, before - not_booked(state, work.share));
   return outcome;
 }
 } // namespace softgrain::mpm

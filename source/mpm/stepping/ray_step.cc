@@ -174,6 +174,9 @@ void RayStep::accept(State &state_to_change)
         step_equations.tell(told, message);
       });
   Vectors rate(way.size());
+  LoadTimes at_work = step_equations.load_times();
+  if (!plan.held && !inertia)
+    at_work.at = state.time + 0.5 * plan.dt; // which gives more exact work than their end
   FoundStep found{plan,
                   motion,
                   trial,
@@ -181,20 +184,15 @@ void RayStep::accept(State &state_to_change)
                   equations.increment,
                   rate,
                   plan.held || inertia ? equations.external
-                                       : external_forces(state.bodies, work.share, problem.scene.gravity,
-                                                         state.time + 0.5 * plan.dt), // for their work
-                  std::vector<double>(way.size(), 0.),
-                  0.,
-                  {},
-                  {},
-                  0.};
+                                       : external_forces(state.bodies, work.share, at_work),
+                  at_work};
   if (!inertia)
     state_to_change.held_back.resize(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     rate[b] = way[b] / plan.dt;
-    found.regularisation_work += told[b][0];
-    found.scheme_damping[b] = told[b][1];
+    found.losses.add(loss::regularisation, told[b][0]);
+    found.losses.add(loss::scheme, told[b][1]);
     if (!inertia)
     {
       found.resistance.push_back(FrameState<2>::Vector({told[b][2], told[b][3]}));

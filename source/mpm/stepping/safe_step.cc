@@ -99,9 +99,9 @@ double time_of_way(const double way, const double speed, const double accelerati
 }
 
 /// Acceleration by which bodies fall [m/s²]; without inertia time only orders the steps.
-double pull_of(const Problem &problem)
+double pull_of(const Problem &problem, const State &state)
 {
-  return problem.settings.scheme.inertia ? problem.scene.gravity.norm() : 0.;
+  return problem.settings.scheme.inertia ? problem.scene.loads.uniform(state.time).norm() : 0.;
 }
 
 /// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.
@@ -119,7 +119,7 @@ double safe_from_walls(
     const double gap = (nearest - wall.point()) * n;
     const double own = wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed;
     const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
-    step = std::min(step, time_of_way(std::max(reach, gap), speed, pull_of(problem)));
+    step = std::min(step, time_of_way(std::max(reach, gap), speed, pull_of(problem, state)));
   }
   return step;
 }
@@ -189,7 +189,7 @@ double safe_from_obstacles(const Problem &problem,
         step = std::min(step, time_of_way(std::max(std::min(largest_way_in_widths * flights[b].width, reach),
                                                    distance(flights[b], line)),
                                           flights[b].velocity.norm() + flights[b].spread + speed,
-                                          pull_of(problem)));
+                                          pull_of(problem, state)));
   }
   return step;
 }
@@ -217,7 +217,7 @@ double safe_in_cell(const Problem &problem,
                         (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(state.time, dt)) *
                             wall.tangent());
   return std::min(dt, time_of_way(std::min(largest_way_in_widths * narrowest, reach),
-                                  2. * fastest + cell.gradient.norm() * widest, pull_of(problem)));
+                                  2. * fastest + cell.gradient.norm() * widest, pull_of(problem, state)));
 }
 } // namespace
 
@@ -236,7 +236,7 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
     flights.push_back(body.driven ? flight_of(body, work.drive[body.index]) : flight_of(told[body.index]));
   if (state.repeats())
     return safe_in_cell(problem, state, flights, reach, dt);
-  double step = safe_from_bodies(state.bodies, pull_of(problem), flights, reach, dt);
+  double step = safe_from_bodies(state.bodies, pull_of(problem, state), flights, reach, dt);
   step = safe_from_obstacles(problem, state, flights, reach, step);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)

@@ -15,6 +15,11 @@ namespace
 /// one that resists as the body's own stiffness does: where the rim is cut by cells the body would creep on,
 /// turn by turn, from one balance to another.
 constexpr double locked = 1e4;
+
+bool sees_velocity(const Body<2> &body)
+{
+  return body.loads.see_velocity();
+}
 } // namespace
 
 StepEquations::StepEquations(const Problem &problem,
@@ -39,8 +44,10 @@ StepEquations::StepEquations(const Problem &problem,
   // Loads at the middle of the step: second order, and the same work whatever theta is. Steps without
   // inertia end in balance with those at the end.
   const double loads_at = plan.held ? 0. : scheme.inertia ? 0.5 : 1.;
-  external =
-      external_forces(state.bodies, work.share, problem.scene.gravity, state.time + loads_at * plan.dt);
+  loads = {state.time + loads_at * plan.dt, state.time, plan.dt, false};
+  external = external_forces(state.bodies, work.share, loads);
+  if (std::any_of(state.bodies.begin(), state.bodies.end(), sees_velocity))
+    fixed_external = external;
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
@@ -134,6 +141,12 @@ void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::Vecto
   Eigen::VectorXd &P = missing_impulse[b];
   if (scheme.inertia)
   {
+    if (body.loads.see_velocity())
+    {
+      external[b] = fixed_external[b];
+      add_forces_of_velocity(body, loads, increment[b], external[b]);
+      inertia[b].note_load(body, external[b]);
+    }
     inertia[b].find_missing(body, v, increment[b], internal[b], external[b], P);
     return;
   }
@@ -250,6 +263,8 @@ void StepEquations::tell(std::vector<Told> &told, BodyShare::Message &message)
 {
   message.add(state.bodies, internal);
   message.add(state.bodies, increment);
+  if (std::any_of(state.bodies.begin(), state.bodies.end(), sees_velocity))
+    message.add(state.bodies, external);
   for (unsigned int b = 0; b < told.size(); ++b)
     message.add(b, told[b].data(), told[b].size());
 }

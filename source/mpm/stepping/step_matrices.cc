@@ -24,6 +24,8 @@ void StepEquations::assemble_exact(const Body<2> &body)
   if (scheme.inertia)
   {
     inertia[b].add_mass(body, matrix);
+    if (body.loads.see_velocity())
+      add_load_tangent(body, loads, increment[b], scheme.theta * dt, matrix);
     work.solvers[b]->set_update(inertia[b].held(), inertia[b].held_weight(body, work.trial[b]));
     return;
   }

@@ -23,11 +23,10 @@ bool touches(const Workspace &work, const unsigned int b)
 } // namespace
 
 /// Loads of all bodies now [N/m].
-std::vector<Vector> loads_of(const Problem &problem, const State &state, const Workspace &work)
+std::vector<Vector> loads_of(const State &state, const Workspace &work)
 {
   std::vector<Vector> loads(state.bodies.size());
-  const std::vector<Eigen::VectorXd> forces =
-      external_forces(state.bodies, work.share, problem.scene.gravity, state.time);
+  const std::vector<Eigen::VectorXd> forces = external_forces(state.bodies, work.share, {state.time});
   for (unsigned int b = 0; b < forces.size(); ++b)
     for (unsigned int i = 0; 2 * i < forces[b].size(); ++i)
       loads[b] += Vector({forces[b][2 * i], forces[b][2 * i + 1]});
@@ -51,7 +50,7 @@ void WaysOfBodies::check(const State &state, const Workspace &work, const unsign
     const Vector way = body.center() - start[body.index];
     if (body.driven || way.norm() <= room)
       continue;
-    const Vector load = loads_of(problem, state, work)[body.index];
+    const Vector load = loads_of(state, work)[body.index];
     std::ostringstream message;
     message.precision(3);
     message << "at time " << state.time << " s nothing holds body '" << body.name << "': ";

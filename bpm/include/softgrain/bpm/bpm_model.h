@@ -100,7 +100,7 @@ private:
   std::string cause_of_no_solution() const;
   /// Why a step that was not good enough is refused; @p limit of the penetration [m].
   std::string why_not(const DynamicsReport &report, double limit) const;
-  void accelerate();
+  void accelerate(double dt);
   void keep_books(const DynamicsReport &report);
   /// Closed lines of every body.
   using Outlines = std::vector<std::vector<std::vector<dealii::Point<2>>>>;
@@ -145,13 +145,14 @@ private:
   /// Bodies with the lightest and the heaviest primary that is free to move, and the ratio of these masses.
   std::uint32_t lightest = 0, heaviest = 0;
   double contrast = 1;
-  double mass = 0;                 ///< of all primaries that are free to move [kg/m]
-  double characteristic_force = 0; ///< F0 of p_I, of the strongest law
-  std::vector<std::vector<Expression>> body_force;
-  bool is_pulled = false;                          ///< by gravity or body forces
-  bool is_loaded = false;                          ///< by forces that depend on where a primary started
-  bool is_graded = false, rotates = false;         ///< primaries
-  std::vector<std::array<double, 2>> acceleration; ///< of every primary here, empty when nothing pulls
+  double mass = 0;                                      ///< of all primaries that are free to move [kg/m]
+  double characteristic_force = 0;                      ///< F0 of p_I, of the strongest law
+  std::vector<std::shared_ptr<const Load<2>>> own_load; ///< of every body beside those of the scene, or null
+  std::vector<std::string> load_names;                  ///< of the scene, then that of bodies
+  bool is_loaded = false;                               ///< by forces that depend on where a primary started
+  bool is_graded = false, rotates = false;              ///< primaries
+  std::vector<std::array<double, 2>> acceleration;      ///< of every primary here, empty when nothing pulls
+  std::vector<std::vector<std::array<double, 2>>> of_loads; ///< the same of every load but the last
 
   double now = 0, last_dt = 0;
   StepControl step_control{1.25};

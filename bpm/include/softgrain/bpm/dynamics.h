@@ -11,6 +11,7 @@
 #include <softgrain/contact/neighbour_list.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
+#include <softgrain/driving/named_sums.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/obstacle_feet.h>
 #include <softgrain/driving/wall.h>
@@ -82,9 +83,11 @@ struct DynamicsReport
   double driven_work = 0; ///< done by what keeps driven bodies on their way [J/m]
   dealii::Tensor<1, 2> driven_impulse; ///< from driven bodies on others [N s/m]
   double damping_loss = 0;             ///< in the damping of walls [J/m]
-  double force_work = 0;               ///< done by body forces, gravity among them [J/m]
-  double gravity_work = 0;             ///< of it, by gravity [J/m]
-  dealii::Tensor<1, 2> force_impulse;  ///< of body forces [N s/m]
+  NamedSums losses;                    ///< beside these, see Balance::losses [J/m]
+  NamedSums sums;                      ///< what the step adds to columns of the history, see Balance::sums
+  double force_work = 0;               ///< done by loads [J/m]
+  std::vector<double> load_work;       ///< of it, by all loads but the last [J/m]
+  dealii::Tensor<1, 2> force_impulse;  ///< of loads [N s/m]
   double max_penetration = 0;          ///< after the step, and on the way to there [m]
   Overlap on_the_way;                  ///< the deepest one between the ends of the step
   dealii::Tensor<1, 2> cell_impulse;   ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
@@ -124,14 +127,14 @@ public:
    * @param dt length [s]
    * @param walls with the speed they are to have (prescribed) or had and the load on them (free); come back
    * moved
-   * @param acceleration of every primary by body forces [m/s^2], or empty
-   * @param gravity what of it is gravity [m/s^2]
+   * @param acceleration of every primary by loads [m/s^2], or empty
+   * @param of_loads the same of every load but the last
    * @throw ComputationError when something is not finite.
    */
   DynamicsReport step(double dt,
                       std::vector<Wall> &walls,
                       const std::vector<std::array<double, 2>> &acceleration,
-                      const dealii::Tensor<1, 2> &gravity = dealii::Tensor<1, 2>());
+                      const std::vector<std::vector<std::array<double, 2>>> &of_loads = {});
 
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
   void set_obstacles(std::vector<Obstacle> *list);
@@ -354,7 +357,7 @@ private:
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
   void account(double dt,
                const std::vector<std::array<double, 2>> &acceleration,
-               const dealii::Tensor<1, 2> &gravity,
+               const std::vector<std::vector<std::array<double, 2>>> &of_loads,
                DynamicsReport &report) const;
   void account_driven(double dt, DynamicsReport &report) const;
 

@@ -2,7 +2,6 @@
 #ifndef softgrain_mpm_body_body_h
 #define softgrain_mpm_body_body_h
 
-#include <softgrain/base/expression.h>
 #include <softgrain/constitutive/law.h>
 #include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/mpm/body/body_points.h>
@@ -78,7 +77,7 @@ struct Body
   bool driven = false;          ///< moves rigidly with `drive`
   dealii::Tensor<1, dim> drive; ///< velocity that a driven body is given, in held steps apart [m/s]
   unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
-  std::vector<Expression> body_force;                ///< components, of x, y, X, Y, t [N/kg]; empty: none
+  Loads<dim> loads;                                  ///< of the scene and its own
   std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
 
   BodyPoints<dim> points;    ///< none when they lie with another rank

@@ -124,7 +124,7 @@ private:
   const Lattice<3> lattice; ///< of the mesh
   const HertzCompliance subgrid;
   const ContactPairs pairs;
-  const dealii::Tensor<1, 3> gravity;
+  const Loads<3> loads;
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;

@@ -28,19 +28,17 @@ class PointStore;
 /// What the balances of MPM are made of beside those of every model, since the start; per metre of thickness.
 struct Balance : softgrain::Balance
 {
-  double law_loss = 0;            ///< [J/m]
-  double scheme_damping = 0;      ///< taken by theta > 1/2 [J/m]
-  double subgrid_energy = 0;      ///< in the dents that the grid misses, now [J/m]
-  double regularisation_work = 0; ///< taken by the regularising forces of `quasi_static` [J/m]
-  double released_energy = 0;     ///< lost in held steps, where bodies rearrange, beside what is booked [J/m]
-
-  /// All that is lost [J/m].
-  double dissipated() const
-  {
-    return contact_loss + law_loss + scheme_damping + regularisation_work + released_energy +
-           wall_damping_loss;
-  }
+  double subgrid_energy = 0; ///< in the dents that the grid misses, now [J/m]
 };
+
+/// Names of its losses, which are columns NAME_J_per_m of the history but for that of laws.
+namespace loss
+{
+constexpr const char *law = "law_loss",          ///< in points
+    *scheme = "scheme_damping",                  ///< by theta > 1/2
+        *regularisation = "regularisation_work", ///< by the regularising forces of `quasi_static`
+            *released = "released_energy";       ///< in held steps, beside what is booked
+} // namespace loss
 
 /**
  * @brief Where a computation has come to: what the next step starts from, and what checkpoints keep.

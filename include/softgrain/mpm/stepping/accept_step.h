@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_accept_step_h
 
 #include <softgrain/mpm/contact/contact_kinks.h>
+#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step.h>
 
 #include <vector>
@@ -19,11 +20,12 @@ struct FoundStep
   const std::vector<Eigen::VectorXd> &increment; ///< displacement over the step [m]
   const std::vector<Eigen::VectorXd> &rate;      ///< mean velocity, with which impulses do their work [m/s]
   const std::vector<Eigen::VectorXd> &external;  ///< loads, empty where there are none [N]
-  std::vector<double> scheme_damping;            ///< taken by theta > 1/2, by body [J/m]
-  double regularisation_work = 0;                ///< taken by regularising forces [J/m]
-  std::vector<dealii::Tensor<1, 2>> resistance;  ///< as State::resistance
-  ContactKinks kinks;                            ///< without inertia
-  double dents = 0;                              ///< energy in what the grid misses of them [J/m]
+  LoadTimes loads = {};                          ///< when they were taken
+  NamedSums losses = {};                         ///< of the step, see Balance::losses
+  NamedSums sums = {};                           ///< what it adds to columns, see Balance::sums
+  std::vector<dealii::Tensor<1, 2>> resistance = {}; ///< as State::resistance
+  ContactKinks kinks = {};                           ///< without inertia
+  double dents = 0;                                  ///< energy in what the grid misses of them [J/m]
 };
 
 /**

@@ -27,6 +27,9 @@ public:
              bool keeps_spin,
              const Eigen::VectorXd &load);
 
+  /// Loads that see the velocity change it from trial to trial: begin() knows those of the start alone.
+  void note_load(const Body<dim> &body, const Eigen::VectorXd &load);
+
   /// Displacement over the step for the end velocity @p v [m].
   Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const;
 

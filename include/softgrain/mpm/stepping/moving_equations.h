@@ -3,6 +3,7 @@
 #define softgrain_mpm_stepping_moving_equations_h
 
 #include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 
 #include <vector>
@@ -13,16 +14,19 @@ namespace softgrain::mpm
 class MovingEquations final : public SpaceEquations
 {
 public:
+  /// @param time at the start [s]
   /// @param slippery nothing rubs, so that balls keep their spins
   MovingEquations(const std::vector<Body<3>> &bodies,
                   const Settings &settings,
                   SpaceWorkspace &work,
                   const StepPlan &plan,
-                  const dealii::Tensor<1, 3> &gravity,
+                  double time,
                   bool slippery);
 
   double rounding(const Body<3> &body, double contact) const override;
   void assemble_exact(const Body<3> &body) override;
+  /// When external was taken.
+  const LoadTimes &load_times() const { return loads; }
   /// What the scheme takes from a body in the step as last evaluated [J].
   double damping(unsigned int b, const Eigen::VectorXd &v) const
   {
@@ -38,6 +42,8 @@ private:
   }
   void find_missing(const Body<3> &body, const Eigen::VectorXd &v) override;
 
+  const LoadTimes loads;
+  Vectors fixed_external; ///< of external, what does not depend on the trial
   std::vector<BodyInertia<3>> inertia;
 };
 } // namespace softgrain::mpm

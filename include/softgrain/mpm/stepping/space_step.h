@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_space_step_h
 #define softgrain_mpm_stepping_space_step_h
 
+#include <softgrain/driving/named_sums.h>
 #include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
@@ -28,8 +29,8 @@ struct MotionBalance
 {
   double scheme_damping = 0;    ///< see Balance of the plane [J]
   double contact_loss = 0;      ///< taken by impacts and friction [J]
-  double gravity_work = 0;      ///< [J]
-  dealii::Tensor<1, 3> impulse; ///< of gravity and walls, and the momentum at the start [N s]
+  NamedSums load_work;          ///< done by loads
+  dealii::Tensor<1, 3> impulse; ///< of loads and walls, and the momentum at the start [N s]
   double largest_momentum = 0;  ///< of the nodes of a body [N s]
 };
 
@@ -41,7 +42,7 @@ struct SpaceProgress
   std::vector<double> held_back;       ///< see State::held_back [N]
   std::vector<double> wall_force;      ///< on the bodies, along the normals of the walls [N]
   double regularisation_work = 0;      ///< taken by what resists, since the start [J]
-  double released_energy = 0;          ///< lost in held steps beside that, see Balance::released_energy [J]
+  double released_energy = 0;          ///< lost in held steps beside that, see loss::released [J]
   double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
   double rubbed = 0;                   ///< by friction, since the start [J]
   MotionBalance motion;                ///< with inertia

@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/stepping/body_equations.h>
 #include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -108,6 +109,9 @@ public:
   /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
   void resist_more(double factor) override;
 
+  /// When external was taken.
+  const LoadTimes &load_times() const { return loads; }
+
   /// H v at the start of the step, empty when theta is 1 [m/s].
   std::vector<double> start_relative;
 
@@ -128,6 +132,8 @@ private:
   const TimeScheme &scheme;
   const StepPlan plan;
   const double dt;
+  LoadTimes loads;
+  Vectors fixed_external;              ///< of external, what does not depend on the trial
   std::vector<BodyInertia<2>> inertia; ///< of every body of this rank; none without it
   Vectors missing_impulse;
   Vectors rotation;                    ///< whole rotation at the start of the step, without inertia
