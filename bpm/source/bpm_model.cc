@@ -182,7 +182,7 @@ std::string BpmModel::why_not(const DynamicsReport &report, const double limit) 
 StepReport BpmModel::advance(const double dt_limit)
 {
   std::optional<Ranks::OwnWork> own;
-  if (dynamics->parted() != nullptr)
+  if (dynamics->strips() != nullptr)
     own.emplace(ranks);
   StepReport report;
   const double limit =

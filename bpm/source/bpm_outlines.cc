@@ -64,7 +64,7 @@ BpmModel::Outlines BpmModel::outlines() const
 {
   const dealii::TimerOutput::Scope section(*timer, "outlines");
   Outlines result(scene.bodies.size());
-  if (dynamics->parted() == nullptr)
+  if (dynamics->strips() == nullptr)
   {
     draw_outlines(result);
     return result;
@@ -89,7 +89,7 @@ std::vector<double> BpmModel::outlined_areas() const
       sum += signed_area(loop);
     return sum;
   };
-  if (dynamics->parted() == nullptr)
+  if (dynamics->strips() == nullptr)
   {
     draw_outlines(result);
     for (std::size_t b = 0; b < areas.size(); ++b)

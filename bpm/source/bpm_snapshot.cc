@@ -2,7 +2,7 @@
 // The part of BpmModel that is looked at: neutral snapshot, walls, coordination, area.
 #include <softgrain/analysis/touching_pairs.h>
 #include <softgrain/bpm/bpm_model.h>
-#include <softgrain/bpm/looked_at.h>
+#include <softgrain/bpm/gathered_primaries.h>
 #include <softgrain/driving/wall_balance.h>
 #include <softgrain/geometry/polygon.h>
 
@@ -91,12 +91,12 @@ double BpmModel::coordination() const
     else
       touching.add_wall(body, b - disks.size());
   }
-  if (dynamics->parted() != nullptr)
+  if (dynamics->strips() != nullptr)
     add_those_of_all(touching, ranks);
   return touching.coordination(scene.bodies.size());
 }
 
-ContactState<2> BpmModel::contact_state(const LookedAt &seen, const std::size_t row) const
+ContactState<2> BpmModel::contact_state(const GatheredPrimaries &seen, const std::size_t row) const
 {
   const Primaries &disks = seen.disks();
   const contact::DiskContacts &rows = seen.rows();
@@ -119,14 +119,14 @@ ContactState<2> BpmModel::contact_state(const LookedAt &seen, const std::size_t 
   return state;
 }
 
-void BpmModel::add_inner_forces(const LookedAt &seen,
+void BpmModel::add_inner_forces(const GatheredPrimaries &seen,
                                 Snapshot<2> &snapshot,
                                 const FoldedBodies *const cell) const
 {
   // Pairs of one body carry contact and attraction together; what the eye wants is the sum.
   const Primaries &disks = seen.disks();
   seen.for_bonds(
-      [&](const LookedAt::Bond &bond)
+      [&](const GatheredPrimaries::Bond &bond)
       {
         const std::uint32_t a = bond.a, b = bond.b;
         const double force = bond.impulse / last_dt - bond.attraction;
@@ -166,8 +166,8 @@ Snapshot<2> BpmModel::snapshot() const
   Snapshot<2> snapshot = begin_snapshot(*this);
   snapshot.energies = energies();
   const Outlines loops = outlines();
-  const LookedAt seen(*dynamics);
-  if (dynamics->parted() == nullptr)
+  const GatheredPrimaries seen(*dynamics);
+  if (dynamics->strips() == nullptr)
   {
     show(seen, loops, snapshot);
     return snapshot;
@@ -177,7 +177,7 @@ Snapshot<2> BpmModel::snapshot() const
   return snapshot;
 }
 
-void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &snapshot) const
+void BpmModel::show(const GatheredPrimaries &seen, const Outlines &loops, Snapshot<2> &snapshot) const
 {
   const Primaries &disks = seen.disks();
   PointStates<2> &points = snapshot.points;
@@ -205,9 +205,9 @@ void BpmModel::show(const LookedAt &seen, const Outlines &loops, Snapshot<2> &sn
 Snapshot<2> BpmModel::touching_state() const
 {
   Snapshot<2> snapshot = begin_snapshot(*this);
-  const LookedAt seen(*dynamics);
+  const GatheredPrimaries seen(*dynamics);
   // Where ranks have primaries of their own, only the first one sees those of all.
-  if (dynamics->parted() != nullptr && !ranks.first())
+  if (dynamics->strips() != nullptr && !ranks.first())
     return snapshot;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
@@ -219,7 +219,7 @@ Snapshot<2> BpmModel::touching_state() const
   return snapshot;
 }
 
-std::optional<FoldedBodies> BpmModel::add_contacts(const LookedAt &seen, Snapshot<2> &snapshot) const
+std::optional<FoldedBodies> BpmModel::add_contacts(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const
 {
   const Primaries &disks = seen.disks();
   const contact::DiskContacts &rows = seen.rows();
@@ -280,7 +280,7 @@ void BpmModel::show_bodies(const Primaries &disks, const Outlines &loops, Snapsh
   }
 }
 
-void BpmModel::add_stresses(const LookedAt &seen, Snapshot<2> &snapshot) const
+void BpmModel::add_stresses(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const
 {
   // Internal moments (2.30)-(2.31): sum of force times arm over the forces on a primary or on a body.
   const Primaries &disks = seen.disks();
@@ -310,7 +310,7 @@ void BpmModel::add_stresses(const LookedAt &seen, Snapshot<2> &snapshot) const
       add(rows.a[row], contact.force, -disks.radius[rows.a[row]] * contact.normal);
   }
   seen.for_bonds(
-      [&](const LookedAt::Bond &bond)
+      [&](const GatheredPrimaries::Bond &bond)
       {
         const std::uint32_t a = bond.a, b = bond.b;
         const dealii::Tensor<1, 2> branch = point_of(disks.position[a]) - point_of(disks.position[b]);

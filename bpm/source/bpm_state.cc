@@ -36,7 +36,7 @@ template <class T>
 void BpmModel::write(StateWriter &out, const std::string &name, const std::vector<T> &values) const
 {
   constexpr std::size_t width = sizeof(T) / sizeof(double);
-  const StripShare *const share = dynamics->parted();
+  const StripShare *const share = dynamics->strips();
   const auto fill = [&](const std::size_t begin, const std::size_t end, double *const rows)
   {
     if (share == nullptr)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settling.h>
 
 #include <deal.II/base/numbers.h>

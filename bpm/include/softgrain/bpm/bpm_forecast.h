@@ -2,6 +2,7 @@
 #ifndef softgrain_bpm_bpm_forecast_h
 #define softgrain_bpm_bpm_forecast_h
 
+#include <softgrain/bpm/attraction.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/model/forecast.h>
 

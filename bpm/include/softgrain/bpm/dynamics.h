@@ -4,19 +4,18 @@
 
 #include <softgrain/base/exact_sum.h>
 #include <softgrain/bpm/attraction.h>
+#include <softgrain/bpm/dynamics_report.h>
+#include <softgrain/bpm/dynamics_settings.h>
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/bpm/strip_share.h>
-#include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
-#include <softgrain/driving/named_sums.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/obstacle_feet.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/model/state_file.h>
-#include <softgrain/scene/contact_pairs.h>
 
 #include <algorithm>
 #include <map>
@@ -31,68 +30,6 @@ class TimerOutput;
 
 namespace softgrain::bpm
 {
-/// What the motion of primaries may be told. Lengths are in mean diameters of the primaries.
-struct DynamicsSettings
-{
-  ContactPairs pairs;                  ///< friction and adhesion of primaries of different bodies and walls
-  double rolling_resistance = 0;       ///< mu_r of @cite nguyen2016, eq. (2.12): different bodies, walls
-  double inner_rolling_resistance = 0; ///< mu_r between primaries of one body
-  double restitution = 0;              ///< normal, of every contact
-  double gap_correction = 1;           ///< share of an overlap that is pushed out in a step
-  double contact_range = 0.02;         ///< pairs nearer than this are contacts of the step
-  /// Pairs that come this near within this time, at the speed they have, are contacts too [s].
-  double look_ahead = 0;
-  double skin = 0.3;                  ///< of the neighbour list
-  double solver_penetration = 1e-4;   ///< that a step may add by an unfinished contact solution
-  double wall_force_floor = 0;        ///< what the force on a wall counts as at least [N/m]
-  contact::DiskSolverSettings solver; ///< its penetration_tolerance is set from solver_penetration
-
-  /// Law of these contacts; null: Coulomb's.
-  std::shared_ptr<const ContactLaw> contact_law;
-
-  bool any_rolling() const { return rolling_resistance > 0. || inner_rolling_resistance > 0.; }
-  /// Whether rotations of the primaries matter.
-  bool rotations() const;
-};
-
-/// A primary in something else.
-struct Overlap
-{
-  enum class With
-  {
-    body,
-    wall,
-    obstacle
-  };
-  double depth = 0;       ///< [m]
-  std::uint32_t body = 0; ///< of the primary
-  With with = With::body;
-  std::uint32_t other = 0; ///< number of that body, wall or obstacle
-  dealii::Point<2> place;  ///< centre of the primary [m]
-};
-
-/// What one step did.
-struct DynamicsReport
-{
-  contact::DiskSolverReport solver;
-  dealii::Tensor<1, 2> wall_impulse; ///< from walls on primaries [N s/m]
-  double contact_loss = 0;           ///< kinetic energy that contacts took beside adhesion [J/m]
-  double adhesion_work = 0;          ///< done by adhesion [J/m]
-  double wall_work = 0;   ///< done by walls of prescribed velocity, by loads of others, obstacles, cell [J/m]
-  double cell_work = 0;   ///< of it, by a cell that deforms beside its sides: see CellMotion [J/m]
-  double driven_work = 0; ///< done by what keeps driven bodies on their way [J/m]
-  dealii::Tensor<1, 2> driven_impulse; ///< from driven bodies on others [N s/m]
-  double damping_loss = 0;             ///< in the damping of walls [J/m]
-  NamedSums losses;                    ///< beside these, see Balance::losses [J/m]
-  NamedSums sums;                      ///< what the step adds to columns of the history, see Balance::sums
-  double force_work = 0;               ///< done by loads [J/m]
-  std::vector<double> load_work;       ///< of it, by all loads but the last [J/m]
-  dealii::Tensor<1, 2> force_impulse;  ///< of loads [N s/m]
-  double max_penetration = 0;          ///< after the step, and on the way to there [m]
-  Overlap on_the_way;                  ///< the deepest one between the ends of the step
-  dealii::Tensor<1, 2> cell_impulse;   ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
-};
-
 /**
  * @brief Moreau–Jean steps (θ = 1) of rigid disks: attraction, contacts (Signorini, Coulomb), walls.
  *
@@ -146,7 +83,7 @@ public:
   /// cell that repeats, with adhesion or obstacles. Before the first detect().
   void part(const std::vector<Wall> &walls);
   /// Who has which primaries; null: all are here.
-  const StripShare *parted() const { return share.get(); }
+  const StripShare *strips() const { return share.get(); }
   /// Primaries that are not copies of those of other ranks; they come first.
   std::size_t n_own() const { return share ? share->n_own() : primaries.size(); }
   std::size_t n_all() const { return share ? share->n_all() : primaries.size(); }

@@ -2,7 +2,7 @@
 #ifndef softgrain_bpm_settings_h
 #define softgrain_bpm_settings_h
 
-#include <softgrain/bpm/dynamics.h>
+#include <softgrain/bpm/dynamics_settings.h>
 #include <softgrain/driving/step_control.h>
 #include <softgrain/packing/size_distribution.h>
 

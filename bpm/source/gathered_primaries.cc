@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/bpm/looked_at.h>
+#include <softgrain/bpm/gathered_primaries.h>
 
 #include <algorithm>
 
@@ -16,25 +16,25 @@ std::vector<std::array<double, 2>> pairs_of(const std::vector<double> &numbers)
 }
 } // namespace
 
-LookedAt::LookedAt(const Dynamics &dynamics) : dynamics(dynamics)
+GatheredPrimaries::GatheredPrimaries(const Dynamics &dynamics) : dynamics(dynamics)
 {
-  if (dynamics.parted() == nullptr)
+  if (dynamics.strips() == nullptr)
     return;
-  brought.emplace();
-  bring_disks();
-  bring_rows();
-  bring_bonds();
+  gathered.emplace();
+  gather_disks();
+  gather_rows();
+  gather_bonds();
 }
 
-void LookedAt::bring_disks()
+void GatheredPrimaries::gather_disks()
 {
   const Primaries &here = dynamics.disks();
-  const StripShare &share = *dynamics.parted();
+  const StripShare &share = *dynamics.strips();
   const auto bring = [&](const std::vector<double> &values)
   { return share.at_first(values.data(), 1, here); };
   const auto bring_pairs = [&](const std::vector<std::array<double, 2>> &values)
   { return pairs_of(share.at_first(values.data()->data(), 2, here)); };
-  Primaries &all = brought->disks;
+  Primaries &all = gathered->disks;
   all.position = bring_pairs(here.position);
   all.velocity = bring_pairs(here.velocity);
   all.radius = bring(here.radius);
@@ -45,12 +45,12 @@ void LookedAt::bring_disks()
     all.angular_velocity = bring(here.angular_velocity);
 }
 
-void LookedAt::bring_rows()
+void GatheredPrimaries::gather_rows()
 {
   constexpr unsigned int n = 7;
   const contact::DiskContacts &here = dynamics.contacts();
   const Primaries &disks = dynamics.disks();
-  const StripShare &share = *dynamics.parted();
+  const StripShare &share = *dynamics.strips();
   const std::uint32_t first_wall = share.n_all();
   std::vector<double> numbers, at_walls;
   std::size_t n_first = 0;
@@ -72,20 +72,20 @@ void LookedAt::bring_rows()
   }
   std::vector<double> all = share.tiles_at_first(numbers, n_first);
   all.insert(all.end(), at_walls.begin(), at_walls.end()); // only the first rank has any
-  contact::DiskContacts &rows = brought->rows;
+  contact::DiskContacts &rows = gathered->rows;
   for (std::size_t k = 0; k < all.size(); k += n)
   {
     rows.a.push_back(static_cast<std::uint32_t>(all[k]));
     rows.b.push_back(static_cast<std::uint32_t>(all[k + 1]));
     rows.normal.push_back({all[k + 2], all[k + 3]});
-    brought->gap.push_back(all[k + 4]);
+    gathered->gap.push_back(all[k + 4]);
     rows.impulse.push_back(all[k + 5]);
     if (share.rotates())
       rows.tangential_impulse.push_back(all[k + 6]);
   }
 }
 
-void LookedAt::bring_bonds()
+void GatheredPrimaries::gather_bonds()
 {
   constexpr unsigned int n = 4;
   const contact::NeighbourList &list = dynamics.neighbours();
@@ -100,9 +100,9 @@ void LookedAt::bring_bonds()
   for_bonds_here(0, first_end, note);
   const std::size_t n_first = numbers.size();
   for_bonds_here(first_end, list.n_pairs(), note);
-  const std::vector<double> all = dynamics.parted()->tiles_at_first(numbers, n_first);
+  const std::vector<double> all = dynamics.strips()->tiles_at_first(numbers, n_first);
   for (std::size_t k = 0; k < all.size(); k += n)
-    brought->bonds.push_back(
+    gathered->bonds.push_back(
         {static_cast<std::uint32_t>(all[k]), static_cast<std::uint32_t>(all[k + 1]), all[k + 2], all[k + 3]});
 }
 } // namespace softgrain::bpm

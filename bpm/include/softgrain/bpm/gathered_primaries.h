@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef softgrain_bpm_looked_at_h
-#define softgrain_bpm_looked_at_h
+#ifndef softgrain_bpm_gathered_primaries_h
+#define softgrain_bpm_gathered_primaries_h
 
 #include <softgrain/bpm/dynamics.h>
 
@@ -14,9 +14,9 @@ namespace softgrain::bpm
  * @brief Primaries, contacts and bonds as snapshots see them: those of all ranks, in the order of one
  * process.
  *
- * Where each rank has some of them, they are brought to the first one; others see nothing.
+ * Where each rank has some of them, they are gathered to the first one; others see nothing.
  */
-class LookedAt
+class GatheredPrimaries
 {
 public:
   /// A pair of primaries of one body.
@@ -28,26 +28,26 @@ public:
   };
 
   /// All ranks make it. @p dynamics has to stay as it is.
-  explicit LookedAt(const Dynamics &dynamics);
+  explicit GatheredPrimaries(const Dynamics &dynamics);
 
-  const Primaries &disks() const { return brought ? brought->disks : dynamics.disks(); }
+  const Primaries &disks() const { return gathered ? gathered->disks : dynamics.disks(); }
   /// b >= disks().size(): a wall, and obstacles after the walls.
-  const contact::DiskContacts &rows() const { return brought ? brought->rows : dynamics.contacts(); }
-  double gap(const std::size_t row) const { return brought ? brought->gap[row] : dynamics.gaps()[row]; }
-  bool carries_force(const std::size_t row) const { return brought || dynamics.carries_force(row); }
+  const contact::DiskContacts &rows() const { return gathered ? gathered->rows : dynamics.contacts(); }
+  double gap(const std::size_t row) const { return gathered ? gathered->gap[row] : dynamics.gaps()[row]; }
+  bool carries_force(const std::size_t row) const { return gathered || dynamics.carries_force(row); }
   /// Image of its second body that row @p row is a contact with; not one with a wall.
   PeriodicCell<2>::Image image_of_row(const std::size_t row) const
   {
-    return brought ? PeriodicCell<2>::Image() : dynamics.image_of_row(row);
+    return gathered ? PeriodicCell<2>::Image() : dynamics.image_of_row(row);
   }
 
   /// Calls work(bond) for every pair of one body that has an attraction or an impulse.
   template <class Work>
   void for_bonds(const Work &work) const
   {
-    if (!brought)
+    if (!gathered)
       return for_bonds_here(0, dynamics.neighbours().n_pairs(), work);
-    for (const Bond &bond : brought->bonds)
+    for (const Bond &bond : gathered->bonds)
       work(bond);
   }
 
@@ -68,19 +68,19 @@ private:
     }
   }
 
-  struct Brought
+  struct Gathered
   {
     Primaries disks;
     contact::DiskContacts rows; ///< that carry force; what describes them, not what solves them
     std::vector<double> gap;
     std::vector<Bond> bonds;
   };
-  void bring_disks();
-  void bring_rows();
-  void bring_bonds();
+  void gather_disks();
+  void gather_rows();
+  void gather_bonds();
 
   const Dynamics &dynamics;
-  std::optional<Brought> brought; ///< where each rank has some
+  std::optional<Gathered> gathered; ///< where each rank has some
 };
 } // namespace softgrain::bpm
 
