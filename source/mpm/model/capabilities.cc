@@ -40,7 +40,7 @@ bool meets_by_rays(const Settings &settings)
 
 bool sees_cells(const Settings &settings)
 {
-  return settings.meets_by_rays() && settings.scheme.implicit;
+  return settings.follows_contact();
 }
 
 std::string inertia_of_walls(const Scene<2> &scene, const Settings &)

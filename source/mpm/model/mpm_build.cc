@@ -123,7 +123,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     for (const Body<2> &body : state.bodies)
       prepare_solver(body);
   }
-  if (settings.scheme.inertia && settings.scheme.implicit && settings.meets_by_rays())
+  if (settings.scheme.inertia && settings.follows_contact())
     choose_for_long_steps(wanted_step(), cfl_step(), problem.settings);
   integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
   if (!settings.scheme.implicit && wanted_step() > cfl_step())

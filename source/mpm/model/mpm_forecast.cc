@@ -228,15 +228,14 @@ Forecast forecast(const Scene<2> &scene,
                          std::abs((settings.mesh_upper - settings.mesh_lower) *
                                   dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
   const double cfl = cfl_of(scene, settings, laws, run.crowd), points = result.n_points;
-  result.step = settings.step.wanted(
-      (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl);
+  result.step = settings.step.wanted(settings.scheme.cfl_multiple(settings.cfl_multiple) * cfl);
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
     result.step = std::min(settings.wall_way * settings.finest_cell() / run.fastest_wall,
                            settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
-  const bool slow = !settings.scheme.inertia || (settings.scheme.implicit && settings.meets_by_rays() &&
-                                                 result.step > resolves_waves_to * cfl);
+  const bool slow =
+      !settings.scheme.inertia || (settings.follows_contact() && result.step > resolves_waves_to * cfl);
   const bool f_bar = has_f_bar(settings, laws, run.crowd);
   double iterations = n_iterations(settings, run, result.step, cfl);
   if (slow && f_bar && remembers(laws, run.crowd))

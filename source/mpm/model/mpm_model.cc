@@ -45,9 +45,7 @@ double MpmModel::wanted_step() const
     if (step > 0.)
       return std::min(step, longest);
   }
-  // Symplectic Euler is stable to about one CFL step; half of it leaves room for compressed cells.
-  return settings.step.wanted(
-      (settings.scheme.implicit ? settings.cfl_multiple : std::min(settings.cfl_multiple, 0.5)) * cfl_step());
+  return settings.step.wanted(settings.scheme.cfl_multiple(settings.cfl_multiple) * cfl_step());
 }
 
 StepReport MpmModel::advance(const double dt_limit)

@@ -19,15 +19,6 @@ constexpr double rounded_strain = 1e-12;
 /// Strains up to this are within what Newton's method takes for balance without inertia, see
 /// RayEquations::measure().
 constexpr double unresolved_strain = 1e-8;
-
-std::string scheme_in_words(const TimeScheme &scheme)
-{
-  if (!scheme.inertia || !scheme.implicit)
-    return scheme.name;
-  std::ostringstream text;
-  text << scheme.name << ", theta " << scheme.theta;
-  return text.str();
-}
 } // namespace
 
 dealii::Tensor<1, 2> MpmModel::momentum() const
@@ -129,7 +120,7 @@ SizeReport MpmModel::size_report() const
                               text(problem.lattice->cell_size(), " m")},
       {"unknowns", std::to_string(dofs)},
       {"shape functions", problem.settings.shape},
-      {"time scheme", scheme_in_words(problem.settings.scheme)},
+      {"time scheme", problem.settings.scheme.in_words()},
       {"contact", problem.settings.contact_geometry},
       {"CFL step", text(cfl_step(), " s")},
       {"time step", text(wanted_step(), " s") + " = " + text(wanted_step() / cfl_step(), " CFL steps")}};

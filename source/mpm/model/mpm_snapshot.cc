@@ -231,23 +231,13 @@ double MpmModel::rotational_energy() const
   return energy;
 }
 
-namespace
-{
-/// The instant that forces of a step belong to. Its impulses balance what is inside at its beginning with
-/// 1 - theta and at its end with theta, so forces are those of theta of the way.
-double force_time(const TimeScheme &scheme, const double time, const double dt)
-{
-  return time - (scheme.implicit ? 1. - scheme.theta : 1.) * dt;
-}
-} // namespace
-
 std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
 {
   const Balance &balance = state.balance;
   const auto of_loss = [&](const std::string &name)
   { return std::pair<std::string, double>(name + "_J_per_m", balance.losses.of(name)); };
   std::vector<std::pair<std::string, double>> columns = {
-      {"force_time_s", force_time(problem.settings.scheme, time(), last_dt)},
+      {"force_time_s", problem.settings.scheme.force_time(time(), last_dt)},
       {"plain_solves", work.contact.plain_solves},
       {"contact_loss_J_per_m", balance.contact_loss},
       {"rotational_energy_J_per_m", rotational_energy()},

@@ -149,7 +149,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
     for (unsigned int axis = 0; axis < 3; ++axis)
       rotational += 0.5 * rate[axis] * rate[axis] * rotary_inertia(body, Eigen::VectorXd(r.col(axis)));
   }
-  return {{"force_time_s", state.time - (1. - settings.scheme.theta) * last_dt},
+  return {{"force_time_s", settings.scheme.force_time(state.time, last_dt)},
           {"contact_loss_J", state.motion.contact_loss},
           {"rotational_energy_J", rotational},
           {"scheme_damping_J", state.motion.scheme_damping},

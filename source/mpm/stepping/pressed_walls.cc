@@ -124,10 +124,10 @@ void follow_free_walls(const Problem &problem, const Workspace &work, std::vecto
     WallMotion<2> &here = motion[free.wall];
     if (free.slides())
     {
-      here.slide = (1. - scheme.theta) * free.start_speed + scheme.theta * free.speed;
+      here.slide = scheme.over_step(free.start_speed, free.speed);
       continue;
     }
-    here.velocity = (1. - scheme.theta) * free.start_speed + scheme.theta * free.speed;
+    here.velocity = scheme.over_step(free.start_speed, free.speed);
     // The impulses of an explicit step act between the velocities before and after.
     here.rate = scheme.implicit ? here.velocity : 0.5 * (free.start_speed + free.speed);
   }
@@ -154,18 +154,18 @@ void account_free_wall(const Problem &problem,
 {
   Wall &wall = state.walls[free.wall];
   const bool slides = free.slides();
-  (slides ? wall.slide_speed : wall.speed) = problem.settings.scheme.inertia ? free.speed : rate;
-  if (!problem.settings.scheme.inertia)
+  const TimeScheme &scheme = problem.settings.scheme;
+  (slides ? wall.slide_speed : wall.speed) = scheme.inertia ? free.speed : rate;
+  if (!scheme.inertia)
     return;
   const double load = slides ? wall.slide_load : wall.load, mass = slides ? wall.slide_mass : wall.mass,
                damping = slides ? wall.slide_damping : wall.damping;
-  const double theta = problem.settings.scheme.theta;
-  const double moving = (1. - theta) * free.start_speed + theta * free.speed;
+  const double moving = scheme.over_step(free.start_speed, free.speed);
   wall.work += dt * load * rate;
   state.balance.wall_damping_loss += dt * damping * moving * rate;
   const double change = free.speed - free.start_speed;
   if (scheme_damping)
-    state.balance.losses.add(loss::scheme, (theta - 0.5) * mass * change * change);
+    state.balance.losses.add(loss::scheme, (scheme.theta - 0.5) * mass * change * change);
 }
 
 namespace

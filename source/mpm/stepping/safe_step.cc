@@ -225,7 +225,7 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
 {
   // Rays of an implicit step see all that bodies come to meet, and an overlap that is left repeats the step;
   // rows are those of its start or its middle.
-  const bool follow = problem.settings.meets_by_rays() && problem.settings.scheme.implicit;
+  const bool follow = problem.settings.follows_contact();
   if (follow && state.bodies.size() < 2 && state.obstacles.empty())
     return dt;
   const double reach = follow ? std::numeric_limits<double>::max() : 0.5 * problem.lattice->cell_size();

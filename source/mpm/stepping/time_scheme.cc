@@ -5,6 +5,8 @@
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
 
+#include <sstream>
+
 SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::TimeIntegrator)
 
 namespace softgrain::mpm
@@ -14,6 +16,15 @@ StepOutcome TimeIntegrator::settle(const Problem &, State &, Workspace &, double
   StepOutcome nothing;
   nothing.accepted = true;
   return nothing;
+}
+
+std::string TimeScheme::in_words() const
+{
+  if (!inertia || !implicit)
+    return name;
+  std::ostringstream text;
+  text << name << ", theta " << theta;
+  return text.str();
 }
 
 TimeScheme TimeScheme::create(const std::string &name, const double theta)

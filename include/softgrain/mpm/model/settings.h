@@ -108,6 +108,10 @@ struct Settings
   /// Whether surfaces are met by rays, see ContactFrame.
   bool meets_by_rays() const { return by_rays; }
 
+  /// Whether contact follows bodies through a step: rays of an implicit one see all that bodies come to meet;
+  /// other rows are those of its start or its middle.
+  bool follows_contact() const { return by_rays && scheme.implicit; }
+
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);
   /// @param dimension 2 or 3

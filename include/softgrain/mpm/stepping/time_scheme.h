@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_time_scheme_h
 #define softgrain_mpm_stepping_time_scheme_h
 
+#include <algorithm>
 #include <string>
 
 namespace softgrain::mpm
@@ -24,6 +25,26 @@ struct TimeScheme
   double theta = 0.55;
   bool inertia = true;
   bool implicit = true;
+
+  /// Of a velocity that is @p before and then @p after, the one that places move with over the step.
+  double over_step(const double before, const double after) const
+  {
+    return (1. - theta) * before + theta * after;
+  }
+  /// The instant that forces of a step of @p dt belong to, which ends at @p end: its impulses balance what is
+  /// inside at its beginning with 1 - theta and at its end with theta, so it is theta of the way [s].
+  double force_time(const double end, const double dt) const
+  {
+    return end - (implicit ? 1. - theta : 1.) * dt;
+  }
+  /// Where in a step loads are taken: with inertia in its middle, which is of second order and does the same
+  /// work whatever theta is; steps without it end in balance with those at the end.
+  double loads_at() const { return inertia ? 0.5 : 1.; }
+  /// The longest step over that in which a wave crosses a cell, of which @p wanted is asked for. Symplectic
+  /// Euler is stable to about one; half of it leaves room for compressed cells.
+  double cfl_multiple(const double wanted) const { return implicit ? wanted : std::min(wanted, 0.5); }
+  /// Its name, and theta where that is a choice.
+  std::string in_words() const;
 
   /// The terms of a TimeIntegrator. @throw InputError when the name is unknown or theta is outside of [1/2,
   /// 1]
