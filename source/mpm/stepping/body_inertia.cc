@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/body_inertia.h>
 
+#include <algorithm>
+
 namespace softgrain::mpm
 {
 namespace
@@ -97,6 +99,24 @@ double BodyInertia<dim>::damping(const Body<dim> &body,
     sum += body.mass[i] * (v - body.velocity).template segment<dim>(dim * i).squaredNorm();
   return (theta - 0.5) * sum +
          (0.5 * (internal + body.internal_force) - acting_force(body, internal)).dot(increment);
+}
+
+template <int dim>
+double BodyInertia<dim>::largest_momentum(const Body<dim> &body) const
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    largest = std::max(largest, body.mass[i] * body.velocity.template segment<dim>(dim * i).norm());
+  return largest;
+}
+
+template <int dim>
+double BodyInertia<dim>::summed_momentum(const Body<dim> &body) const
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += body.mass[i] * body.velocity.template segment<dim>(dim * i).norm();
+  return sum;
 }
 
 template class BodyInertia<2>;

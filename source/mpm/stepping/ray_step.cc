@@ -164,7 +164,7 @@ void RayStep::accept(State &state_to_change)
         const unsigned int b = body.index;
         const FrameState<2>::Vector resistance = step_equations.resistance(b);
         told[b] = {step_equations.regularisation_work(b), step_equations.scheme_damping(b, trial[b]),
-                   resistance[0], resistance[1], inertia ? 0. : step_equations.held_back(b)};
+                   resistance[0], resistance[1], step_equations.held_back(b)};
         if (inertia)
           spread_imbalance(body, equations.missing(b) + plan.dt * contact_forces(b), trial[b]);
       },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -11,11 +12,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// Of the torque that keeps a round body without friction from turning in a scheme without inertia, against
-/// one that resists as the body's own stiffness does: where the rim is cut by cells the body would creep on,
-/// turn by turn, from one balance to another.
-constexpr double locked = 1e4;
-
 bool sees_velocity(const Body<2> &body)
 {
   return body.loads.see_velocity();
@@ -32,19 +28,13 @@ StepEquations::StepEquations(const Problem &problem,
     , scheme(problem.settings.scheme)
     , plan(plan)
     , dt(plan.dt)
+    , scheme_terms(state.bodies.size())
     , missing_impulse(state.bodies.size())
-    , rotation(state.bodies.size())
-    , shift(state.bodies.size(), 0.)
-    , rotation_weight(state.bodies.size(), 0.)
     , measured(state.bodies.size(), std::array<double, 4>{})
 {
-  inertia.resize(scheme.inertia ? state.bodies.size() : 0);
   increment.resize(state.bodies.size());
   internal.resize(state.bodies.size());
-  // Loads at the middle of the step: second order, and the same work whatever theta is. Steps without
-  // inertia end in balance with those at the end.
-  const double loads_at = plan.held ? 0. : scheme.inertia ? 0.5 : 1.;
-  loads = {state.time + loads_at * plan.dt, state.time, plan.dt, false};
+  loads = {state.time + (plan.held ? 0. : scheme.loads_at()) * plan.dt, state.time, plan.dt, false};
   external = external_forces(state.bodies, work.share, loads);
   if (std::any_of(state.bodies.begin(), state.bodies.end(), sees_velocity))
     fixed_external = external;
@@ -62,15 +52,16 @@ StepEquations::StepEquations(const Problem &problem,
         // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
         // are resisted.
         const bool round_and_smooth = body.boundary.circular && problem.slippery();
-        if (scheme.inertia)
+        if (!scheme.inertia)
         {
-          inertia[b].begin(body, scheme, dt, round_and_smooth, external[b]);
+          scheme_terms[b] = std::make_unique<BodyResistance>(body, plan, round_and_smooth,
+                                                             state.resistance.empty() ? dealii::Tensor<1, 2>()
+                                                                                      : state.resistance[b]);
           return;
         }
-        shift[b] = plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum();
-        rotation[b] = whole_rotation(body);
-        rotation_weight[b] = 30. * (round_and_smooth ? locked : plan.regularisation) * dt * dt *
-                             body.law->young_modulus() * body.rest_area;
+        auto inertia = std::make_unique<BodyInertia<2>>();
+        inertia->begin(body, scheme, dt, round_and_smooth, external[b]);
+        scheme_terms[b] = std::move(inertia);
       });
 }
 
@@ -107,7 +98,7 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
       {
         const unsigned int b = body.index;
         before(b);
-        increment[b] = scheme.inertia ? inertia[b].increment(body, v[b]) : Eigen::VectorXd(dt * v[b]);
+        increment[b] = scheme_terms[b]->increment(body, v[b]);
         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
                                     {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
@@ -138,25 +129,13 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
 void StepEquations::find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v)
 {
   const unsigned int b = body.index;
-  Eigen::VectorXd &P = missing_impulse[b];
-  if (scheme.inertia)
+  if (body.loads.see_velocity())
   {
-    if (body.loads.see_velocity())
-    {
-      external[b] = fixed_external[b];
-      add_forces_of_velocity(body, loads, increment[b], external[b]);
-      inertia[b].note_load(body, external[b]);
-    }
-    inertia[b].find_missing(body, v, increment[b], internal[b], external[b], P);
-    return;
+    external[b] = fixed_external[b];
+    add_forces_of_velocity(body, loads, increment[b], external[b]);
+    scheme_terms[b]->note_load(body, external[b]);
   }
-  P = dt * internal[b];
-  if (external[b].size() > 0)
-    P += dt * external[b];
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    P.segment<2>(2 * i) -= shift[b] * std::abs(body.mass[i]) * v.segment<2>(2 * i);
-  if (rotation_weight[b] > 0.)
-    P -= rotation_weight[b] * rotation[b].dot(v) * rotation[b];
+  scheme_terms[b]->find_missing(body, v, increment[b], internal[b], external[b], missing_impulse[b]);
 }
 
 Eigen::VectorXd StepEquations::unbalanced(const unsigned int b) const
@@ -173,9 +152,7 @@ void StepEquations::measure(const Body<2> &body, const Eigen::VectorXd &v)
   Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
   work.contact.add_impulses(b, contact);
   double scale = std::max(contact.norm(), dt * internal[b].norm());
-  if (scheme.inertia)
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      scale = std::max(scale, 1e-6 * body.mass[i] * body.velocity.segment<2>(2 * i).norm());
+  scale = std::max(scale, 1e-6 * scheme_terms[b]->largest_momentum(body));
   if (external[b].size() > 0)
     scale = std::max(scale, dt * external[b].norm());
   // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
@@ -214,49 +191,22 @@ double StepEquations::trial_length() const
 
 double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
 {
-  return scheme.inertia ? inertia[b].damping(state.bodies[b], v, increment[b], internal[b]) : 0.;
+  return scheme_terms[b]->damping(state.bodies[b], v, increment[b], internal[b]);
 }
 
 double StepEquations::regularisation_work(const unsigned int b) const
 {
-  if (scheme.inertia)
-    return inertia[b].held_work(increment[b]);
-  // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
-  const Body<2> &body = state.bodies[b];
-  const double mass = body.mass.sum();
-  double work = 0.;
-  dealii::Tensor<1, 2> way; // of the centre of mass
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-  {
-    work +=
-        0.5 * shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b].segment<2>(2 * i).squaredNorm();
-    for (unsigned int d = 0; d < 2; ++d)
-      way[d] += body.mass[i] / mass * increment[b][2 * i + d];
-  }
-  if (!state.resistance.empty())
-    work += 0.5 * state.resistance[b] * way;
-  return work;
+  return scheme_terms[b]->regularisation_work(state.bodies[b], increment[b]);
 }
 
 dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
 {
-  dealii::Tensor<1, 2> force;
-  if (scheme.inertia)
-    return force;
-  const Body<2> &body = state.bodies[b];
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-      force[d] += shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b][2 * i + d];
-  return force;
+  return scheme_terms[b]->resistance(state.bodies[b], increment[b]);
 }
 
 double StepEquations::held_back(const unsigned int b) const
 {
-  const Body<2> &body = state.bodies[b];
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += shift[b] / (dt * dt) * std::abs(body.mass[i]) * increment[b].segment<2>(2 * i).norm();
-  return sum;
+  return scheme_terms[b]->held_back(state.bodies[b], increment[b]);
 }
 
 void StepEquations::tell(std::vector<Told> &told, BodyShare::Message &message)
@@ -273,8 +223,8 @@ Eigen::VectorXd StepEquations::go(const unsigned int b, const Way &way, const do
 {
   // A trial is a velocity; theta dt of it is displacement.
   Eigen::VectorXd step = (fraction * scheme.theta * dt) * way.direction[b];
-  turn_along_circles(state.bodies[b], scheme.inertia ? inertia[b].turn() : rotation[b],
-                     state.bodies[b].displacement + way.from[b], step);
+  turn_along_circles(state.bodies[b], scheme_terms[b]->turn(), state.bodies[b].displacement + way.from[b],
+                     step);
   return way.x[b] + step / (scheme.theta * dt);
 }
 } // namespace softgrain::mpm

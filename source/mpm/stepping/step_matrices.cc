@@ -11,8 +11,9 @@ namespace softgrain::mpm
 {
 void StepEquations::resist_more(const double factor)
 {
-  for (double &of_body : shift)
-    of_body *= factor;
+  for (const auto &terms : scheme_terms)
+    if (terms)
+      terms->resist_more(factor);
 }
 
 void StepEquations::assemble_exact(const Body<2> &body)
@@ -21,16 +22,10 @@ void StepEquations::assemble_exact(const Body<2> &body)
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
   add_stiffness(body, work.trial[b], scheme.theta * scheme.theta * dt * dt, matrix);
-  if (scheme.inertia)
-  {
-    inertia[b].add_mass(body, matrix);
-    if (body.loads.see_velocity())
-      add_load_tangent(body, loads, increment[b], scheme.theta * dt, matrix);
-    work.solvers[b]->set_update(inertia[b].held(), inertia[b].held_weight(body, work.trial[b]));
-    return;
-  }
-  matrix.add_mass<2>(drag(body), shift[b]);
-  work.solvers[b]->set_update(rotation[b], rotation_weight[b]);
+  scheme_terms[b]->add_mass(body, matrix);
+  if (body.loads.see_velocity())
+    add_load_tangent(body, loads, increment[b], scheme.theta * dt, matrix);
+  work.solvers[b]->set_update(scheme_terms[b]->held(), scheme_terms[b]->held_weight(body, work.trial[b]));
 }
 
 std::string StepEquations::factorise()

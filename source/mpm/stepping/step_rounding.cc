@@ -43,9 +43,7 @@ double StepEquations::rounding(const Body<2> &body, const double contact) const
       summed_in_forces(body, work.trial[b], problem.settings.finest_cell(), contact, internal[b].norm(), dt);
   if (external[b].size() > 0)
     summed += dt * external[b].norm();
-  if (scheme.inertia)
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      summed += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+  summed += scheme_terms[b]->summed_momentum(body);
   return std::numeric_limits<double>::epsilon() * summed;
 }
 

@@ -2,8 +2,7 @@
 #ifndef softgrain_mpm_stepping_body_inertia_h
 #define softgrain_mpm_stepping_body_inertia_h
 
-#include <softgrain/linear/system_matrix.h>
-#include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/body_terms.h>
 #include <softgrain/mpm/stepping/time_scheme.h>
 
 #include <Eigen/Core>
@@ -16,7 +15,7 @@ namespace softgrain::mpm
  * doc/theory.md, "Rotation under pressure".
  */
 template <int dim>
-class BodyInertia
+class BodyInertia final : public BodyTerms<dim>
 {
 public:
   /// @param keeps_spin a round body without friction, whose spin nothing but a load can change
@@ -28,31 +27,34 @@ public:
              const Eigen::VectorXd &load);
 
   /// Loads that see the velocity change it from trial to trial: begin() knows those of the start alone.
-  void note_load(const Body<dim> &body, const Eigen::VectorXd &load);
+  void note_load(const Body<dim> &body, const Eigen::VectorXd &load) override;
 
-  /// Displacement over the step for the end velocity @p v [m].
-  Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const;
-
-  /// Impulse that is missing for the end velocity @p v, without contact [N s m^(dim-3)].
+  Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const override;
   void find_missing(const Body<dim> &body,
                     const Eigen::VectorXd &v,
                     const Eigen::VectorXd &increment,
                     const Eigen::VectorXd &internal,
                     const Eigen::VectorXd &load,
-                    Eigen::VectorXd &missing);
+                    Eigen::VectorXd &missing) override;
 
-  /// Adds mass to a matrix that has the stiffness.
-  void add_mass(const Body<dim> &body, SystemMatrix &matrix) const { matrix.add_mass<dim>(body.mass, 1.); }
-  /// Stiffness against a turn that goes with it, of the columns held() [N s^2 m^(dim-2)].
-  double held_weight(const Body<dim> &body, const StepState<dim> &trial) const;
-  const WholeRotation<dim> &held() const { return keeps ? lever : rotation; }
-  const WholeRotation<dim> &turn() const { return rotation; } ///< at the start of the step
+  void add_mass(const Body<dim> &body, SystemMatrix &matrix) const override
+  {
+    matrix.add_mass<dim>(body.mass, 1.);
+  }
+  double held_weight(const Body<dim> &body, const StepState<dim> &trial) const override;
+  const WholeRotation<dim> &held() const override { return keeps ? lever : rotation; }
+  const WholeRotation<dim> &turn() const override { return rotation; }
 
-  /// What the scheme takes in a step to the velocity @p v, to second order in the step [J m^(dim-3)].
   double damping(const Body<dim> &body,
                  const Eigen::VectorXd &v,
                  const Eigen::VectorXd &increment,
-                 const Eigen::VectorXd &internal) const;
+                 const Eigen::VectorXd &internal) const override;
+  double regularisation_work(const Body<dim> &, const Eigen::VectorXd &increment) const override
+  {
+    return held_work(increment);
+  }
+  double largest_momentum(const Body<dim> &body) const override;
+  double summed_momentum(const Body<dim> &body) const override;
   /// What the torque takes that keeps the spin [J m^(dim-3)].
   double held_work(const Eigen::VectorXd &increment) const
   {

@@ -3,7 +3,7 @@
 #define softgrain_mpm_stepping_step_equations_h
 
 #include <softgrain/mpm/stepping/body_equations.h>
-#include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/body_terms.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step.h>
@@ -13,6 +13,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -121,9 +122,6 @@ private:
   /// Finds the missing impulse from the internal forces.
   void find_missing_impulse(const Body<2> &body, const Eigen::VectorXd &v);
   void measure(const Body<2> &body, const Eigen::VectorXd &v);
-  /// What nodes resist motion by beside inertia: their masses, taken as positive where functions and
-  /// extensions that are negative somewhere make them negative [kg/m].
-  static Eigen::VectorXd drag(const Body<2> &body) { return body.mass.cwiseAbs(); }
   Eigen::VectorXd go(unsigned int b, const Way &way, double fraction) const;
 
   const Problem &problem;
@@ -133,12 +131,9 @@ private:
   const StepPlan plan;
   const double dt;
   LoadTimes loads;
-  Vectors fixed_external;              ///< of external, what does not depend on the trial
-  std::vector<BodyInertia<2>> inertia; ///< of every body of this rank; none without it
+  Vectors fixed_external;                                  ///< of external, what does not depend on the trial
+  std::vector<std::unique_ptr<BodyTerms<2>>> scheme_terms; ///< of every moving body of this rank
   Vectors missing_impulse;
-  Vectors rotation;                    ///< whole rotation at the start of the step, without inertia
-  std::vector<double> shift;           ///< of a body's mass matrix, from the regularising forces
-  std::vector<double> rotation_weight; ///< of the regularising torque, per radian [N s^2 m/m]
   /// Four numbers of every body as last evaluated: square and norm of what is unbalanced, its largest
   /// impulse, square of the end velocities.
   std::vector<std::array<double, 4>> measured;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_body_resistance_h
+#define softgrain_mpm_stepping_body_resistance_h
+
+#include <softgrain/mpm/stepping/body_terms.h>
+#include <softgrain/mpm/stepping/step.h>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief What resists the motion of one body in a step without inertia: a share of the stiffness of its
+ * material against the motion of nodes, and against a turn of the whole. See doc/theory.md, "Without
+ * inertia".
+ */
+class BodyResistance final : public BodyTerms<2>
+{
+public:
+  /// @param holds_turn a round body without friction: that it stays as it is turned is a choice of one of
+  /// many equal answers
+  /// @param before what resisted at the end of the step before [N/m]
+  BodyResistance(const Body<2> &body,
+                 const StepPlan &plan,
+                 bool holds_turn,
+                 const dealii::Tensor<1, 2> &before);
+
+  Eigen::VectorXd increment(const Body<2> &body, const Eigen::VectorXd &v) const override;
+  void find_missing(const Body<2> &body,
+                    const Eigen::VectorXd &v,
+                    const Eigen::VectorXd &increment,
+                    const Eigen::VectorXd &internal,
+                    const Eigen::VectorXd &load,
+                    Eigen::VectorXd &missing) override;
+  void add_mass(const Body<2> &body, SystemMatrix &matrix) const override;
+  double held_weight(const Body<2> &, const StepState<2> &) const override { return weight; }
+  const WholeRotation<2> &held() const override { return rotation; }
+  const WholeRotation<2> &turn() const override { return rotation; }
+  double damping(const Body<2> &,
+                 const Eigen::VectorXd &,
+                 const Eigen::VectorXd &,
+                 const Eigen::VectorXd &) const override
+  {
+    return 0.;
+  }
+  double regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const override;
+  dealii::Tensor<1, 2> resistance(const Body<2> &body, const Eigen::VectorXd &increment) const override;
+  double held_back(const Body<2> &body, const Eigen::VectorXd &increment) const override;
+  void resist_more(const double factor) override { shift *= factor; }
+
+private:
+  /// What a node resists by: its mass, taken as positive where functions and extensions that are negative
+  /// somewhere make it negative [kg/m].
+  static double drag(const Body<2> &body, const unsigned int i) { return std::abs(body.mass[i]); }
+
+  double dt, shift, weight; ///< shift of the mass matrix; weight of the torque, per radian [N s^2 m/m]
+  WholeRotation<2> rotation;
+  dealii::Tensor<1, 2> before;
+};
+} // namespace softgrain::mpm
+
+#endif

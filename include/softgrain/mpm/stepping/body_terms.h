@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_body_terms_h
+#define softgrain_mpm_stepping_body_terms_h
+
+#include <softgrain/linear/system_matrix.h>
+#include <softgrain/mpm/body/whole_rotation.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+namespace softgrain::mpm
+{
+/**
+ * @brief What the scheme of an implicit step adds to the forces of one body in its equation: inertia
+ * (BodyInertia), or what resists motion where there is none (BodyResistance). The equations of a step ask,
+ * and need not know which it is.
+ */
+template <int dim>
+class BodyTerms
+{
+public:
+  virtual ~BodyTerms() = default;
+
+  /// Displacement over the step for the end velocity @p v [m].
+  virtual Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const = 0;
+
+  /// Loads that see the velocity change from trial to trial: tells it those of the next one.
+  virtual void note_load(const Body<dim> &, const Eigen::VectorXd &) {}
+
+  /// Impulse that is missing for the end velocity @p v, without contact [N s m^(dim-3)].
+  virtual void find_missing(const Body<dim> &body,
+                            const Eigen::VectorXd &v,
+                            const Eigen::VectorXd &increment,
+                            const Eigen::VectorXd &internal,
+                            const Eigen::VectorXd &load,
+                            Eigen::VectorXd &missing) = 0;
+
+  /// Adds what goes with the velocity of nodes to a matrix that has the stiffness.
+  virtual void add_mass(const Body<dim> &body, SystemMatrix &matrix) const = 0;
+  /// Stiffness against a turn that goes with it, of the columns held() [N s^2 m^(dim-2)].
+  virtual double held_weight(const Body<dim> &body, const StepState<dim> &trial) const = 0;
+  virtual const WholeRotation<dim> &held() const = 0;
+  virtual const WholeRotation<dim> &turn() const = 0; ///< at the start of the step
+
+  /// What the scheme takes in a step to the velocity @p v, to second order in the step [J m^(dim-3)].
+  virtual double damping(const Body<dim> &body,
+                         const Eigen::VectorXd &v,
+                         const Eigen::VectorXd &increment,
+                         const Eigen::VectorXd &internal) const = 0;
+  /// What regularising forces take in a step [J m^(dim-3)].
+  virtual double regularisation_work(const Body<dim> &body, const Eigen::VectorXd &increment) const = 0;
+
+  /// Momentum of the nodes at the start that the scheme knows of: of the one with most, and of all by its
+  /// amount; against them impulses are measured [N s m^(dim-3)].
+  virtual double largest_momentum(const Body<dim> &) const { return 0.; }
+  virtual double summed_momentum(const Body<dim> &) const { return 0.; }
+
+  /// What resists the motion of the body at the end of a step without inertia [N m^(dim-3)].
+  virtual dealii::Tensor<1, dim> resistance(const Body<dim> &, const Eigen::VectorXd &) const { return {}; }
+  /// What State::held_back will be of it [N m^(dim-3)].
+  virtual double held_back(const Body<dim> &, const Eigen::VectorXd &) const { return 0.; }
+  /// Makes it resist motion by @p factor more.
+  virtual void resist_more(double) {}
+};
+} // namespace softgrain::mpm
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/body_resistance.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// Torque that keeps a round body without friction from turning, against one that resists as the body's own
+/// stiffness does: where the rim is cut by cells the body would creep on, turn by turn, from one balance to
+/// another.
+constexpr double locked = 1e4;
+} // namespace
+
+BodyResistance::BodyResistance(const Body<2> &body,
+                               const StepPlan &plan,
+                               const bool holds_turn,
+                               const dealii::Tensor<1, 2> &before)
+    : dt(plan.dt)
+    , shift(plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum())
+    , weight(30. * (holds_turn ? locked : plan.regularisation) * dt * dt * body.law->young_modulus() *
+             body.rest_area)
+    , rotation(whole_rotation(body))
+    , before(before)
+{
+}
+
+Eigen::VectorXd BodyResistance::increment(const Body<2> &, const Eigen::VectorXd &v) const
+{
+  return dt * v;
+}
+
+void BodyResistance::find_missing(const Body<2> &body,
+                                  const Eigen::VectorXd &v,
+                                  const Eigen::VectorXd &,
+                                  const Eigen::VectorXd &internal,
+                                  const Eigen::VectorXd &load,
+                                  Eigen::VectorXd &missing)
+{
+  missing = dt * internal;
+  if (load.size() > 0)
+    missing += dt * load;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    missing.segment<2>(2 * i) -= shift * drag(body, i) * v.segment<2>(2 * i);
+  if (weight > 0.)
+    missing -= weight * rotation.dot(v) * rotation;
+}
+
+void BodyResistance::add_mass(const Body<2> &body, SystemMatrix &matrix) const
+{
+  matrix.add_mass<2>(body.mass.cwiseAbs(), shift);
+}
+
+double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const
+{
+  // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
+  const double mass = body.mass.sum();
+  double work = 0.;
+  dealii::Tensor<1, 2> way; // of the centre of mass
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  {
+    work += 0.5 * shift / (dt * dt) * drag(body, i) * increment.segment<2>(2 * i).squaredNorm();
+    for (unsigned int d = 0; d < 2; ++d)
+      way[d] += body.mass[i] / mass * increment[2 * i + d];
+  }
+  return work + 0.5 * before * way;
+}
+
+dealii::Tensor<1, 2> BodyResistance::resistance(const Body<2> &body, const Eigen::VectorXd &increment) const
+{
+  dealii::Tensor<1, 2> force;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      force[d] += shift / (dt * dt) * drag(body, i) * increment[2 * i + d];
+  return force;
+}
+
+double BodyResistance::held_back(const Body<2> &body, const Eigen::VectorXd &increment) const
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    sum += shift / (dt * dt) * drag(body, i) * increment.segment<2>(2 * i).norm();
+  return sum;
+}
+} // namespace softgrain::mpm
