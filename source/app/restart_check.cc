@@ -110,7 +110,7 @@ changeable_stages(const std::size_t n_begun, const Parameters &before, const Par
   return patterns;
 }
 
-/// Every number that places or shapes a body, in a row, and how many they are.
+/// All numbers that place or shape a body; before those of its shape stands how many these are.
 template <int dim>
 std::vector<double> numbers_of(const BodyDescription<dim> &body)
 {

@@ -137,7 +137,7 @@ NeighbourList::NeighbourList(std::vector<double> radii,
 
 void NeighbourList::choose_levels()
 {
-  // Disks that are four times smaller than those for which cells are made would find too many in them.
+  // Cells for large disks hold too many of those that are four times smaller, which get a level of their own.
   constexpr double step = 4.;
   levels.assign(1, 1.);
   while (true)

@@ -89,7 +89,8 @@ std::vector<dealii::Point<2>> wall_segment(const Snapshot<2> &snapshot, const un
   }
   if (begin > end)
     return {};
-  // Up to the walls it meets, unless they are far from the bodies: there it ends a little outside them.
+  // The wall is drawn up to the walls that it meets. Where these are far from the bodies, it ends a little
+  // outside of the bodies.
   const double extent = end - begin;
   double first = begin - 0.1 * extent, last = end + 0.1 * extent;
   for (unsigned int other = 0; other < snapshot.walls.size(); ++other)

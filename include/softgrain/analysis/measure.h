@@ -82,7 +82,7 @@ public:
   /// Values as MeasureSet::evaluate() has them; @p snapshot is the one before for the next call.
   std::vector<std::pair<std::string, MeasuredValue>> evaluate(const Snapshot<dim> &snapshot);
 
-  /// Takes a snapshot of the run for the first, or the one before, without measuring it.
+  /// Keeps a snapshot as the first of the run, or as the one before the next, without measuring it.
   void remember(const Snapshot<dim> &snapshot);
 
 private:

@@ -51,7 +51,7 @@ bool looks_at_points(const Load<dim> &load)
 
 /**
  * @brief Mean force per mass over a step of @p dt that begins at @p place, of a scheme that knows no velocity
- * but that of the start: what the load alone changes the velocity by, at the middle of that change. Drag
+ * but that of the start: what the load alone changes it by, exactly where it is linear in the velocity. Drag
  * stops nothing beyond its rest, and what turns velocities keeps them as fast as they are [N/kg].
  */
 template <int dim>

@@ -16,7 +16,7 @@ PeriodicCell<2>::Image opposite(const PeriodicCell<2>::Image &image)
   return {{-image[0], -image[1]}};
 }
 
-/// Adds the pair to the list of the one of both that looks: the first, unless it is driven.
+/// Lists a pair once: as a task of its first body, or of the second where the first is driven.
 /// @param image of @p b, that @p a meets
 void share_out(const OutlineScene &scene,
                const unsigned int a,

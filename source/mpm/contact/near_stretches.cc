@@ -39,8 +39,8 @@ turned_towards(const dealii::Tensor<1, dim> &from, const dealii::Tensor<1, dim> 
   return std::cos(angle) * from + std::sin(angle) / norm * across;
 }
 
-/// Twice the direction from one sample to one that faces it. A corner has all normals of its cone: those that
-/// oppose each other best are taken, of two corners in equal shares.
+/// The direction from a sample to one that faces it, twice as long as a unit vector. A corner has all normals
+/// of its cone: it turns the one it has towards the other sample, and of two corners both turn.
 template <int dim>
 dealii::Tensor<1, dim> direction_of(const typename SampledSurface<dim>::Sample &a,
                                     const typename SampledSurface<dim>::Sample &b)

@@ -74,8 +74,8 @@ public:
 
   /// Numbers of all primaries on the first rank, @p n of each, by number; nothing on others.
   std::vector<double> at_first(const double *values, unsigned int n, const Primaries &disks) const;
-  /// Numbers of all tiles on the first rank, made of @p values of the tiles here in their order, of which
-  /// @p n_first belong to the first colour.
+  /// Gathers numbers of all tiles on the first rank, in the order of one process. @p values are those of the
+  /// tiles here, of which the first @p n_first belong to the first colour.
   std::vector<double> tiles_at_first(const std::vector<double> &values, std::size_t n_first) const;
 
   /// @name Files: all ranks together bring rows of a list of all, from @p begin to @p end, to the first rank.

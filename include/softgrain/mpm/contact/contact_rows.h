@@ -44,8 +44,8 @@ struct ContactRow
   double pull = 0;        ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
-  /// Branch in a cell that repeats: to the centre of the body from that of the image it meets, or from the
-  /// wall, at the start of the step; the cell moves them apart at gradient * branch [m].
+  /// The way to the centre of the body from that of the image it meets, or from the wall, at the start of the
+  /// step, in a cell that repeats. The cell moves both apart by gradient * branch [m].
   dealii::Tensor<1, dim> branch;
   /// Image of the partner that the body meets, as if no body had been brought into the cell.
   typename PeriodicCell<dim>::Image image{};

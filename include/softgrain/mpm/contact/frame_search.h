@@ -96,8 +96,8 @@ struct FrameScene
   dealii::Tensor<1, dim> apart(const ContactFrame<dim> &frame) const;
 };
 
-/// The ray of a frame at @p offset [m] from its origin, as a body sees it that stands @p away [m] from where
-/// the frame has it.
+/// A ray of a frame, @p offset [m] beside its origin, in the places of a body that stands @p away [m] from
+/// where the frame has it.
 template <int dim>
 Ray<dim> ray_of(const ContactFrame<dim> &frame,
                 const dealii::Tensor<1, dim - 1> &offset,

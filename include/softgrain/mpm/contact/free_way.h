@@ -41,7 +41,7 @@ struct FreeWay
   /// Ways of the partner, or the wall, and of the body of a frame per unit of the way.
   std::array<Vector, 2> moves(const FrameScene<dim> &scene, const FrameState<dim> &frame) const;
 
-  /// Whether it moves bodies, or what they have outlines with, and not a plane alone.
+  /// Whether bodies go with the wall, as with a slab or a side of a cell; a plane goes alone.
   bool carries() const { return cell.has_value() || slab != FrameState<dim>::none; }
 
   int stopped = 0;      ///< 0: it is free; 1 or -1: it stands at its stop on that side

@@ -16,7 +16,7 @@ namespace softgrain::mpm
 std::vector<WallMotion<2>>
 begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan);
 
-/// The last part of it: how walls move under the loads that they have; obstacles plan their way.
+/// How walls move under the loads that they have; obstacles plan their way. begin_step() ends with it.
 std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const StepPlan &plan);
 } // namespace softgrain::mpm
 

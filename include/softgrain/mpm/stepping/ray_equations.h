@@ -58,7 +58,7 @@ protected:
   virtual void find_free_walls() {}
   /// Puts walls under loads where they have come to.
   virtual void move_free_walls() {}
-  /// Largest by which something that is no unknown, beside walls, brings two places nearer [m].
+  /// The farthest way of what is told how to move, as obstacles and driven bodies are; walls aside [m].
   virtual double other_way() const { return 0.; }
   /// What is on the other side of a frame, for messages.
   virtual std::string partner_of(const ContactFrame<dim> &frame) const = 0;

@@ -38,7 +38,7 @@ public:
   /// contact [m/s]. @return why there are none, empty when it went well
   std::string solve_condensed(const Vectors &trial, const Vectors &direction);
 
-  /// Impulses for the end velocities @p trial [m/s] with the masses alone, W = H M⁻¹ Hᵀ; likewise.
+  /// Impulses for the end velocities @p trial [m/s] with W = H M⁻¹ Hᵀ, masses alone. @return why none
   std::string solve_lumped(const Vectors &trial);
 
   /// Whether the last problem has been solved as well as the end of a step asks for.

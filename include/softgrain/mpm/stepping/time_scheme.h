@@ -26,7 +26,7 @@ struct TimeScheme
   bool inertia = true;
   bool implicit = true;
 
-  /// Of a velocity that is @p before and then @p after, the one that places move with over the step.
+  /// The velocity that places move with over a step, for one that is @p before and then @p after.
   double over_step(const double before, const double after) const
   {
     return (1. - theta) * before + theta * after;
@@ -43,7 +43,7 @@ struct TimeScheme
   /// The longest step over that in which a wave crosses a cell, of which @p wanted is asked for. Symplectic
   /// Euler is stable to about one; half of it leaves room for compressed cells.
   double cfl_multiple(const double wanted) const { return implicit ? wanted : std::min(wanted, 0.5); }
-  /// Its name, and theta where that is a choice.
+  /// The name, and theta where that is a choice.
   std::string in_words() const;
 
   /// The terms of a TimeIntegrator. @throw InputError when the name is unknown or theta is outside of [1/2,
