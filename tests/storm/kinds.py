@@ -29,6 +29,8 @@ RULES = [
     ("Obstacles/*/Radius", "numbers", "m"), ("Obstacles/*/From", "arc start", ""), ("Obstacles/*/To", "arc end", ""),
     ("Obstacles/*/Displacement", "field", "m"), ("Obstacles/*/Angle", "swinging", ""),
     ("Loads/Gravity", "vector", "m/s^2"),
+    ("Loads/Drag/Rate", "numbers", "1/s"), ("Loads/Drag/Velocity", "field", "m/s"),
+    ("Loads/Rotating frame/Angular velocity", "spin", "rad/s"), ("Loads/Rotating frame/Center", "point", "m"),
     ("Mesh/Lower", "box corner", "m"), ("Mesh/Upper", "box corner", "m"), ("Mesh/Cell size", "numbers", "m"),
     ("Packing/Lower", "box corner", "m"), ("Packing/Upper", "box corner", "m"),
     ("Packing/Smallest diameter", "numbers", "m"), ("Packing/Largest diameter", "numbers", "m"),
