@@ -20,15 +20,19 @@ ELEMENTS = {
 }
 
 
-def forces(program, folder, poisson, cells, cut, last, more):
-    """{travel: F/(E R^2)} of one run, and its summary."""
+def changes_of(poisson, cells, cut, last):
+    """Parameters of a run with @cells in the radius, on a grid that is shifted by @cut cells."""
     h = RADIUS / cells
     low = -RADIUS - (1.1 + cut) * h
-    changes = {"Mesh/Cell size": h, "Mesh/Lower": f"{low}, {low + 0.3 * cut * h}, {low + RADIUS}",
-               "Mesh/Upper": f"{-low}, {-low}, {RADIUS - low + h}", "Stop/End time": last,
-               "Materials/gel/Neo-Hookean/Poisson's ratio": poisson, "Output/Number of field outputs": 0,
-               "Output/Fields every": 0.01, "Output/Field parts": "contacts", "Walls/top/Velocity": 2 * RADIUS,
-               "Time/Wall way": 0.1, **more}
+    return {"Mesh/Cell size": h, "Mesh/Lower": f"{low}, {low + 0.3 * cut * h}, {low + RADIUS}",
+            "Mesh/Upper": f"{-low}, {-low}, {RADIUS - low + h}", "Stop/End time": last,
+            "Materials/gel/Neo-Hookean/Poisson's ratio": poisson, "Output/Number of field outputs": 0,
+            "Output/Fields every": 0.01, "Output/Field parts": "contacts", "Walls/top/Velocity": 2 * RADIUS}
+
+
+def forces(program, folder, poisson, cells, cut, last, more):
+    """{travel: F/(E R^2)} of one run, and its summary."""
+    changes = {**changes_of(poisson, cells, cut, last), "Time/Wall way": 0.1, **more}
     summary, rows = run(program, SCENE, folder / f"{poisson}-{cells:g}-{cut}", changes, threads=1, again=False)
     return {at: min(rows, key=lambda row: abs(row["time_s"] - at))["top_force_N"] / (YOUNG * RADIUS**2)
             for at in ELEMENTS[poisson] if at <= last + 1e-9}, summary

@@ -8,15 +8,29 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double narrowest_contact = .05; ///< [cells]
+constexpr double narrowest_contact = .05;          ///< [cells]
+constexpr double wide_share = .09, seen_at = 1.42; ///< seen whole from there on [cells]
 } // namespace
 
 HertzDent::HertzDent(const double modulus, const double radius, const double cell_size, const double beta)
-    : modulus(modulus), radius(radius), cell_size(cell_size), beta(beta)
+    : modulus(modulus), radius(radius), cell_size(cell_size), beta(beta), ends_at(seen_at * cell_size)
 {
   const double a = narrowest_contact * cell_size;
-  smallest = 4. / 3. * modulus * a * a * a / radius;
+  smallest = force_of(a);
   of_smallest = a * a / radius - beta * smallest / (modulus * cell_size);
+  // 3/4x - beta = wide_share (1 - x / seen_at), the smaller x.
+  const double slope = wide_share / seen_at, sum = beta + wide_share;
+  wide_from = cell_size * 1.5 / (sum + std::sqrt(sum * sum - 3. * slope));
+}
+
+double HertzDent::force_of(const double a) const
+{
+  return 4. / 3. * modulus * a * a * a / radius;
+}
+
+double HertzDent::radius_of_contact(const double force) const
+{
+  return std::cbrt(0.75 * force * radius / modulus);
 }
 
 double HertzDent::operator()(const double force) const
@@ -25,8 +39,10 @@ double HertzDent::operator()(const double force) const
     return 0.;
   if (force < smallest)
     return force / smallest * of_smallest;
-  const double a = std::cbrt(0.75 * force * radius / modulus);
-  return 0.75 * cell_size / a > beta ? a * a / radius - beta * force / (modulus * cell_size) : 0.;
+  const double a = radius_of_contact(force);
+  if (a < wide_from)
+    return a * a / radius - beta * force / (modulus * cell_size);
+  return wide_share * std::max(0., 1. - a / ends_at) * force / (modulus * cell_size);
 }
 
 double HertzDent::per_force(const double force) const
@@ -36,21 +52,28 @@ double HertzDent::per_force(const double force) const
   return force < smallest ? of_smallest / smallest : (*this)(force) / force;
 }
 
+double HertzDent::narrow_work(const double force) const
+{
+  const double a = radius_of_contact(force);
+  return 0.4 * force * a * a / radius - 0.5 * beta * force * force / (modulus * cell_size);
+}
+
+double HertzDent::wide_work(const double force) const
+{
+  const double a = radius_of_contact(force);
+  return wide_share * force * force / (modulus * cell_size) * (0.5 - 4. / 7. * a / ends_at);
+}
+
 double HertzDent::energy(const double force) const
 {
   if (modulus == 0. || force <= 0.)
     return 0.;
   if (force < smallest)
     return 0.5 * of_smallest * force * force / smallest;
-  // F dδ, of a²/R = F^(2/3) ... and of the part that the grid shows.
-  const auto work = [this](const double f)
-  {
-    const double a = std::cbrt(0.75 * f * radius / modulus);
-    return 0.4 * f * a * a / radius - 0.5 * beta * f * f / (modulus * cell_size);
-  };
-  const double widest = 0.75 * cell_size / beta,
-               largest = 4. / 3. * modulus * widest * widest * widest / radius;
-  return 0.5 * of_smallest * smallest + work(std::min(force, largest)) - work(smallest);
+  const double widening = force_of(wide_from), last = force_of(ends_at);
+  const double narrow =
+      0.5 * of_smallest * smallest + narrow_work(std::min(force, widening)) - narrow_work(smallest);
+  return force < widening ? narrow : narrow + wide_work(std::min(force, last)) - wide_work(widening);
 }
 
 double HertzDent::slope(const double force) const
@@ -59,7 +82,9 @@ double HertzDent::slope(const double force) const
     return 0.;
   if (force < smallest)
     return of_smallest / smallest;
-  const double a = std::cbrt(0.75 * force * radius / modulus);
-  return 0.75 * cell_size / a > beta ? 0.5 / (modulus * a) - beta / (modulus * cell_size) : 0.;
+  const double a = radius_of_contact(force);
+  if (a < wide_from)
+    return 0.5 / (modulus * a) - beta / (modulus * cell_size);
+  return a < ends_at ? wide_share / (modulus * cell_size) * (1. - 4. / 3. * a / ends_at) : 0.;
 }
 } // namespace softgrain::mpm

@@ -64,6 +64,12 @@ protected:
 
   double time() const override { return state.time; }
 
+  bool walls_yield() const override
+  {
+    return std::any_of(state.walls.begin(), state.walls.end(),
+                       [](const Wall &wall) { return wall.slides_freely() || !wall.prescribed(); });
+  }
+
   std::string least_balanced() const override
   {
     const double of_bodies =
@@ -138,6 +144,9 @@ StepOutcome RaysAtRest::go(const double dt, const double wanted)
     if (outcome.accepted)
       outcome.unbalanced = unbalanced();
     if (outcome.accepted || resistance > most_on_the_way)
+      return outcome;
+    // The start of the step has no minimum with so much resistance: all that is left would be tried again.
+    if (outcome.newton_iterations == 0 && resistance * outcome.raised >= most && !walls_yield())
       return outcome;
     if (careful)
       resistance *= rise;

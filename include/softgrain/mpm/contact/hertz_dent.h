@@ -9,9 +9,10 @@ namespace softgrain::mpm
  * than its grid says.
  *
  * Hertz's contact of radius a = (3 F R / 4 E*)^(1/3) gives way by a²/R. A grid with cells of edge h spreads
- * the force over about a cell, and shows β F / (E* h) of that. What is left is
- * δ = F / (E* h) (3 h / 4 a - β), as long as it is positive: β is measured. Below a force whose contact is a
- * twentieth of a cell wide the dent is linear, so that its slope stays finite.
+ * the force over about a cell, and shows β F / (E* h) of that. What is left of a narrow contact is
+ * δ = F / (E* h) (3 h / 4 a - β), of a wider one F / (E* h) .09 (1 - a / 1.42 h), whichever is more, and nothing
+ * where both are negative. β, .09 and 1.42 are measured, doc/results/three-dimensions.md. Below a force whose
+ * contact is a twentieth of a cell wide the dent is linear, so that its slope stays finite.
  */
 class HertzDent
 {
@@ -31,7 +32,16 @@ public:
   double energy(double force) const;
 
 private:
+  /// Radius of a contact under a force [m].
+  double radius_of_contact(double force) const;
+  /// Its force [N].
+  double force_of(double a) const;
+  /// F dδ from no force on, of the laws of a narrow and of a wide contact [J].
+  double narrow_work(double force) const;
+  double wide_work(double force) const;
+
   double modulus = 0., radius = 0., cell_size = 0., beta = 0., smallest = 0., of_smallest = 0.;
+  double wide_from = 0., ends_at = 0.; ///< radii of contact at which the second law begins, and ends [m]
 };
 } // namespace softgrain::mpm
 

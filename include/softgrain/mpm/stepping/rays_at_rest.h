@@ -35,6 +35,8 @@ protected:
   /// Called after every held step that was accepted, with the sum of all so far.
   virtual void held(StepOutcome & /*sum*/) {}
   virtual double time() const = 0; ///< [s]
+  /// Whether walls go where loads push them. They see the resistance that a step starts with.
+  virtual bool walls_yield() const { return false; }
   /// What is furthest from balance, for messages.
   virtual std::string least_balanced() const = 0;
 
