@@ -53,6 +53,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Walls/*/Normal",
                                         "Walls/*/Drive",
                                         "Walls/*/Velocity",
+                                        "Walls/*/Tangential velocity",
                                         "Walls/*/Friction",
                                         "Walls/*/Position",
                                         "Mesh/Lower",
@@ -228,6 +229,22 @@ void check_walls(const Scene<3> &scene, Mistakes &mistakes)
     }
   }
 }
+
+/// What slides must rub against something.
+void check_slides(const Scene<3> &scene, Mistakes &mistakes)
+{
+  const ContactPairs pairs(scene);
+  for (unsigned int w = 0; w < scene.walls.size(); ++w)
+  {
+    bool rubs = false;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      rubs = rubs || pairs.friction_at_wall(b, w) > 0.;
+    if (scene.walls[w].drive->slides() && !scene.bodies.empty() && !rubs)
+      mistakes.add(InputError("'Walls/" + scene.walls[w].name +
+                              "/Tangential velocity' has no effect without friction: set 'Walls/" +
+                              scene.walls[w].name + "/Friction', or leave it out"));
+  }
+}
 } // namespace
 
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
@@ -236,7 +253,7 @@ void check_scene_in_space(const Scene<3> &scene, const ParameterSection &paramet
   ParameterCheck(scheme_of(parameters), mistakes).look_at(parameters);
   check_bodies(scene, mistakes);
   check_walls(scene, mistakes);
-  mistakes.attempt([&]() { (void) ContactPairs(scene); });
+  mistakes.attempt([&]() { check_slides(scene, mistakes); });
   mistakes.end();
 }
 } // namespace softgrain

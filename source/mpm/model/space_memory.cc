@@ -10,7 +10,7 @@ namespace
 {
 using Frame = ContactFrame<3>;
 
-constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 11, numbers_of_wall = 6,
+constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 11, numbers_of_wall = 9,
                        counts_of_contact = 3, numbers_of_contact = 10;
 
 template <class Tensor>
@@ -193,8 +193,8 @@ void SpaceModel::save(StateWriter &out) const
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> walls;
   for (const DrivenWall &wall : driven)
-    walls.insert(walls.end(),
-                 {wall.travel, wall.speed, wall.work, wall.force, wall.drive_begin, wall.travel_before});
+    walls.insert(walls.end(), {wall.travel, wall.speed, wall.slide, wall.work, wall.force[0], wall.force[1],
+                               wall.force[2], wall.drive_begin, wall.travel_before});
   out.write("space/displacement", nodal(state, &Body<3>::displacement));
   out.write("space/held_back", state.held_back);
   out.write("space/walls", walls);
@@ -231,10 +231,11 @@ void SpaceModel::load(StateReader &in)
     const double *const of_wall = &walls[numbers_of_wall * w];
     driven[w].travel = of_wall[0];
     driven[w].speed = of_wall[1];
-    driven[w].work = of_wall[2];
-    driven[w].force = state.wall_force[w] = of_wall[3];
-    driven[w].drive_begin = of_wall[4];
-    driven[w].travel_before = of_wall[5];
+    driven[w].slide = of_wall[2];
+    driven[w].work = of_wall[3];
+    driven[w].force = state.wall_force[w] = dealii::Tensor<1, 3>({of_wall[4], of_wall[5], of_wall[6]});
+    driven[w].drive_begin = of_wall[7];
+    driven[w].travel_before = of_wall[8];
   }
   load_frames(in, state, driven.size());
   load_contacts(in, state);

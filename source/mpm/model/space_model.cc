@@ -61,6 +61,12 @@ std::vector<dealii::Point<3>> places_in_cells(const Shape<3> &shape, const Latti
       }
   return places;
 }
+
+/// [m/s]
+double fastest_of(const WallMotion<3> &wall)
+{
+  return std::max(std::abs(wall.velocity), std::abs(wall.slide));
+}
 } // namespace
 
 SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const Laws &laws)
@@ -83,7 +89,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     driven.back().description = wall;
     wall_names.push_back(wall.name);
   }
-  state.wall_force.assign(driven.size(), 0.);
+  state.wall_force.resize(driven.size());
   if (!this->settings.scheme.inertia)
     return;
   choose_for_long_steps(wanted_step(), cfl_step(), this->settings);
@@ -136,9 +142,12 @@ void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) con
   }
 }
 
-double SpaceModel::DrivenWall::velocity(const double time, const double dt) const
+WallMotion<3> SpaceModel::DrivenWall::motion(const double time, const double dt) const
 {
-  return description.drive->demand({time - drive_begin, dt, travel - travel_before}).velocity;
+  const WallStep step{time - drive_begin, dt, travel - travel_before};
+  WallMotion<3> motion{point(), description.normal, description.drive->demand(step).velocity};
+  motion.slide = description.drive->slide_velocity(step);
+  return motion;
 }
 
 void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
@@ -170,7 +179,7 @@ double SpaceModel::wanted_step() const
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
       const double dt = std::min(told, settings.scheme.inertia ? cfl_step() : 1e3 * settings.cell_size),
-                   speed = std::abs(wall.velocity(state.time, dt));
+                   speed = fastest_of(wall.motion(state.time, dt));
       if (speed > 0.)
         by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
     }
@@ -200,9 +209,9 @@ void SpaceModel::note(const StepOutcome &outcome, StepReport &report) const
 
 Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &report)
 {
-  std::vector<WallMotion<3>> walls = motion();
-  for (std::size_t w = 0; w < walls.size(); ++w)
-    walls[w].velocity = driven[w].velocity(state.time, dt);
+  std::vector<WallMotion<3>> walls;
+  for (const DrivenWall &wall : driven)
+    walls.push_back(wall.motion(state.time, dt));
   const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), walls, dt)
                                                       : SpaceAtRest(state, scene(), walls).go(dt, wanted);
   note(outcome, report);
@@ -219,11 +228,14 @@ void SpaceModel::book_walls(const std::vector<WallMotion<3>> &walls, const doubl
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     DrivenWall &wall = driven[w];
-    const double before = balanced ? wall.force : state.wall_force[w];
+    const dealii::Tensor<1, 3> before = balanced ? wall.force : state.wall_force[w],
+                               way = dt * (walls[w].velocity * walls[w].normal +
+                                           walls[w].slide * walls[w].tangent());
     wall.speed = walls[w].velocity;
+    wall.slide = walls[w].slide;
     wall.travel += dt * wall.speed;
-    wall.work += 0.5 * (before + state.wall_force[w]) * dt * wall.speed;
-    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * dt * wall.speed)});
+    wall.work += 0.5 * (before + state.wall_force[w]) * way;
+    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
     wall.force = state.wall_force[w];
   }
   if (balanced)

@@ -12,20 +12,25 @@
 
 namespace softgrain::mpm
 {
+WallState<3> SpaceModel::DrivenWall::state() const
+{
+  WallState<3> state;
+  state.name = description.name;
+  state.point = point();
+  state.normal = description.normal;
+  state.position = wall_position(state.point, state.normal);
+  state.velocity = speed;
+  state.slide_velocity = slide;
+  state.normal_force = force * state.normal;
+  state.tangential_force = 0. - force * WallMotion<3>{state.point, state.normal, 0.}.tangent();
+  return state;
+}
+
 std::vector<WallState<3>> SpaceModel::walls() const
 {
   std::vector<WallState<3>> states;
   for (const DrivenWall &wall : driven)
-  {
-    WallState<3> state;
-    state.name = wall.description.name;
-    state.point = wall.point();
-    state.normal = wall.description.normal;
-    state.position = wall_position(state.point, state.normal);
-    state.velocity = wall.speed;
-    state.normal_force = wall.force;
-    states.push_back(state);
-  }
+    states.push_back(wall.state());
   return states;
 }
 
@@ -139,8 +144,12 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
 
 std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
 {
+  std::vector<std::pair<std::string, double>> columns;
+  for (const DrivenWall &wall : driven)
+    if (wall.description.drive->slides())
+      columns.emplace_back(wall.description.name + "_tangential_force_N", wall.state().tangential_force);
   if (!settings.scheme.inertia)
-    return {};
+    return columns;
   double rotational = 0.;
   for (const Body<3> &body : state.bodies)
   {
@@ -149,11 +158,12 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
     for (unsigned int axis = 0; axis < 3; ++axis)
       rotational += 0.5 * rate[axis] * rate[axis] * rotary_inertia(body, Eigen::VectorXd(r.col(axis)));
   }
-  return {{"force_time_s", settings.scheme.force_time(state.time, last_dt)},
-          {"contact_loss_J", state.motion.contact_loss},
-          {"rotational_energy_J", rotational},
-          {"scheme_damping_J", state.motion.scheme_damping},
-          {"regularisation_work_J", state.regularisation_work}};
+  columns.insert(columns.end(), {{"force_time_s", settings.scheme.force_time(state.time, last_dt)},
+                                 {"contact_loss_J", state.motion.contact_loss},
+                                 {"rotational_energy_J", rotational},
+                                 {"scheme_damping_J", state.motion.scheme_damping},
+                                 {"regularisation_work_J", state.regularisation_work}});
+  return columns;
 }
 
 std::map<std::string, double> SpaceModel::phases() const

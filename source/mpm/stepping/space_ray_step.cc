@@ -43,7 +43,7 @@ void SpaceRayStep::add_contacts(const unsigned int f, SpaceState &state) const
       contact.normal = frame.resultant(k) / frame.resultant(k).norm();
       contact.force = of_rays[k] * frame.resultant(k) + frame.in_space(k, rubbing[f][k]);
       if (layout.partner == none)
-        state.wall_force[layout.wall] += contact.force * world.motion[layout.wall].normal;
+        state.wall_force[layout.wall] += contact.force;
       state.contacts.push_back(contact);
     }
 }
@@ -54,7 +54,7 @@ void SpaceRayStep::accept_ways(SpaceState &state)
     outcome.largest_move = std::max(outcome.largest_move, of_body.lpNorm<Eigen::Infinity>());
   std::vector<ContactFrame<3>> kept;
   state.contacts.clear();
-  state.wall_force.assign(world.motion.size(), 0.);
+  state.wall_force.assign(world.motion.size(), dealii::Tensor<1, 3>());
   for (unsigned int f = 0; f < frames.size(); ++f)
   {
     add_contacts(f, state);

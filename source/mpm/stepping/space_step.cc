@@ -60,7 +60,7 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const do
     if (plan.held)
     {
       wall.point += plan.dt * wall.velocity * wall.normal;
-      wall.velocity = 0.;
+      wall.velocity = wall.slide = 0.;
     }
   SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, scene.pairs.frictionless());
   StepAtRest step(state, scene, walls, plan, equations);

@@ -88,9 +88,19 @@ struct WallMotion
   bool plane = true;  ///< false: it is made of material points, or a side of a cell
   double rate = 0;    ///< velocity with which its impulses do work [m/s]
   double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]
-  double slide = 0;   ///< along the tangent, which is the normal turned by -90 degrees [m/s]
+  double slide = 0;   ///< along the tangent [m/s]
 
-  dealii::Tensor<1, dim> tangent() const { return dealii::Tensor<1, dim>({normal[1], -normal[0]}); }
+  /// In the plane the normal turned by -90 degrees. In space the direction of the wall that is nearest to x,
+  /// or to y where the wall looks along x.
+  dealii::Tensor<1, dim> tangent() const
+  {
+    if constexpr (dim == 2)
+      return dealii::Tensor<1, dim>({normal[1], -normal[0]});
+    dealii::Tensor<1, dim> along;
+    along[std::abs(normal[0]) > 0.9 ? 1 : 0] = 1.;
+    along -= (along * normal) * normal;
+    return along / along.norm();
+  }
 };
 } // namespace softgrain::mpm
 

@@ -86,10 +86,7 @@ struct FrameScene
   {
     if (w >= walls.size())
       return dealii::Tensor<1, dim>();
-    if constexpr (dim == 2)
-      return dt * (walls[w].velocity * walls[w].normal + walls[w].slide * walls[w].tangent());
-    else
-      return dt * walls[w].velocity * walls[w].normal;
+    return dt * (walls[w].velocity * walls[w].normal + walls[w].slide * walls[w].tangent());
   }
 
   /// The vector from the partner of a frame to the image of it that the body meets, as the step starts [m].

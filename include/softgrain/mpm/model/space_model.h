@@ -67,13 +67,16 @@ private:
   {
     WallDescription<3> description;
     double travel = 0.;                          ///< along the normal since the start [m]
-    double speed = 0.;                           ///< mean over the last step [m/s]
+    double speed = 0.;                           ///< along it, mean over the last step [m/s]
+    double slide = 0.;                           ///< along its tangent, likewise [m/s]
     double work = 0.;                            ///< done on the bodies since the start [J]
-    double force = 0.;                           ///< on the bodies along the normal [N]
+    dealii::Tensor<1, 3> force;                  ///< on the bodies [N]
     double drive_begin = 0., travel_before = 0.; ///< when it was last driven otherwise, and how far it was
 
     dealii::Point<3> point() const { return description.point + travel * description.normal; }
-    double velocity(double time, double dt) const;
+    /// Mean over a step from @p time on.
+    WallMotion<3> motion(double time, double dt) const;
+    WallState<3> state() const;
   };
   /// What the points of a body stand on: a lattice of its own, whose cells are those of the mesh.
   struct Ground

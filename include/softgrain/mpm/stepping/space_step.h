@@ -37,17 +37,17 @@ struct MotionBalance
 /// What steps in space change beside the bodies.
 struct SpaceProgress
 {
-  std::vector<ContactFrame<3>> frames; ///< of the last step
-  std::vector<SpaceContact> contacts;  ///< of the last step
-  std::vector<double> held_back;       ///< see State::held_back [N]
-  std::vector<double> wall_force;      ///< on the bodies, along the normals of the walls [N]
-  double regularisation_work = 0;      ///< taken by what resists, since the start [J]
-  double released_energy = 0;          ///< lost in held steps beside that, see loss::released [J]
-  double dent_energy = 0;              ///< in the dents that the grid misses, now [J]
-  double rubbed = 0;                   ///< by friction, since the start [J]
-  MotionBalance motion;                ///< with inertia
-  ContactKinks kinks;                  ///< of the last step
-  double time = 0;                     ///< [s]
+  std::vector<ContactFrame<3>> frames;          ///< of the last step
+  std::vector<SpaceContact> contacts;           ///< of the last step
+  std::vector<double> held_back;                ///< see State::held_back [N]
+  std::vector<dealii::Tensor<1, 3>> wall_force; ///< of walls on the bodies [N]
+  double regularisation_work = 0;               ///< taken by what resists, since the start [J]
+  double released_energy = 0;                   ///< lost in held steps beside that, see loss::released [J]
+  double dent_energy = 0;                       ///< in the dents that the grid misses, now [J]
+  double rubbed = 0;                            ///< by friction, since the start [J]
+  MotionBalance motion;                         ///< with inertia
+  ContactKinks kinks;                           ///< of the last step
+  double time = 0;                              ///< [s]
 };
 
 /// Where a computation in space has come to.
