@@ -69,8 +69,8 @@ void declare_discretisation(dealii::ParameterHandler &prm)
         prm.declare_entry(
             "Fill limit", "0", Double(0., 1.),
             "A cell is well filled when the body covers more than this share of it. A node that no "
-            "well-filled cell reaches gets an extrapolated value instead of one of its own. 0: .6 in the "
-            "plane and .95 in space. Units: none.");
+            "well-filled cell reaches gets an extrapolated value instead of one of its own. 0: .95 for "
+            "balls in space without inertia, .6 otherwise. Units: none.");
         prm.declare_entry("Grid update", "never", Selection("never|every step|distortion"),
                           "When a new grid is laid under the points. never: total Lagrangian, right for "
                           "elastic bodies; every step: the usual material point method, and the thesis's; "
@@ -321,10 +321,9 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
       {
         shape = prm.get("Shape function");
         points_per_direction = prm.get_integer("Points per direction");
-        if (const double limit = prm.get_double("Fill limit"); limit > 0.)
-          fill_limit = limit;
-        else
-          fill_limit = dimension == 2 ? 0.6 : 0.95;
+        fill_limit = prm.get_double("Fill limit");
+        if (fill_limit == 0. && dimension == 2)
+          fill_limit = 0.6;
         const std::string update = prm.get("Grid update");
         grid_update = update == "never"        ? GridUpdate::never
                       : update == "every step" ? GridUpdate::every_step
