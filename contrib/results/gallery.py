@@ -14,6 +14,7 @@ DRAWING = {
     "eight_spheres": ["--cut", "y=6e-3"],
     "diametral_compression_mpm_thesis_method": ["--contacts", "none"],
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],
+    "sheared_spheres": ["--contacts", "chains", "--view", "-60", "20"],
     "sphere_between_plates": ["--cut", "y=0"],
     "spinning_disk": ["--field", "velocity_m_per_s"],
     "patch_test": ["--range", "0", "3e5"],
