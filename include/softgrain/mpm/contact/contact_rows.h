@@ -90,7 +90,7 @@ struct WallMotion
   double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]
   double slide = 0;   ///< along the tangent [m/s]
 
-  /// In the plane the normal turned by -90 degrees. In space the direction of the wall that is nearest to x,
+  /// The normal turned by -90 degrees in the plane; in space the direction of the wall that is nearest to x,
   /// or to y where the wall looks along x.
   dealii::Tensor<1, dim> tangent() const
   {
