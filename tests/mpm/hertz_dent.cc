@@ -15,7 +15,7 @@ void dents()
 {
   const HertzDent dent(2., 3., 0.5);
   double slope = 0., energy = 0., jump = 0., before = 0.;
-  const double widest = 1.6 * 0.5, last = 4. / 3. * 2. * std::pow(widest, 3) / 3.;
+  const double widest = 1.8 * 0.5, last = 4. / 3. * 2. * std::pow(widest, 3) / 3.;
   for (double force = 1e-9; force < 1.5 * last; force *= 1.01)
   {
     const double step = 1e-6 * force;

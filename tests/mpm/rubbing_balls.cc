@@ -90,10 +90,15 @@ int main()
             << below(2e-2, torque) << ", share of friction " << share << ", energy off by "
             << below(0.03, pressed.energy) << ", less than 16 iterations a step "
             << (pressed.iterations < 16 * pressed.steps) << '\n';
-  const Outcome image =
-      two_balls({rough, all, "Bodies/a/Center=-0.12, -0.08, 2.4", "Bodies/b/Center=0.21, 0.13, 7.3"});
-  // On their way the balls rearrange, and which rays slip meanwhile is found in other iterates.
-  std::cout << "mirror image off by " << below(1e-5, off(pressed, image, {0, 1, 3, 2, 4, 5})) << '\n';
+  // On their way the balls rearrange, and which rays slip meanwhile is found in other iterates. Dents that
+  // become softer make more of them.
+  const std::string first = "Bodies/a/Center=-0.12, -0.08, 2.4", second = "Bodies/b/Center=0.21, 0.13, 7.3",
+                    no_dents = "Contact/Sub-grid compliance=false";
+  const Outcome image = two_balls({rough, all, first, second});
+  std::cout << "mirror image off by " << below(3e-4, off(pressed, image, {0, 1, 3, 2, 4, 5})) << '\n';
+  const Outcome without = two_balls({rough, all, no_dents}),
+                its_image = two_balls({rough, all, no_dents, first, second});
+  std::cout << "without dents by " << below(1e-5, off(without, its_image, {0, 1, 3, 2, 4, 5})) << '\n';
   const Outcome exchanged = two_balls({rough, all, "Bodies/a/Center=-0.21, 0.13, 7.3", "Bodies/a/Radius=2.5",
                                        "Bodies/b/Center=0.12, -0.08, 2.4", "Bodies/b/Radius=2.3"});
   std::cout << "exchanged off by " << below(1e-7, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';

@@ -9,7 +9,7 @@ namespace softgrain::mpm
 namespace
 {
 constexpr double narrowest_contact = .05;          ///< [cells]
-constexpr double wide_share = .09, seen_at = 1.42; ///< seen whole from there on [cells]
+constexpr double wide_share = .127, seen_at = 1.8; ///< seen whole from there on [cells]
 } // namespace
 
 HertzDent::HertzDent(const double modulus, const double radius, const double cell_size, const double beta)
@@ -18,9 +18,15 @@ HertzDent::HertzDent(const double modulus, const double radius, const double cel
   const double a = narrowest_contact * cell_size;
   smallest = force_of(a);
   of_smallest = a * a / radius - beta * smallest / (modulus * cell_size);
-  // 3/4x - beta = wide_share (1 - x / seen_at), the smaller x.
-  const double slope = wide_share / seen_at, sum = beta + wide_share;
-  wide_from = cell_size * 1.5 / (sum + std::sqrt(sum * sum - 3. * slope));
+  // Newton's method for 3/4x - beta = wide_share (1 - x / seen_at)^2 comes from the left: the difference is
+  // convex.
+  double x = 0.75 / (beta + wide_share);
+  for (unsigned int iteration = 0; iteration < 6; ++iteration)
+  {
+    const double left = 1. - x / seen_at;
+    x += (0.75 / x - beta - wide_share * left * left) / (0.75 / (x * x) - 2. * wide_share * left / seen_at);
+  }
+  wide_from = x * cell_size;
 }
 
 double HertzDent::force_of(const double a) const
@@ -42,7 +48,8 @@ double HertzDent::operator()(const double force) const
   const double a = radius_of_contact(force);
   if (a < wide_from)
     return a * a / radius - beta * force / (modulus * cell_size);
-  return wide_share * std::max(0., 1. - a / ends_at) * force / (modulus * cell_size);
+  const double left = std::max(0., 1. - a / ends_at);
+  return wide_share * left * left * force / (modulus * cell_size);
 }
 
 double HertzDent::per_force(const double force) const
@@ -60,8 +67,8 @@ double HertzDent::narrow_work(const double force) const
 
 double HertzDent::wide_work(const double force) const
 {
-  const double a = radius_of_contact(force);
-  return wide_share * force * force / (modulus * cell_size) * (0.5 - 4. / 7. * a / ends_at);
+  const double y = radius_of_contact(force) / ends_at;
+  return wide_share * force * force / (modulus * cell_size) * (0.5 - 8. / 7. * y + 0.625 * y * y);
 }
 
 double HertzDent::energy(const double force) const
@@ -85,6 +92,7 @@ double HertzDent::slope(const double force) const
   const double a = radius_of_contact(force);
   if (a < wide_from)
     return 0.5 / (modulus * a) - beta / (modulus * cell_size);
-  return a < ends_at ? wide_share / (modulus * cell_size) * (1. - 4. / 3. * a / ends_at) : 0.;
+  const double y = std::min(1., a / ends_at);
+  return wide_share / (modulus * cell_size) * (1. - y) * (1. - 5. / 3. * y);
 }
 } // namespace softgrain::mpm

@@ -10,8 +10,8 @@ namespace softgrain::mpm
  *
  * Hertz's contact of radius a = (3 F R / 4 E*)^(1/3) gives way by a²/R. A grid with cells of edge h spreads
  * the force over about a cell, and shows β F / (E* h) of that. What is left of a narrow contact is
- * δ = F / (E* h) (3 h / 4 a - β), of a wider one F / (E* h) .09 (1 - a / 1.42 h): the larger of both,
- * or 0. β, .09 and 1.42 are measured, doc/results/three-dimensions.md. Below a force whose
+ * δ = F / (E* h) (3 h / 4 a - β), of a wider one F / (E* h) .127 (1 - a / 1.8 h)²: the larger of both,
+ * or 0. β, .127 and 1.8 are measured, doc/results/three-dimensions.md. Below a force whose
  * contact is a twentieth of a cell wide the dent is linear, so that its slope stays finite.
  */
 class HertzDent
