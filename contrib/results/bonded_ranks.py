@@ -2,16 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A hundred thousand bonded primaries by one process and by two ranks, in seconds on the clock: the figures of doc/ranks.md. Needs
 two cores with nothing else to do, and three minutes."""
-import argparse
 import json
 import os
-import pathlib
 import shutil
 import statistics
 import subprocess
 import time
 
-from running import PARAMETERS, box
+from running import PARAMETERS, box, parser_of
 
 SCENE = "thesis/uniaxial_compaction_bpm_friction.prm"
 STEP = 1e-7  # [s]
@@ -40,10 +38,7 @@ def seconds(program, folder, way, changes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/bonded_ranks"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "bonded_ranks")
     parser.add_argument("--grains", type=int, default=418, help="of some 240 primaries (default: %(default)s)")
     parser.add_argument("--steps", type=int, default=30, help="default: %(default)s")
     parser.add_argument("--turns", type=int, default=3, help="default: %(default)s")

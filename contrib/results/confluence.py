@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Disks without friction compressed until there are no pores, packings/confluence.prm: contact numbers on their way to six, sides, areas and
 perimeters of the grains, Lewis's and Aboav and Weaire's laws, for doc/results/confluence.md."""
-import argparse
 import math
 import pathlib
 
 import numpy as np
-from running import run, softgrain
+from running import parser_of, run, softgrain
 
 SCENE = "packings/confluence.prm"
 YOUNG = 10e6  # [Pa]
@@ -108,10 +107,7 @@ def draw(picture, rows, tissues):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/confluence"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "confluence")
     parser.add_argument("--seeds", type=int, nargs="+", default=(1, 2, 3))
     parser.add_argument("--number", type=int, default=NUMBER, help="grains (default: %(default)s)")
     parser.add_argument("--cell", type=float, default=2.4e-4, help="cells of the grid [m] (default: %(default)s)")

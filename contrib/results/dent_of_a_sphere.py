@@ -4,12 +4,10 @@
 
 The sphere is pressed without that law. At the forces of finite elements the grid's travel is less than theirs, by the dent
 that it misses. The table holds x = a/h, with Hertz's radius of contact a, and f = δ E* h/F, at every travel of a plate."""
-import argparse
 import math
-import pathlib
 
 import numpy as np
-from running import run
+from running import parser_of, run
 from sphere_between_plates import ELEMENTS, RADIUS, SCENE, YOUNG, changes_of
 
 
@@ -35,10 +33,7 @@ def missed(program, folder, poisson, cells, cut, more):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/dent_of_a_sphere"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "dent_of_a_sphere")
     parser.add_argument("--poisson", type=float, nargs="+", default=(0.45, 0.30), choices=tuple(ELEMENTS))
     parser.add_argument("--cells", type=float, nargs="+", default=(3, 4), help="in the radius")
     parser.add_argument("--cuts", type=int, default=5, help="their number")

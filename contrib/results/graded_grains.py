@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Grains of bonded primaries with a hard core in a soft skin, and the reverse: gallery/one_grain_bpm.prm crushed and
 gallery/thirty_grains_bpm.prm compacted, for the tables and the figure of doc/results/laws.md."""
-import argparse
 import pathlib
 
-from running import run
+from running import parser_of, run
 
 # Both have the mean strength of 1.72 over the area of a disk: 0.36 of it is core.
 STRENGTHS = {"even": "1.72", "hard core": "r < 0.6 ? 3 : 1", "hard skin": "r < 0.6 ? 0.6667 : 2.3125"}
@@ -43,10 +42,7 @@ def draw(picture, one, thirty):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/graded_grains"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "graded_grains")
     parser.add_argument("--picture", type=pathlib.Path, help="PNG file for the figure")
     arguments = parser.parse_args()
     quiet = {"Output/Fields every": 0, "Output/Snapshots every": 0}

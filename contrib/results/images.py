@@ -4,12 +4,10 @@
 Compacts ten disks, their image in a mirror, turned by 90 degrees and moved by whole cells, and prints how far grains are from
 the image of themselves (doc/results/extremes.md). A control, one grain moved by 1e-9 cells, shows where the packing itself parts.
 """
-import argparse
 import csv
 import math
-import pathlib
 
-from running import run, softgrain
+from running import parser_of, run, softgrain
 
 CELL = 3.2e-4
 WIDTH, HEIGHT = 5.8e-3, 7e-3  # of the box [m]
@@ -101,10 +99,7 @@ def distances(program, folder, seed, scheme, friction, more):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/images"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "images")
     parser.add_argument("--schemes", nargs="+", default=tuple(SCHEMES), choices=SCHEMES)
     parser.add_argument("--seeds", type=int, nargs="+", default=(1,))
     parser.add_argument("--friction", type=float, nargs="+", default=(0.0, 0.5))

@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Isotropic compaction of 300 soft disks without friction and without inertia, two walls moving, several packings:
 coordination, pressure at the walls and from contacts, and fits, for doc/results/quasi-static.md."""
-import argparse
 import math
-import pathlib
 
 import numpy as np
 import quasi_static
-from running import run, softgrain
+from running import parser_of, run, softgrain
 from softgrain.contacts import NONE
 
 E = 10e6  # Young's modulus [Pa]
@@ -102,10 +100,7 @@ def compare_with_one_grain(curves, phi0s):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/isotropic"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "isotropic")
     parser.add_argument("--seeds", type=int, nargs="+", default=(1, 2, 3, 4, 5))
     parser.add_argument("--from", dest="start", type=float, default=0.75, help="packing fraction of the packings")
     parser.add_argument("--to", type=float, default=0.95, help="packing fraction at which runs end")

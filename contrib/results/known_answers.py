@@ -3,13 +3,11 @@
 """Runs scenes whose answers are known and prints them beside each other, the table of doc/results/laws.md: first yield under a
 line contact, a plastic block between smooth plates, fully plastic indentation, line contact of a Maxwell solid. Ends with 1 where one
 is farther off than it may be."""
-import argparse
 import math
-import pathlib
 
 import numpy as np
 
-from running import run, softgrain
+from running import parser_of, run, softgrain
 
 
 SETTINGS = {}  # of the command line, for every run
@@ -194,10 +192,7 @@ def maxwell(program, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/known_answers"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "known_answers")
     tasks = {"block": lambda p, f: plastic_block(p, f / "block", 0.) + plastic_block(p, f / "block-hard", 100e6),
              "yield": lambda p, f: [row for nu in (0.3, 0.45, 0.4999) for row in first_yield(p, f / f"yield-{nu}", nu)],
              "maxwell": lambda p, f: maxwell(p, f / "maxwell"),

@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Thirty grains with every law of finite strain, gallery/thirty_grains_quasi_static_mpm.prm to a packing fraction of 0.95,
 with and without F-bar: the table of doc/results/laws.md."""
-import argparse
-import pathlib
 import re
 import resource
 
-from running import PARAMETERS, RunFailed, run
+from running import PARAMETERS, RunFailed, parser_of, run
 
 SCENE = "gallery/thirty_grains_quasi_static_mpm.prm"
 # The wall is at 0.95 after 2.5 ms, which is the clock of the laws that know time.
@@ -52,10 +50,7 @@ def line(law, f_bar, summary, rows, seconds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/law_packings"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "law_packings")
     parser.add_argument("--library", dest="plug_in", help="with the law energy_only: test_constitutive_module_energy_only of the build")
     parser.add_argument("--laws", nargs="+", choices=LAWS, default=[law for law in LAWS if law != "energy_only"])
     parser.add_argument("--f-bar", nargs="+", choices=("off", "on"), default=("off", "on"))

@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Force of a disk between two plates on coarse and fine grids, five cuts of each, against Johnson's line contact up to
 d/R = 0.02 and the finest grid beyond: the table of doc/results/line-contact.md."""
-import argparse
 import math
-import pathlib
 import statistics
 
-from running import run, softgrain
+from running import parser_of, run, softgrain
 from subgrid import CUTS, RADIUS, YOUNG, mesh
 
 APPROACHES = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3)  # of a plate over the radius
@@ -24,10 +22,7 @@ def forces(program, folder, spacing, cut, poisson):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/light_contact"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "light_contact")
     parser.add_argument("--spacings", type=float, nargs="+", default=(0.17, 0.10, 0.029), help="of points over the radius")
     arguments = parser.parse_args()
     print("| ν, ξ | " + " | ".join(f"d/R = {at}" for at in APPROACHES) + " |\n" + "|---" * (1 + len(APPROACHES)) + "|")

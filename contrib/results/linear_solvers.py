@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Times the linear solvers over the size of one body, with and without contact rows: tables of doc/results/linear-solvers.md."""
-import argparse
 import pathlib
 
-from running import RunFailed, run
+from running import RunFailed, parser_of, run
 
 TYPES = ("banded_cholesky", "cholesky", "cg_amg")
 LIMIT = 400  # seconds a run may take
@@ -18,10 +17,7 @@ SCENES = {
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/linear_solvers"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "linear_solvers")
     arguments = parser.parse_args()
     for name, (scene, changes, sizes) in SCENES.items():
         print(f"\n{scene}, {name}\n\n| unknowns | type | factorisation [s] | condensation [s] | solves [s] | all [s] | peak memory [MB] |\n"

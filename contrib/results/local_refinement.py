@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Local refinement against uniform meshes, error and processor time: the tables of doc/results/line-contact.md."""
-import argparse
 import math
-import pathlib
 import resource
 
-from running import run
+from running import parser_of, run
 
 CUTS = (0.0, 0.3, 0.6)  # of a cell by which the grid is moved: errors are root mean squares over them
 
@@ -66,10 +64,7 @@ def measure(program, folder, scene, mesh, cut):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/local_refinement"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "local_refinement")
     parser.add_argument("--scenes", nargs="+", choices=SCENES, default=list(SCENES), help="which tables (default: all)")
     arguments = parser.parse_args()
     for scene in arguments.scenes:

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shear and bulk modulus of packings at rest against pressure: packings/small_shear.prm with its stages once for every pressure, each from
 the packing of the one before; fits near jamming and the solid beside it, for doc/results/confluence.md."""
-import argparse
 import math
 import pathlib
 
 import numpy as np
-from running import PARAMETERS, run, softgrain
+from running import PARAMETERS, parser_of, run, softgrain
 
 import confluence
 
@@ -168,10 +167,7 @@ def draw(picture, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/moduli"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "moduli")
     parser.add_argument("--seeds", type=int, nargs="+", default=(1, 2, 3))
     parser.add_argument("--number", type=int, default=confluence.NUMBER, help="grains (default: %(default)s)")
     parser.add_argument("--cell", type=float, default=2.4e-4, help="cells of the grid [m] (default: %(default)s)")

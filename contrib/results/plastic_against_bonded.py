@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Grains of a plastic continuum against bonded grains, for doc/results/plastic-against-bonded.md: which E and S_y one bonded grain
 has, fitted to its plateau and to its unloading, and how well thirty such grains foretell thirty bonded ones."""
-import argparse
 import pathlib
 import statistics
 
-from running import box, run, RunFailed, softgrain
+from running import RunFailed, box, parser_of, run, softgrain
 
 RADIUS = 2e-3  # of the bonded grain [m]
 TURN = 0.15  # strain from which it is unloaded
@@ -134,10 +133,7 @@ def draw(picture, ones, thirties):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/plastic_against_bonded"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "plastic_against_bonded")
     parser.add_argument("--grains", type=int, default=6, help="bonded grains of other seeds (default: %(default)s)")
     parser.add_argument("--packings", type=int, nargs="+", default=[1, 2, 3], help="seeds of the packings (default: 1 2 3)")
     parser.add_argument("--number", type=int, default=30, help="grains of an assembly (default: 30)")

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plastic grains in a die, packings/powder_die.prm: Heckel's and Kawakita's fits, stress on the die, spring-back, for
 doc/results/powder.md."""
-import argparse
 import math
 import pathlib
 
 import numpy as np
-from running import RunFailed, box, read_run, run
+from running import RunFailed, box, parser_of, read_run, run
 
 SCENE = "packings/powder_die.prm"
 LAW = "Materials/powder/J2 plastic/"
@@ -126,10 +125,7 @@ def draw(picture, runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/powder"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "powder")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES))
     parser.add_argument("--number", type=int, default=30, help="grains (default: %(default)s)")
     parser.add_argument("--limit", type=float, default=3600, help="wall seconds of one run (default: %(default)s)")

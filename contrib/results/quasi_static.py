@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs gallery/thirty_grains_mpm.prm without inertia, ten packings, and prints the tables of
 doc/results/quasi-static.md."""
-import argparse
 import math
-import pathlib
 
-from running import run
+from running import parser_of, run
 
 SEEDS = tuple(range(1, 11))
 FRACTIONS = (0.80, 0.82, 0.84, 0.86, 0.88, 0.90, 0.92, 0.94)
@@ -54,10 +52,7 @@ def line(name, summary, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/quasi_static"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "quasi_static")
     parser.add_argument("--seeds", type=int, nargs="+", default=SEEDS)
     parser.add_argument("--friction", type=float, nargs="+", default=(0.0, 0.5))
     parser.add_argument("--cell-sizes", type=float, nargs="+", default=(3.2e-4,), help="[m]")

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Storage and loss modulus of a packing of viscoelastic grains over four decades of frequency, packings/oscillating_cell.prm, prepared once:
 a fit of the stress to the strain and what the solid itself has, for doc/results/confluence.md."""
-import argparse
 import math
 import pathlib
 
 import numpy as np
-from running import RunFailed, run, softgrain
+from running import RunFailed, parser_of, run, softgrain
 
 import moduli
 
@@ -46,10 +45,7 @@ def measured(folder, frequency):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/rheology"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "rheology")
     parser.add_argument("--seeds", type=int, nargs="+", default=(1,))
     parser.add_argument("--frequencies", type=float, nargs="+", default=FREQUENCIES, help="angular [1/s]")
     parser.add_argument("--amplitude", type=float, default=0.005, help="of the shear strain (default: %(default)s)")

@@ -5,14 +5,12 @@ where between two of them the contact is; and the force that comes out: the tabl
 
 The disk of verification/line_contact.prm is pressed by plates that stand at any angle. k is the half width, in cells, on
 which the grid puts a line force: g = ln(k h/a), see SubgridCompliance."""
-import argparse
 import math
-import pathlib
 import statistics
 
 import numpy as np
 
-from running import run, softgrain
+from running import parser_of, run, softgrain
 from subgrid import POISSON, RADIUS, YOUNG, half_width, missing
 
 RATIOS = (0.0, 0.15, 0.3, 0.4, 0.45, 0.49)
@@ -93,10 +91,7 @@ def forces(program, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/rim"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "rim")
     arguments = parser.parse_args()
     for table in (by_ratio, by_angle, forces):
         table(arguments.program, arguments.folder)

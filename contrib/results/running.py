@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the scripts of this folder share: a scene is run with some parameters changed, and what it wrote is read."""
+import argparse
 import pathlib
 import sys
 
@@ -10,6 +11,15 @@ sys.path.insert(0, str(PYTHON))
 
 import softgrain  # noqa: E402
 from softgrain import RunFailed  # noqa: E402
+
+
+def parser_of(description, name):
+    """What scripts are told: the program, and the folder for their runs, output/NAME by default. @description: that of the script"""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="build/release/bin/softgrain")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output") / name,
+                        help="for the output folders of the runs (default: %(default)s)")
+    return parser
 
 
 def read_run(folder):

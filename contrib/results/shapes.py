@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ellipses and regular polygons against disks: thirty grains of gallery/thirty_grains_quasi_static_mpm.prm compacted from a
 packing fraction of 0.60, the table of doc/results/laws.md."""
-import argparse
-import pathlib
 
 from quasi_static import at
-from running import RunFailed, read_run, run
+from running import RunFailed, parser_of, read_run, run
 
 SHAPES = {"disks": {"Packing/Shapes": "disk"},
           "ellipses, 0.7": {"Packing/Shapes": "ellipse", "Packing/Aspect ratio": "0.7, 0.7"},
@@ -17,10 +15,7 @@ FRACTIONS = (0.80, 0.84, 0.88, 0.92)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/shapes"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "shapes")
     parser.add_argument("--shapes", nargs="+", choices=SHAPES, default=list(SHAPES))
     parser.add_argument("--seeds", type=int, nargs="+", default=(1,))
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="for all runs")

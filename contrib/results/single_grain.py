@@ -6,11 +6,9 @@ Runs verification/four_plates.prm and verification/confined_disk.prm and prints 
 fractions and at ways of the plates, over that of the finest grid. From the four plates b and Φmax of
 P/E = -b ln((Φmax - Φ)/(Φmax - Φ0)) [Cantor et al. 2020] with Φ0 = π/4, where the disk touches the box, by least squares of P;
 and Γ of P/E = Z Φ ln(Φ/Φ0)/(2 Γ) with Z = 4."""
-import argparse
 import math
-import pathlib
 
-from running import RunFailed, read_run, run
+from running import RunFailed, parser_of, read_run, run
 
 YOUNG, DIAMETER = 10e6, 1e-2  # of the scenes [Pa, m]
 PHI_0 = math.pi / 4
@@ -95,10 +93,7 @@ def constants(name, points):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/single_grain"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "single_grain")
     parser.add_argument("--spacings", type=float, nargs="+", default=[0.0145, 0.029, 0.058, 0.10, 0.17],
                         help="cells over diameters, the reference first (default: %(default)s)")
     parser.add_argument("--poisson", type=float, nargs="*", default=[0.3, 0.495],

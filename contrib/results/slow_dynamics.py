@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs gallery/thirty_grains_mpm.prm with inertia and walls from 5 to 0.05 m/s, and prints the table of
 doc/results/quasi-static.md: the range over the packings, or the worst."""
-import argparse
-import pathlib
 import resource
 
 from quasi_static import LOOSE, at, friction
-from running import run
+from running import parser_of, run
 
 SPEEDS = {5: 4, 1: 20, 0.2: 100, 0.05: 400}  # velocity of the wall [m/s]: length of a step [CFL steps]
 FRACTIONS = (0.84, 0.90, 0.94)
@@ -46,10 +44,7 @@ def line(name, runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/slow_dynamics"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "slow_dynamics")
     parser.add_argument("--seeds", type=int, nargs="+", default=range(1, 6))
     parser.add_argument("--friction", type=float, nargs="+", default=(0.0, 0.5))
     options = parser.parse_args()

@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Force of a sphere between two plates on grids of several sizes and cuts, against axisymmetric finite elements: the tables of
 doc/results/three-dimensions.md."""
-import argparse
 import itertools
-import pathlib
 import statistics
 
-from running import run
+from running import parser_of, run
 
 SCENE = "verification/sphere_between_plates.prm"
 YOUNG, RADIUS = 10e6, 5e-3  # of the scene [Pa, m]
@@ -39,10 +37,7 @@ def forces(program, folder, poisson, cells, cut, last, more):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/sphere_between_plates"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "sphere_between_plates")
     parser.add_argument("--poisson", type=float, nargs="+", default=(0.45, 0.30), choices=tuple(ELEMENTS))
     parser.add_argument("--cells", type=float, nargs="+", default=(3, 4, 6), help="in the radius")
     parser.add_argument("--cuts", type=float, nargs="+", default=CUTS, help="shifts of the grid in cells")

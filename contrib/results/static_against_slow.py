@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall stress of thirty grains without inertia against half the step and against a slow wall with inertia, packing by
 packing, for doc/results/quasi-static.md."""
-import argparse
-import pathlib
 
 from quasi_static import FRACTIONS, LOOSE, STATIC, stresses
-from running import run
+from running import parser_of, run
 
 PLAIN = {"Contact/Sub-grid compliance": "false"}  # which inertia has not
 STEP = 6.54e-6  # of a tenth of a cell at 5 m/s [s]
@@ -18,10 +16,7 @@ KINDS = {
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/static_against_slow"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "static_against_slow")
     parser.add_argument("--seeds", type=int, nargs="+", default=(1, 2, 3, 4, 5))
     arguments = parser.parse_args()
     print("| packing | run | " + " | ".join(f"Φ = {f:.2f}" for f in FRACTIONS) + " |\n" + "|---" * (len(FRACTIONS) + 2) + "|")

@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contact that sticks, beside what is known of it: a disk pulled off a plane (Johnson, Kendall, Roberts; Maugis), partial slip
 (Cattaneo, Mindlin), and slip to and fro: the tables of doc/results/laws.md."""
-import argparse
 import math
-import pathlib
 
 import numpy as np
 
-from running import RunFailed, run, softgrain
+from running import RunFailed, parser_of, run, softgrain
 
 RADIUS = 5e-3  # of both scenes [m]
 MASS = 1000 * math.pi * RADIUS**2  # [kg/m]
@@ -120,10 +118,7 @@ def cycles(program, folder, number, push):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/sticking"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "sticking")
     tasks = ("pull_off", "small", "slip", "cycles")
     parser.add_argument("--only", nargs="+", choices=tasks, default=tasks)
     parser.add_argument("--levels", type=int, nargs="+", default=[2, 3, 4], help="halvings near contact of the task small (default: 2 3 4)")

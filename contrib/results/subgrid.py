@@ -4,11 +4,9 @@
 
 Presses the disk of verification/line_contact.prm without sub-grid compliance at three resolutions, each with five cuts of
 the grid, and prints the mean of g = (δ_Johnson(F) - δ) π E*/(2 F) in bins of a/h, without and with friction at the plates."""
-import argparse
 import math
-import pathlib
 
-from running import run
+from running import parser_of, run
 
 YOUNG, POISSON, RADIUS = 10e6, 0.45, 5e-3  # of the scene [Pa, 1, m]
 SPACINGS = (0.17, 0.10, 0.058)  # of the material points over the radius
@@ -48,10 +46,7 @@ def points(program, folder, spacing, cut, friction):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="build/release/bin/softgrain")
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("output/subgrid"),
-                        help="for the output folders of the runs (default: %(default)s)")
+    parser = parser_of(__doc__, "subgrid")
     arguments = parser.parse_args()
     print("| a/h | " + " | ".join(f"{low}–{high}" for low, high in zip(BINS, BINS[1:])) + " |\n" + "|---" * len(BINS) + "|")
     for friction in (0, 0.5):
