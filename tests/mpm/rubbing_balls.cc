@@ -4,52 +4,13 @@
 // The mirror image of the two balls, the same with their names exchanged, and with two threads, is the same
 // within what is said below. A ball that two rough plates hold and a smooth wall pushes gives way when both
 // bear their friction.
+#include "pushed_ball.h"
 #include "two_balls.h"
 
 #include <softgrain/base/parallel.h>
 
 namespace
 {
-const std::string ball = R"(
-set Dimension = 3
-subsection Mesh
-  set Lower = -3, -3, -1
-  set Upper = 9, 3, 6
-  set Cell size = 0.8
-end
-subsection Time
-  set Scheme = quasi_static
-  set Wall way = 0.1
-end
-)" + gel("0.4", "1", "1000") +
-                         R"(subsection Bodies
-  set Names = a
-  subsection a
-    set Shape  = sphere
-    set Center = 0.07, -0.11, 2.5
-    set Radius = 2.5
-  end
-end
-subsection Walls
-  set Names = bottom, top, left
-  subsection bottom
-    set Friction = 0.2
-  end
-  subsection top
-    set Point    = 0, 0, 5
-    set Velocity = t < 1 ? 0.4 : 0
-    set Friction = 0.2
-  end
-  subsection left
-    set Point    = -2.7, 0, 0
-    set Velocity = t < 1 ? 0 : 1
-  end
-end
-subsection Stop
-  set End time = 2
-end
-)";
-
 /// The largest torque that is left over on a ball about its centre, over force and radius, and the largest
 /// share of its friction that a contact bears.
 std::pair<double, double> torque_and_friction(const Model<3> &model, const double friction)
@@ -102,7 +63,7 @@ int main()
   const Outcome exchanged = two_balls({rough, all, "Bodies/a/Center=-0.21, 0.13, 7.3", "Bodies/a/Radius=2.5",
                                        "Bodies/b/Center=0.12, -0.08, 2.4", "Bodies/b/Radius=2.3"});
   std::cout << "exchanged off by " << below(1e-7, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';
-  std::ofstream("ball.prm") << ball;
+  std::ofstream("ball.prm") << pushed_ball("", "    set Velocity = t < 1 ? 0 : 1\n");
   const auto pushed = model_of("ball.prm", {});
   run(*pushed, 2., 0.01);
   const std::vector<WallState<3>> walls = pushed->walls();

@@ -5,55 +5,13 @@
 // what they feel along their way. A ball that falls on a belt and slips gets friction times what the belt
 // bears.
 #include "moving_balls.h"
+#include "pushed_ball.h"
 #include "two_balls.h"
 
 #include <softgrain/base/exceptions.h>
 
 namespace
 {
-std::string wall(const std::string &name, const std::string &lines)
-{
-  return "  subsection " + name + "\n" + lines + "  end\n";
-}
-
-/// A ball between plates that look along z, before a wall that looks along x. @param side 1; -1: the mirror
-/// image
-std::string scene(const std::string &of_plates, const std::string &of_stop, const int side = 1)
-{
-  const std::string left = side > 0 ? "-3" : "-9", right = side > 0 ? "9" : "3";
-  return R"(
-set Dimension = 3
-subsection Mesh
-  set Lower = )" +
-         left + R"(, -3, -1
-  set Upper = )" +
-         right + R"(, 3, 6
-  set Cell size = 0.8
-end
-subsection Time
-  set Scheme = quasi_static
-  set Wall way = 0.1
-end
-)" + gel("0.4", "1", "1000") +
-         R"(subsection Bodies
-  set Names = a
-  subsection a
-    set Shape  = sphere
-    set Center = )" +
-         (side > 0 ? "" : "-") + R"(0.07, -0.11, 2.5
-    set Radius = 2.5
-  end
-end
-subsection Walls
-  set Names = bottom, top, stop
-)" + wall("bottom", "    set Friction = 0.2\n" + of_plates) +
-         wall("top", "    set Point = 0, 0, 5\n    set Velocity = t < 1 ? 0.4 : 0\n    set Friction = 0.2\n" +
-                         of_plates) +
-         wall("stop", "    set Point = " + std::string(side > 0 ? "-2.7" : "2.7") +
-                          ", 0, 0\n    set Normal = " + (side > 0 ? "1" : "-1") + ", 0, 0\n" + of_stop) +
-         "end\nsubsection Stop\n  set End time = 2\nend\n";
-}
-
 struct Slid
 {
   Outcome outcome;
@@ -93,8 +51,8 @@ int main()
 {
   const std::string along = "    set Tangential velocity = t < 1 ? 0 : -1\n",
                     back = "    set Tangential velocity = t < 1 ? 0 : 1\n";
-  const Slid pushed = slid(scene("", "    set Velocity = t < 1 ? 0 : 1\n")), dragged = slid(scene(along, "")),
-             image = slid(scene(back, "", -1));
+  const Slid pushed = slid(pushed_ball("", "    set Velocity = t < 1 ? 0 : 1\n")),
+             dragged = slid(pushed_ball(along, "")), image = slid(pushed_ball(back, "", -1));
   std::cout << "dragged, not pushed: off by " << below(0.02, off(pushed.outcome, dragged.outcome, {0, 1, 2}))
             << ", work by " << below(0.02, dragged.work / pushed.work - 1.) << '\n';
   for (unsigned int w = 0; w < 2; ++w)
