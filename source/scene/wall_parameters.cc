@@ -70,8 +70,7 @@ void WallParameters::declare_drive(dealii::ParameterHandler &prm, const bool as_
       sliding, "0", dealii::Patterns::Anything(),
       "Velocity along the tangent, which is the normal turned by -90 degrees: towards +x at the "
       "bottom, -x at the top; in space it is the direction of the wall nearest to +x, or to +y where the "
-      "wall "
-      "looks along x. Bodies feel it by friction, or, with 'Type = periodic', because "
+      "wall looks along x. Bodies feel it by friction, or, with 'Type = periodic', because "
       "their images move; a formula of t (doc/formulas.md). Units: m/s.");
   prm.declare_entry(
       shearing, "0", dealii::Patterns::Anything(),
