@@ -4,6 +4,7 @@
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/settling.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/packing/packing.h>
 
 #include <deal.II/base/numbers.h>
@@ -13,37 +14,80 @@
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <type_traits>
 
 namespace softgrain::bpm
 {
+template <>
+double size_of_primary<2>(const double radius)
+{
+  return dealii::numbers::PI * radius * radius;
+}
+
+template <>
+double size_of_primary<3>(const double radius)
+{
+  return 4. / 3. * dealii::numbers::PI * radius * radius * radius;
+}
+
 namespace
 {
-/// Shares of area of the packing that aggregates are cut from, the first that can be packed: few disks of one
-/// size do not fill a box well, and 0.78 is hard to reach for any. Attraction makes it denser.
+/// Shares of the packing that aggregates are cut from, the first that can be packed: few disks of one size do
+/// not fill a box well, and 0.78 is hard to reach for any. Attraction makes it denser.
 constexpr double packed_fractions[] = {0.76, 0.74, 0.70, 0.60, 0.50};
+/// The same of balls, which are thrown at random: to shake them until they are dense takes long. Those of a
+/// larger body are drawn together instead.
+constexpr double packed_in_space[] = {0.25, 0.2};
+
+/// Edge of a box of this size.
+template <int dim>
+double root(const double size)
+{
+  return dim == 2 ? std::sqrt(size) : std::cbrt(size);
+}
+
+Packing<2> pack(const std::vector<double> &radii,
+                const dealii::Point<2> &lower,
+                const dealii::Point<2> &upper,
+                Uniform &random)
+{
+  PackingProtocol impatient;
+  impatient.patient = false;
+  return pack_disks(radii, lower, upper, random, impatient);
+}
+
+Packing<3> pack(const std::vector<double> &radii,
+                const dealii::Point<3> &lower,
+                const dealii::Point<3> &upper,
+                Uniform &random)
+{
+  return pack_balls(radii, lower, upper, random);
+}
 
 /// A packing with room for @p half [m] to all sides of the origin. @p radii come out.
-Packing<2> pack_around(const dealii::Tensor<1, 2> &half,
-                       const SizeDistribution &sizes,
-                       std::vector<double> &radii,
-                       Uniform &random)
+template <int dim, std::size_t n>
+Packing<dim> pack_around(const double (&fractions)[n],
+                         const dealii::Tensor<1, dim> &half,
+                         const SizeDistribution &sizes,
+                         std::vector<double> &radii,
+                         Uniform &random)
 {
-  for (const double fraction : packed_fractions)
+  for (const double fraction : fractions)
   {
-    const double wanted = fraction * 4. * half[0] * half[1];
+    double wanted = fraction;
+    for (unsigned int d = 0; d < dim; ++d)
+      wanted *= 2. * half[d];
     double filled = 0.;
-    for (radii.clear(); filled < wanted; filled += dealii::numbers::PI * radii.back() * radii.back())
+    for (radii.clear(); filled < wanted; filled += size_of_primary<dim>(radii.back()))
       radii.push_back(0.5 * sizes.draw(random));
-    const dealii::Tensor<1, 2> corner = std::sqrt(filled / wanted) * half;
-    PackingProtocol impatient;
-    impatient.patient = false;
+    const dealii::Tensor<1, dim> corner = root<dim>(filled / wanted) * half;
     try
     {
-      return pack_disks(radii, dealii::Point<2>(-corner), dealii::Point<2>(corner), random, impatient);
+      return pack(radii, dealii::Point<dim>(-corner), dealii::Point<dim>(corner), random);
     }
     catch (const InputError &)
     {
-      if (fraction == packed_fractions[std::size(packed_fractions) - 1])
+      if (fraction == fractions[n - 1])
         throw;
     }
   }
@@ -51,57 +95,107 @@ Packing<2> pack_around(const dealii::Tensor<1, 2> &half,
 }
 
 /// Share of the shape that the primaries of a body fill before those that reach beyond the outline are taken
-/// away.
-constexpr double filled_fraction = 0.82;
+/// away; that of balls is what attraction makes of them in a large ball.
+template <int dim>
+constexpr double filled_fraction = dim == 2 ? 0.82 : 0.66;
+
+/// How much larger than its shape an aggregate is cut out.
+template <int dim>
+double looseness()
+{
+  return dim == 2 ? 1. : std::cbrt(filled_fraction<3> / packed_in_space[0]);
+}
+
+double mean_size(const SizeDistribution &sizes, std::integral_constant<int, 2>)
+{
+  return sizes.mean_area();
+}
+
+double mean_size(const SizeDistribution &sizes, std::integral_constant<int, 3>)
+{
+  // The mean over equal shares.
+  constexpr unsigned int n = 2000;
+  double sum = 0.;
+  for (unsigned int i = 0; i < n; ++i)
+    sum += size_of_primary<3>(0.5 * sizes.quantile((i + 0.5) / n)) / n;
+  return sum;
+}
+
+double size_of_shape(const Shape<2> &shape)
+{
+  return shape.area();
+}
+
+double size_of_shape(const Shape<3> &shape)
+{
+  return shape.volume();
+}
 
 /// The primaries of a packing larger than @p body that lie deepest inside of its outline: a given number, or
 /// all that lie wholly inside.
-Aggregate cut_out(const BodyDescription<2> &body, const PrimarySettings &settings, Uniform &random)
+template <int dim>
+Aggregate<dim> cut_out(const BodyDescription<dim> &body, const PrimarySettings &settings, Uniform &random)
 {
   const auto box = body.shape->bounding_box();
-  const dealii::Tensor<1, 2> edges = box.second - box.first;
+  const dealii::Tensor<1, dim> edges = box.second - box.first;
+  const double of_primary = mean_size(settings.sizes, std::integral_constant<int, dim>()),
+               of_shape = size_of_shape(*body.shape);
   // A given number may need more room than the shape has.
-  const double enlargement = settings.number > 0
-                                 ? std::max(1., std::sqrt(settings.number * settings.sizes.mean_area() /
-                                                          (0.75 * body.shape->area())))
-                                 : 1.;
-  dealii::Tensor<1, 2> half;
-  for (unsigned int d = 0; d < 2; ++d)
+  constexpr double dense = dim == 2 ? 0.75 : filled_fraction<3>;
+  double enlargement =
+      settings.number > 0 ? std::max(1., root<dim>(settings.number * of_primary / (dense * of_shape))) : 1.;
+  const double loose = looseness<dim>();
+  enlargement *= loose;
+  dealii::Tensor<1, dim> half;
+  double room = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
     half[d] = 0.55 * enlargement * edges[d] + 2. * settings.sizes.largest;
-  check_number(body.name, 4. * half[0] * half[1] / settings.sizes.mean_area());
-  const dealii::Tensor<1, 2> middle = box.first + 0.5 * edges - body.center;
+    room *= 2. * half[d];
+  }
+  check_number(body.name, room / of_primary);
+  const dealii::Tensor<1, dim> middle = box.first + 0.5 * edges - body.center;
   std::vector<double> radii;
-  const Packing<2> packing = pack_around(half, settings.sizes, radii, random);
+  Packing<dim> packing;
+  if constexpr (dim == 2)
+    packing = pack_around<dim>(packed_fractions, half, settings.sizes, radii, random);
+  else
+    packing = pack_around<dim>(packed_in_space, half, settings.sizes, radii, random);
 
   std::vector<std::pair<double, std::uint32_t>> depth;
   for (std::uint32_t i = 0; i < packing.balls.size(); ++i)
     depth.emplace_back(
-        radii[i] - body.shape->depth(body.center + middle + (packing.balls[i].center - dealii::Point<2>())),
+        radii[i] - loose * body.shape->depth(body.center + middle +
+                                             (packing.balls[i].center - dealii::Point<dim>()) / loose),
         i);
   std::sort(depth.begin(), depth.end());
-  const double wanted = filled_fraction * body.shape->area();
+  const double wanted = filled_fraction<dim> * of_shape;
   double filled = 0.;
-  Aggregate aggregate;
+  Aggregate<dim> aggregate;
   for (const auto &[outside, i] : depth)
   {
     if (settings.number > 0 ? aggregate.size() == settings.number : filled >= wanted)
       break;
-    filled += dealii::numbers::PI * radii[i] * radii[i];
-    const dealii::Tensor<1, 2> x = packing.balls[i].center - dealii::Point<2>() + middle;
-    aggregate.position.push_back({x[0], x[1]});
+    filled += size_of_primary<dim>(radii[i]);
+    const dealii::Tensor<1, dim> x = packing.balls[i].center - dealii::Point<dim>() + loose * middle;
+    aggregate.position.emplace_back();
+    for (unsigned int d = 0; d < dim; ++d)
+      aggregate.position.back()[d] = x[d];
     aggregate.radius.push_back(radii[i]);
   }
   return aggregate;
 }
 
 /// Takes away the primaries that reach beyond the outline. @return whether there were any.
-bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
+template <int dim>
+bool trim(Aggregate<dim> &aggregate, const BodyDescription<dim> &body)
 {
-  Aggregate kept;
+  Aggregate<dim> kept;
   for (std::size_t i = 0; i < aggregate.size(); ++i)
   {
-    const dealii::Point<2> x(body.center[0] + aggregate.position[i][0],
-                             body.center[1] + aggregate.position[i][1]);
+    dealii::Point<dim> x = body.center;
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] += aggregate.position[i][d];
     if (body.shape->depth(x) < aggregate.radius[i])
       continue;
     kept.position.push_back(aggregate.position[i]);
@@ -113,10 +207,11 @@ bool trim(Aggregate &aggregate, const BodyDescription<2> &body)
 }
 
 /// Puts the middle of the aggregate where that of its shape is, so that it is met alike from all sides.
-void center(Aggregate &aggregate, const BodyDescription<2> &body)
+template <int dim>
+void center(Aggregate<dim> &aggregate, const BodyDescription<dim> &body)
 {
   const auto box = body.shape->bounding_box();
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
   {
     double low = std::numeric_limits<double>::max(), high = -low;
     for (std::size_t i = 0; i < aggregate.size(); ++i)
@@ -125,21 +220,28 @@ void center(Aggregate &aggregate, const BodyDescription<2> &body)
       high = std::max(high, aggregate.position[i][d] + aggregate.radius[i]);
     }
     const double shift = 0.5 * (box.first[d] + box.second[d]) - body.center[d] - 0.5 * (low + high);
-    for (std::array<double, 2> &x : aggregate.position)
+    for (std::array<double, dim> &x : aggregate.position)
       x[d] += shift;
   }
 }
 
 /// Neighbours in space become neighbours in memory.
-void sort_by_place(Aggregate &aggregate)
+template <int dim>
+void sort_by_place(Aggregate<dim> &aggregate)
 {
   std::vector<std::uint32_t> order(aggregate.size());
   std::iota(order.begin(), order.end(), 0);
   const double width = 8. * *std::max_element(aggregate.radius.begin(), aggregate.radius.end());
+  // By slabs, in space by columns in them.
   const auto key = [&](const std::uint32_t i)
-  { return std::make_pair(std::floor(aggregate.position[i][0] / width), aggregate.position[i][1]); };
+  {
+    std::array<double, dim> place = aggregate.position[i];
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      place[d] = std::floor(place[d] / width);
+    return place;
+  };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
-  Aggregate sorted;
+  Aggregate<dim> sorted;
   for (const std::uint32_t i : order)
   {
     sorted.position.push_back(aggregate.position[i]);
@@ -161,21 +263,24 @@ void check_number(const std::string &body, const double n_primaries)
   throw InputError(message.str());
 }
 
+template <int dim>
 double attraction_time(const double diameter, const double density, const double contact_force)
 {
-  const double mass = 0.25 * dealii::numbers::PI * diameter * diameter * density;
-  return std::sqrt(mass * diameter / contact_force);
+  return std::sqrt(size_of_primary<dim>(0.5 * diameter) * density * diameter / contact_force);
 }
 
-Aggregate make_aggregate(const BodyDescription<2> &body,
-                         const double density,
-                         const std::shared_ptr<const Attraction> &attraction,
-                         const Settings &settings,
-                         const std::uint64_t seed)
+template <int dim>
+Aggregate<dim> make_aggregate(const BodyDescription<dim> &body,
+                              const double density,
+                              const std::shared_ptr<const Attraction> &attraction,
+                              const Settings &settings,
+                              const std::uint64_t seed)
 {
   Uniform random(seed);
-  Aggregate aggregate = cut_out(body, settings.primaries, random);
-  Aggregate fitting = aggregate;
+  Aggregate<dim> aggregate = cut_out(body, settings.primaries, random);
+  if constexpr (dim == 3)
+    draw_together(aggregate, looseness<dim>());
+  Aggregate<dim> fitting = aggregate;
   trim(fitting, body);
   const bool attracted = attraction && attraction->contact_force() > 0.;
   const bool trims = settings.primaries.number == 0;
@@ -202,4 +307,17 @@ Aggregate make_aggregate(const BodyDescription<2> &body,
   sort_by_place(aggregate);
   return aggregate;
 }
+
+template double attraction_time<2>(double, double, double);
+template double attraction_time<3>(double, double, double);
+template Aggregate<2> make_aggregate(const BodyDescription<2> &,
+                                     double,
+                                     const std::shared_ptr<const Attraction> &,
+                                     const Settings &,
+                                     std::uint64_t);
+template Aggregate<3> make_aggregate(const BodyDescription<3> &,
+                                     double,
+                                     const std::shared_ptr<const Attraction> &,
+                                     const Settings &,
+                                     std::uint64_t);
 } // namespace softgrain::bpm

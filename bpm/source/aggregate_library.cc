@@ -44,19 +44,19 @@ AggregateLibrary::AggregateLibrary(const std::string &file_name) : file(file_nam
     if (key.empty() || !fields || !(fields >> std::ws).eof() || first != ',' || second != ',' ||
         !std::isfinite(place[0] + place[1] + radius) || !(radius > 0.))
       complain(number);
-    Aggregate &aggregate = aggregates[key];
+    Aggregate<2> &aggregate = aggregates[key];
     aggregate.position.push_back(place);
     aggregate.radius.push_back(radius);
   }
 }
 
-const Aggregate *AggregateLibrary::find(const std::string &key) const
+const Aggregate<2> *AggregateLibrary::find(const std::string &key) const
 {
   const auto found = aggregates.find(key);
   return found == aggregates.end() ? nullptr : &found->second;
 }
 
-void AggregateLibrary::add(const std::string &key, const Aggregate &aggregate)
+void AggregateLibrary::add(const std::string &key, const Aggregate<2> &aggregate)
 {
   aggregates[key] = aggregate;
   changed = true;

@@ -2,6 +2,7 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/bpm_forecast.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/bpm/space_model.h>
 #include <softgrain/driving/contact_settings.h>
 #include <softgrain/geometry/box.h>
 #include <softgrain/model/model_factory.h>
@@ -126,6 +127,18 @@ public:
     return std::make_unique<BpmModel>(scene, read_in.settings, read_in.laws, read_in.law_texts, &state);
   }
 
+  void check_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm) const override
+  {
+    read_in_space(scene, prm);
+  }
+
+  std::unique_ptr<Model<3>> create_in_space(const Scene<3> &scene,
+                                            dealii::ParameterHandler &prm) const override
+  {
+    const Read read_in = read_in_space(scene, prm);
+    return std::make_unique<SpaceModel>(scene, read_in.settings, read_in.laws);
+  }
+
 private:
   struct Read
   {
@@ -139,7 +152,22 @@ private:
     Read result;
     result.settings.parse_parameters(prm);
     check_walls(scene);
-    for (const MaterialDescription &material : scene.materials)
+    read_laws(scene.materials, prm, result);
+    return result;
+  }
+
+  static Read read_in_space(const Scene<3> &scene, dealii::ParameterHandler &prm)
+  {
+    Read result;
+    result.settings.parse_parameters(prm);
+    read_laws(scene.materials, prm, result);
+    return result;
+  }
+
+  static void
+  read_laws(const std::vector<MaterialDescription> &materials, dealii::ParameterHandler &prm, Read &result)
+  {
+    for (const MaterialDescription &material : materials)
     {
       std::shared_ptr<Attraction> law = Registry<Attraction>::instance().create(material.law);
       prm.enter_subsection("Materials");
@@ -156,7 +184,6 @@ private:
       result.law_texts.push_back(text.str());
       result.laws.push_back(std::move(law));
     }
-    return result;
   }
 
   /// @throw InputError for walls that this model has not

@@ -112,7 +112,7 @@ Forecast forecast(const Scene<2> &scene,
     const double own = scene.materials[body.material].density;
     density = density == 0. ? own : std::min(density, own);
   }
-  const double natural_time = force > 0. ? attraction_time(diameter, density, force) : 0.;
+  const double natural_time = force > 0. ? attraction_time<2>(diameter, density, force) : 0.;
   result.step = settings.step.wanted(settings.step_fraction * natural_time);
   result.n_steps = run.n_steps(result.step);
   const double relative_step = natural_time > 0. ? result.step / natural_time : 0.;

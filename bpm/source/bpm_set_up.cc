@@ -31,7 +31,7 @@ unsigned int maker(const std::size_t i, const Ranks &ranks)
 }
 
 /// Gives all ranks the aggregates that each has made.
-void share(std::vector<Aggregate> &made, const Ranks &ranks)
+void share(std::vector<Aggregate<2>> &made, const Ranks &ranks)
 {
   if (ranks.alone())
     return;
@@ -92,7 +92,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
     if (library.find(keys[b]) == nullptr && known.insert(keys[b]).second)
       missing.push_back(b);
   }
-  std::vector<Aggregate> made(missing.size());
+  std::vector<Aggregate<2>> made(missing.size());
   std::vector<std::exception_ptr> errors(missing.size());
   Preparation telling("aggregates", missing.size());
   const auto make_own = [&](const std::size_t begin, const std::size_t end)
@@ -160,8 +160,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (!disks.strength.empty())
     contact_force *= *std::max_element(disks.strength.begin(), disks.strength.end());
   if (contact_force > 0.)
-    natural_time = attraction_time(disks.mean_diameter(), *std::min_element(density.begin(), density.end()),
-                                   contact_force);
+    natural_time = attraction_time<2>(disks.mean_diameter(),
+                                      *std::min_element(density.begin(), density.end()), contact_force);
   if (wanted_step() <= 0.)
     throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
   double area = 0.;
@@ -229,7 +229,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   Primaries disks;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
-    const Aggregate &aggregate = *library.find(keys[b]);
+    const Aggregate<2> &aggregate = *library.find(keys[b]);
     const BodyDescription<2> &body = scene.bodies[b];
     const std::vector<Expression> velocity = vector_expression(body.velocity, {"x", "y"});
     first_of_body.push_back(disks.size());

@@ -19,22 +19,6 @@ namespace
 constexpr std::size_t pairs_to_a_piece = 65536, rows_to_a_piece = 8192;
 } // namespace
 
-/// Pairs of one tile that attract each other, in the form a law wants.
-struct Dynamics::Scratch
-{
-  std::vector<std::uint32_t> pair;
-  std::vector<double> distance, sum, strength, energy;
-  std::vector<std::array<double, 2>> direction; ///< unit, from b to a
-
-  void clear()
-  {
-    pair.clear();
-    distance.clear();
-    sum.clear();
-    direction.clear();
-  }
-};
-
 /// Whether a gap [m] that parts at @p relative velocity along @p normal is nearly closed, or will be within
 /// look_ahead.
 bool Dynamics::closes(const std::array<double, 2> &relative,
@@ -48,45 +32,16 @@ bool Dynamics::closes(const std::array<double, 2> &relative,
   return opening - settings.look_ahead * approach < range;
 }
 
-void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
+void Dynamics::attract_and_find(const std::size_t tile, AttractionBatch<2> &batch)
 {
   const double reach = contact_reach() * diameter;
   std::vector<Found> &contacts = found[tile];
   contacts.clear();
-  scratch.clear();
+  batch.clear();
   double energy = 0.;
 
   // Pairs of one law follow each other mostly; a batch ends where the law changes.
   const Attraction *law = nullptr;
-  const auto finish_batch = [&]
-  {
-    const std::size_t n = scratch.pair.size();
-    if (n == 0)
-      return;
-    scratch.strength.resize(n);
-    scratch.energy.resize(n);
-    law->evaluate(n, scratch.distance.data(), scratch.sum.data(), scratch.strength.data(),
-                  scratch.energy.data());
-    for (std::size_t k = 0; k < n && !primaries.strength.empty(); ++k)
-    {
-      const double factor = strength_of(list.a(scratch.pair[k]), list.b(scratch.pair[k]));
-      scratch.strength[k] *= factor;
-      scratch.energy[k] *= factor;
-    }
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const std::uint32_t a = list.a(scratch.pair[k]), b = list.b(scratch.pair[k]);
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        const double f = scratch.strength[k] * scratch.direction[k][d];
-        force[a][d] -= f;
-        force[b][d] += f;
-      }
-      energy += scratch.energy[k];
-    }
-    scratch.clear();
-  };
-
   for (std::uint32_t pair = list.tile_start()[tile]; pair < list.tile_start()[tile + 1]; ++pair)
   {
     const std::uint32_t a = list.a(pair), b = list.b(pair);
@@ -132,15 +87,12 @@ void Dynamics::attract_and_find(const std::size_t tile, Scratch &scratch)
     if (attracts)
     {
       if (own != law)
-        finish_batch();
+        batch.finish(law, primaries.strength, force, energy);
       law = own;
-      scratch.pair.push_back(pair);
-      scratch.distance.push_back(distance);
-      scratch.sum.push_back(sum);
-      scratch.direction.push_back(direction);
+      batch.add(a, b, distance, sum, direction);
     }
   }
-  finish_batch();
+  batch.finish(law, primaries.strength, force, energy);
   tile_energy[tile] = energy;
 }
 
@@ -182,9 +134,9 @@ void Dynamics::detect(const std::vector<Wall> &walls)
                  [&](const std::size_t begin, const std::size_t end)
                  {
                    // Buffers alone: attract_and_find() clears what another tile or model has left.
-                   static thread_local Scratch scratch;
+                   static thread_local AttractionBatch<2> batch;
                    for (std::size_t tile = first + begin; tile < first + end; ++tile)
-                     attract_and_find(tile, scratch);
+                     attract_and_find(tile, batch);
                  });
     if (share)
       tell_forces(colour);

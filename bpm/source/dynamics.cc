@@ -2,12 +2,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/dynamics.h>
-
-#include <deal.II/base/timer.h>
+#include <softgrain/bpm/timed_section.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace softgrain::bpm
@@ -16,24 +14,6 @@ namespace
 {
 /// Primaries or rows that a thread takes at a time.
 constexpr std::size_t grain = 4096;
-
-/// A section of the timer, or nothing when there is no timer.
-class Section
-{
-public:
-  Section(dealii::TimerOutput *timer, const std::string &name)
-  {
-    if (timer != nullptr)
-      scope.emplace(*timer, name);
-  }
-
-private:
-  std::optional<dealii::TimerOutput::Scope> scope;
-};
-
-/// Gap beyond which no pair counts as near, however fast it closes [mean diameters]; the limit on penetration
-/// sees those.
-constexpr double farthest_look = 0.1;
 
 /// Gap up to which primaries touch for adhesion [mean diameters]; contact solutions leave less.
 constexpr double touching = 1e-3;
@@ -63,6 +43,13 @@ void book(const double work, Wall &wall, DynamicsReport &report)
 bool DynamicsSettings::rotations() const
 {
   return !pairs.frictionless() || any_rolling();
+}
+
+double DynamicsSettings::reach() const
+{
+  // The limit on penetration sees those that close faster.
+  constexpr double farthest_look = 0.1;
+  return look_ahead > 0. ? std::max(contact_range, farthest_look) : contact_range;
 }
 
 Dynamics::Dynamics(Primaries disks,
@@ -104,8 +91,7 @@ void Dynamics::weigh()
 
 double Dynamics::contact_reach() const
 {
-  const double range = std::max(settings.contact_range, adhesion.reach() / diameter);
-  return settings.look_ahead > 0. ? std::max(range, farthest_look) : range;
+  return std::max(settings.reach(), adhesion.reach() / diameter);
 }
 
 void Dynamics::prepare_bodies(const double dt,
@@ -371,14 +357,14 @@ DynamicsReport Dynamics::step(const double dt,
 {
   DynamicsReport report;
   {
-    const Section section(timer, "free motion");
+    const TimedSection section(timer, "free motion");
     prepare_bodies(dt, walls, acceleration);
     prepare_gap_velocities(dt, walls);
     if (obstacles != nullptr)
       drive_obstacles(walls.size());
   }
   {
-    const Section section(timer, "contact solve");
+    const TimedSection section(timer, "contact solve");
     contact::DiskSolverSettings solver = settings.solver;
     solver.wall_floor = settings.wall_force_floor * dt;
     solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
@@ -388,7 +374,7 @@ DynamicsReport Dynamics::step(const double dt,
   }
 
   {
-    const Section section(timer, "motion");
+    const TimedSection section(timer, "motion");
     report.adhesion_work = adhesion_work(dt, walls);
     move_walls(dt, walls, report);
     if (obstacles != nullptr)

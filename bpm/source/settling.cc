@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/bpm/ball_dynamics.h>
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settling.h>
 
-#include <deal.II/base/numbers.h>
-
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -12,15 +12,48 @@ namespace softgrain::bpm
 {
 namespace
 {
-Primaries disks_of(const Aggregate &aggregate, const double density)
+/// What moves primaries.
+template <int dim>
+struct MotionOf;
+template <>
+struct MotionOf<2> : Dynamics
 {
-  Primaries disks;
+  explicit MotionOf(Primaries disks,
+                    const std::shared_ptr<const Attraction> &attraction,
+                    const DynamicsSettings &settings)
+      : Dynamics(std::move(disks), {attraction}, {}, settings)
+  {
+    detect(no_walls);
+  }
+  void go(const double dt) { step(dt, no_walls, {}); }
+  Primaries &primaries() { return disks(); }
+  std::vector<Wall> no_walls;
+};
+template <>
+struct MotionOf<3> : BallDynamics
+{
+  explicit MotionOf(Balls balls,
+                    const std::shared_ptr<const Attraction> &attraction,
+                    const DynamicsSettings &settings)
+      : BallDynamics(std::move(balls), {attraction}, settings)
+  {
+    detect(no_walls);
+  }
+  void go(const double dt) { step(dt, no_walls, {}); }
+  Balls &primaries() { return balls(); }
+  Walls no_walls;
+};
+
+template <int dim>
+RoundPrimaries<dim> primaries_of(const Aggregate<dim> &aggregate, const double density)
+{
+  RoundPrimaries<dim> disks;
   disks.position = aggregate.position;
   disks.radius = aggregate.radius;
-  disks.velocity.assign(aggregate.size(), {0., 0.});
+  disks.velocity.assign(aggregate.size(), {});
   disks.body.assign(aggregate.size(), 0);
   for (const double r : aggregate.radius)
-    disks.mass.push_back(dealii::numbers::PI * r * r * density);
+    disks.mass.push_back(size_of_primary<dim>(r) * density);
   return disks;
 }
 
@@ -43,7 +76,8 @@ constexpr Protocol careful = {0.05, 2e-8, 1e-4, 1e-4, 20000};
 constexpr unsigned int fewest = 20;
 
 /// @return the kinetic energy at the end, over that of rest; not above 1: at rest
-double relax(Aggregate &aggregate,
+template <int dim>
+double relax(Aggregate<dim> &aggregate,
              const double density,
              const std::shared_ptr<const Attraction> &attraction,
              const Protocol &protocol)
@@ -52,25 +86,23 @@ double relax(Aggregate &aggregate,
   DynamicsSettings settings;
   settings.solver.tolerance = protocol.tolerance;
   settings.solver_penetration = protocol.overlap;
-  std::vector<Wall> no_walls;
-  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
-  dynamics.detect(no_walls);
+  MotionOf<dim> dynamics(primaries_of(aggregate, density), attraction, settings);
   const double force = attraction->contact_force(), a0 = dynamics.mean_diameter();
-  const double dt = protocol.step * attraction_time(a0, density, force);
+  const double dt = protocol.step * attraction_time<dim>(a0, density, force);
   const double rest = protocol.kinetic * force * a0 * aggregate.size();
   double before = 0., now = 0.;
   for (unsigned int step = 0; step < protocol.most; ++step)
   {
-    dynamics.step(dt, no_walls, {});
+    dynamics.go(dt);
     now = dynamics.kinetic_energy();
     if (step > fewest && now < rest)
       break;
     const bool past_maximum = now < before;
     before = past_maximum ? 0. : now;
     if (past_maximum)
-      dynamics.disks().velocity.assign(aggregate.size(), {0., 0.});
+      dynamics.primaries().velocity.assign(aggregate.size(), {});
   }
-  aggregate.position = dynamics.disks().position;
+  aggregate.position = dynamics.primaries().position;
   return now / rest;
 }
 
@@ -81,28 +113,51 @@ constexpr unsigned int most_last_steps = 10;
 
 /// Pushes out what primaries overlap and closes what is open. A run would else do the first against the
 /// attraction, so that contact would give energy.
-void touch(Aggregate &aggregate, const double density, const std::shared_ptr<const Attraction> &attraction)
+template <int dim>
+void touch(Aggregate<dim> &aggregate,
+           const double density,
+           const std::shared_ptr<const Attraction> &attraction)
 {
   DynamicsSettings settings;
   settings.solver.tolerance = last_tolerance;
   settings.solver_penetration = 0.5 * last_overlap;
-  std::vector<Wall> no_walls;
-  Dynamics dynamics(disks_of(aggregate, density), {attraction}, {}, settings);
-  dynamics.detect(no_walls);
+  MotionOf<dim> dynamics(primaries_of(aggregate, density), attraction, settings);
   const double a0 = dynamics.mean_diameter(),
-               dt = whole.step * attraction_time(a0, density, attraction->contact_force());
+               dt = whole.step * attraction_time<dim>(a0, density, attraction->contact_force());
   for (unsigned int step = 0; step < most_last_steps; ++step)
   {
-    dynamics.step(dt, no_walls, {});
-    dynamics.disks().velocity.assign(aggregate.size(), {0., 0.});
+    dynamics.go(dt);
+    dynamics.primaries().velocity.assign(aggregate.size(), {});
     if (dynamics.penetration() <= last_overlap * a0)
       break;
   }
-  aggregate.position = dynamics.disks().position;
+  aggregate.position = dynamics.primaries().position;
 }
 } // namespace
 
-void settle(Aggregate &aggregate,
+void draw_together(Aggregate<3> &aggregate, const double factor)
+{
+  constexpr unsigned int n_steps = 100;
+  constexpr double dt = 1.;
+  DynamicsSettings settings;
+  settings.solver.tolerance = rough.tolerance;
+  settings.solver_penetration = rough.overlap;
+  settings.look_ahead = 1.5 * dt;
+  MotionOf<3> motion(primaries_of(aggregate, 1.), nullptr, settings);
+  Balls &balls = motion.primaries();
+  const double rate = (1. - std::pow(factor, -1. / n_steps)) / dt;
+  for (unsigned int step = 0; step < n_steps; ++step)
+  {
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        balls.velocity[i][d] = -rate * balls.position[i][d];
+    motion.go(dt);
+  }
+  aggregate.position = balls.position;
+}
+
+template <int dim>
+void settle(Aggregate<dim> &aggregate,
             const std::string &name,
             const double density,
             const std::shared_ptr<const Attraction> &attraction,
@@ -126,4 +181,9 @@ void settle(Aggregate &aggregate,
           << " steps their kinetic energy is " << left << " times that of rest";
   throw ComputationError(message.str());
 }
+
+template void
+settle(Aggregate<2> &, const std::string &, double, const std::shared_ptr<const Attraction> &, Settling);
+template void
+settle(Aggregate<3> &, const std::string &, double, const std::shared_ptr<const Attraction> &, Settling);
 } // namespace softgrain::bpm

@@ -14,7 +14,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 } // namespace
 
 DiskShare::DiskShare(const Ranks &ranks,
-                     const DiskContacts &contacts,
+                     const ContactOrder &contacts,
                      const std::vector<std::uint32_t> &number_of,
                      const std::size_t n_bodies,
                      const std::vector<ContactRange> &ranges,
@@ -86,7 +86,7 @@ std::pair<std::uint32_t, std::uint32_t> DiskShare::range_of(const std::size_t co
 }
 
 template <class Work>
-void DiskShare::for_bodies(const DiskContacts &contacts,
+void DiskShare::for_bodies(const ContactOrder &contacts,
                            const std::vector<std::uint32_t> &number_of,
                            const Work &work) const
 {
@@ -103,7 +103,7 @@ void DiskShare::for_bodies(const DiskContacts &contacts,
     }
 }
 
-void DiskShare::find_exchanges(const DiskContacts &contacts,
+void DiskShare::find_exchanges(const ContactOrder &contacts,
                                const std::vector<std::uint32_t> &number_of,
                                const std::size_t n_bodies)
 {

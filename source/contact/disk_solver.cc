@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,16 @@ void check_finite(const std::vector<double> &values, const char *name)
                              " is not finite");
 }
 
+/// Vectors one by one; @p what they are, the number of the first that is not finite behind it.
+template <std::size_t n>
+void check_finite(const std::vector<std::array<double, n>> &vectors, const char *what)
+{
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    if (!std::isfinite(std::accumulate(vectors[i].begin(), vectors[i].end(), 0.)))
+      throw ComputationError(std::string("disk contacts: ") + what + " " + std::to_string(i) +
+                             " is not finite");
+}
+
 void check(const DiskSolverSettings &settings)
 {
   if (!(settings.tolerance > 0.) || !(settings.wall_tolerance > 0.) || !(settings.wall_floor >= 0.) ||
@@ -44,15 +55,13 @@ void check(const DiskSolverSettings &settings)
     throw InputError("disk solver: the check interval must be at least 1");
 }
 
-void check(const DiskBodies &bodies, const DiskContacts &contacts)
+template <int dim>
+void check(const RoundBodies<dim> &bodies, const RoundContacts<dim> &contacts)
 {
   const std::size_t n_bodies = bodies.size(), n = contacts.size();
   check_size(bodies.inverse_mass.size(), n_bodies, "the inverse mass");
   check_finite(bodies.inverse_mass, "inverse mass");
-  for (const auto &velocity : bodies.velocity)
-    if (!std::isfinite(velocity[0] + velocity[1]))
-      throw ComputationError("disk contacts: the velocity of body " +
-                             std::to_string(&velocity - bodies.velocity.data()) + " is not finite");
+  check_finite(bodies.velocity, "the velocity of body");
   check_size(contacts.b.size(), n, "the second body");
   check_size(contacts.normal.size(), n, "the normal");
   check_size(contacts.gap_velocity.size(), n, "the gap velocity");
@@ -64,8 +73,7 @@ void check(const DiskBodies &bodies, const DiskContacts &contacts)
       throw InputError("disk contacts: contact " + std::to_string(i) + " joins bodies " +
                        std::to_string(contacts.a[i]) + " and " + std::to_string(contacts.b[i]) + " of " +
                        std::to_string(n_bodies));
-    else if (!std::isfinite(contacts.normal[i][0] + contacts.normal[i][1]))
-      throw ComputationError("disk contacts: normal " + std::to_string(i) + " is not finite");
+  check_finite(contacts.normal, "normal");
   if (bodies.rotate())
   {
     check_size(bodies.angular_velocity.size(), n_bodies, "the angular velocity");
@@ -99,11 +107,13 @@ void check(const DiskBodies &bodies, const DiskContacts &contacts)
 }
 
 /// Velocity that is lost in the rounding of the fastest body's [m/s].
-double rounding_of(const DiskBodies &bodies)
+template <int dim>
+double rounding_of(const RoundBodies<dim> &bodies)
 {
   double fastest = 0.;
   for (const auto &velocity : bodies.velocity)
-    fastest = std::max({fastest, std::abs(velocity[0]), std::abs(velocity[1])});
+    for (const double component : velocity)
+      fastest = std::max(fastest, std::abs(component));
   return 8. * std::numeric_limits<double>::epsilon() * fastest;
 }
 
@@ -156,13 +166,13 @@ private:
   std::size_t n_estimates = 0;
 };
 
-/// One call of solve_disks().
-template <unsigned int n, bool in_cell>
+/// One call of solve_disks() or solve_balls().
+template <unsigned int n, bool in_cell, int dim>
 class DiskIteration
 {
 public:
-  DiskIteration(DiskBodies &bodies,
-                DiskContacts &contacts,
+  DiskIteration(RoundBodies<dim> &bodies,
+                RoundContacts<dim> &contacts,
                 const DiskSolverSettings &settings,
                 const Ranks *const ranks,
                 const DiskExchanges *const exchanges)
@@ -292,13 +302,13 @@ private:
         (settings.penetration_tolerance == 0. || report.approach <= settings.penetration_tolerance);
   }
 
-  DiskBodies &bodies;
-  DiskContacts &contacts;
+  RoundBodies<dim> &bodies;
+  RoundContacts<dim> &contacts;
   const DiskSolverSettings &settings;
   ThreadTeam team;
   const Ranks *const ranks; ///< null: this process is alone
   const bool apart;         ///< each rank has its own contacts alone
-  DiskSweeps<n, in_cell> sweeps;
+  DiskSweeps<n, in_cell, dim> sweeps;
   const double rounding;
   Momentum momentum;
   WallBalance walls;
@@ -318,10 +328,10 @@ DiskSolverReport iterate(DiskBodies &bodies,
                          const DiskExchanges *const exchanges)
 {
   if (exchanges != nullptr ? !exchanges->rotate : !bodies.rotate())
-    return DiskIteration<1, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
+    return DiskIteration<1, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
   if (contacts.rolling.empty())
-    return DiskIteration<2, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
-  return DiskIteration<3, in_cell>(bodies, contacts, settings, ranks, exchanges).run();
+    return DiskIteration<2, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
+  return DiskIteration<3, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
 }
 } // namespace
 
@@ -340,5 +350,15 @@ DiskSolverReport solve_disks(DiskBodies &bodies,
     ranks = nullptr;
   return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, ranks, exchanges)
                                  : iterate<true>(bodies, contacts, settings, ranks, exchanges);
+}
+
+DiskSolverReport solve_balls(BallBodies &bodies, BallContacts &contacts, const DiskSolverSettings &settings)
+{
+  check(settings);
+  check(bodies, contacts);
+  if (!contacts.rolling.empty() || !contacts.branch.empty())
+    throw InputError("balls: neither rolling resistance nor a cell that deforms is there in space");
+  return bodies.rotate() ? DiskIteration<4, false, 3>(bodies, contacts, settings, nullptr, nullptr).run()
+                         : DiskIteration<1, false, 3>(bodies, contacts, settings, nullptr, nullptr).run();
 }
 } // namespace softgrain::contact

@@ -8,8 +8,8 @@
 
 namespace softgrain::contact
 {
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::set_free_velocities()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::set_free_velocities()
 {
   cell = bodies.cell;
   last_cell = DiskCell();
@@ -18,8 +18,7 @@ void DiskSweeps<n, in_cell>::set_free_velocities()
       {
         const std::uint32_t body = original_of[i];
         State &state = states[i];
-        state.velocity[0] = bodies.velocity[body][0];
-        state.velocity[1] = bodies.velocity[body][1];
+        std::copy_n(bodies.velocity[body].begin(), dim, state.velocity);
         state.inverse_mass = bodies.inverse_mass[body];
         if constexpr (n > 1)
         {
@@ -30,8 +29,8 @@ void DiskSweeps<n, in_cell>::set_free_velocities()
       });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::apply_impulses()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::apply_impulses()
 {
   for_ranges(
       [&](const Range range, const bool wall, std::uint32_t)
@@ -45,21 +44,21 @@ void DiskSweeps<n, in_cell>::apply_impulses()
           }
         };
         if (wall)
-          add(DiskContact<n, true>());
+          add(Contact<true>());
         else
-          add(DiskContact<n, false>());
+          add(Contact<false>());
       });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::clear_impulses()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::clear_impulses()
 {
   for (std::size_t i = 0; i < contacts.size(); ++i)
     std::fill(rows[i].impulse, rows[i].impulse + n, 0.);
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::sweep(const double relaxation)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::sweep(const double relaxation)
 {
   for_ranges(
       [&](const Range range, const bool wall, std::uint32_t)
@@ -93,14 +92,14 @@ void DiskSweeps<n, in_cell>::sweep(const double relaxation)
           }
         };
         if (wall)
-          sweep_range(DiskContact<n, true>());
+          sweep_range(Contact<true>());
         else
-          sweep_range(DiskContact<n, false>());
+          sweep_range(Contact<false>());
       });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::add_cell(const Row &row, double (&w)[n], DiskCompliance<n> &W) const
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::add_cell(const Row &row, double (&w)[n], DiskCompliance<n> &W) const
 {
   if constexpr (in_cell)
   {
@@ -109,16 +108,16 @@ void DiskSweeps<n, in_cell>::add_cell(const Row &row, double (&w)[n], DiskCompli
   }
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::move_cell(const Row &row, const double (&change)[n])
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::move_cell(const Row &row, const double (&change)[n])
 {
   if constexpr (in_cell)
     if (cell.is_free())
       DiskCellContact<n>::apply(row, cell, change);
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::extrapolate(const double momentum)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::extrapolate(const double momentum)
 {
   if (in_cell && cell.is_free())
     for (unsigned int k = 0; k < 2; ++k)
@@ -138,15 +137,13 @@ void DiskSweeps<n, in_cell>::extrapolate(const double momentum)
           now += momentum * (now - last);
           last = before;
         };
-        step(states[i].velocity[0], last_velocity[i][0]);
-        step(states[i].velocity[1], last_velocity[i][1]);
-        if constexpr (n > 1)
-          step(states[i].angular_velocity, last_velocity[i][2]);
+        for (unsigned int c = 0; c < n_velocities; ++c)
+          step(velocity(i, c), last_velocity[i][c]);
       });
 }
 
-template <unsigned int n, bool in_cell>
-double DiskSweeps<n, in_cell>::sweep_with_momentum(const double momentum)
+template <unsigned int n, bool in_cell, int dim>
+double DiskSweeps<n, in_cell, dim>::sweep_with_momentum(const double momentum)
 {
   // Velocities are linear in the impulses, so those that belong to the extrapolated impulses are known. An
   // extrapolated impulse may pull; the contact's own solution puts that right.
@@ -176,18 +173,15 @@ double DiskSweeps<n, in_cell>::sweep_with_momentum(const double momentum)
             }
             contact.apply(row, a, b, change);
             move_cell(row, change);
-            sum -= W.normal * change[0] * (P[0] - row.previous[0]);
-            if constexpr (n > 1)
-              sum -= W.tangential * change[1] * (P[1] - row.previous[1]);
-            if constexpr (n > 2)
-              sum -= W.rolling * change[2] * (P[2] - row.previous[2]);
+            for (unsigned int c = 0; c < n; ++c)
+              sum -= W.of(c) * change[c] * (P[c] - row.previous[c]);
           }
           sums[index] = sum;
         };
         if (wall)
-          sweep_range(DiskContact<n, true>());
+          sweep_range(Contact<true>());
         else
-          sweep_range(DiskContact<n, false>());
+          sweep_range(Contact<false>());
       });
   if (share && n > 1)
     return 0.;
@@ -199,8 +193,8 @@ double DiskSweeps<n, in_cell>::sweep_with_momentum(const double momentum)
   return sum;
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::save_impulses()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::save_impulses()
 {
   saved.resize(contacts.size());
   for_ranges_at_once(
@@ -211,15 +205,15 @@ void DiskSweeps<n, in_cell>::save_impulses()
       });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::restore_impulses()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::restore_impulses()
 {
   for (std::size_t i = 0; i < saved.size(); ++i)
     std::copy(saved[i].begin(), saved[i].end(), rows[i].impulse);
 }
 
-template <unsigned int n, bool in_cell>
-typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
+template <unsigned int n, bool in_cell, int dim>
+typename DiskSweeps<n, in_cell, dim>::Measure DiskSweeps<n, in_cell, dim>::measure()
 {
   if (share)
     for (std::vector<double> *const list : {&sums, &approach})
@@ -246,9 +240,9 @@ typename DiskSweeps<n, in_cell>::Measure DiskSweeps<n, in_cell>::measure()
           approach[index] = fastest;
         };
         if (wall)
-          measure_range(DiskContact<n, true>());
+          measure_range(Contact<true>());
         else
-          measure_range(DiskContact<n, false>());
+          measure_range(Contact<false>());
       });
   Measure result;
   for (std::size_t i = 0; i < ranges.size(); ++i)
@@ -274,4 +268,6 @@ template class DiskSweeps<3>;
 template class DiskSweeps<1, true>;
 template class DiskSweeps<2, true>;
 template class DiskSweeps<3, true>;
+template class DiskSweeps<1, false, 3>;
+template class DiskSweeps<4, false, 3>;
 } // namespace softgrain::contact

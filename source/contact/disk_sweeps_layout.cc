@@ -12,12 +12,12 @@ namespace
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 } // namespace
 
-template <unsigned int n, bool in_cell>
-DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies,
-                                   const DiskContacts &contacts,
-                                   ThreadTeam &team,
-                                   const Ranks *const ranks,
-                                   const DiskExchanges *const exchanges)
+template <unsigned int n, bool in_cell, int dim>
+DiskSweeps<n, in_cell, dim>::DiskSweeps(const Bodies &bodies,
+                                        const Contacts &contacts,
+                                        ThreadTeam &team,
+                                        const Ranks *const ranks,
+                                        const DiskExchanges *const exchanges)
     : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
   number_bodies(exchanges);
@@ -32,8 +32,8 @@ DiskSweeps<n, in_cell>::DiskSweeps(const DiskBodies &bodies,
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::number_bodies(const DiskExchanges *const exchanges)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::number_bodies(const DiskExchanges *const exchanges)
 {
   packed_of.assign(bodies.size(), none);
   original_of.reserve(bodies.size());
@@ -62,8 +62,8 @@ void DiskSweeps<n, in_cell>::number_bodies(const DiskExchanges *const exchanges)
   last_velocity.reset(new std::array<double, n_velocities>[n_bodies()]);
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::make_ranges()
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::make_ranges()
 {
   // A tile is swept by one thread. None of them is left out, nor are two made one: the order in which
   // contacts are swept is not to depend on which tiles a rank has.
@@ -88,8 +88,8 @@ void DiskSweeps<n, in_cell>::make_ranges()
              });
   n_walls = walls.size();
 }
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::pack(const Range range, const bool wall)
 {
   interleave(
       range,
@@ -98,8 +98,7 @@ void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
         Row &row = rows[packed];
         row.a = packed_of[contacts.a[i]];
         row.b = packed_of[contacts.b[i]];
-        row.normal[0] = contacts.normal[i][0];
-        row.normal[1] = contacts.normal[i][1];
+        std::copy_n(contacts.normal[i].begin(), dim, row.normal);
         row.gap_velocity = contacts.gap_velocity[i];
         row.impulse[0] = contacts.impulse[i];
         if constexpr (n > 1)
@@ -107,9 +106,12 @@ void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
           row.friction = contacts.friction[i];
           row.arm_a = contacts.arm_a[i];
           row.arm_b = !wall ? contacts.arm_b[i] : contacts.wall_slip.empty() ? 0. : contacts.wall_slip[i];
-          row.impulse[1] = contacts.tangential_impulse[i];
+          if constexpr (dim == 3)
+            std::copy_n(contacts.tangential_impulse[i].begin(), 3, row.impulse + 1);
+          else
+            row.impulse[1] = contacts.tangential_impulse[i];
         }
-        if constexpr (n > 2)
+        if constexpr (n == 3)
         {
           row.rolling = contacts.rolling[i];
           row.impulse[2] = contacts.rolling_impulse[i];
@@ -117,16 +119,15 @@ void DiskSweeps<n, in_cell>::pack(const Range range, const bool wall)
         if constexpr (in_cell)
           std::copy_n(contacts.branch[i].begin(), 2, row.branch);
         // A start that is no impulse at all, or one between prescribed bodies, would stay.
-        using Contact = DiskContact<n, false>;
         if (bodies.inverse_mass[contacts.a[i]] + bodies.inverse_mass[contacts.b[i]] == 0.)
           std::fill(row.impulse, row.impulse + n, 0.);
-        Contact::project(row, row.impulse);
+        Contact<false>::project(row, row.impulse);
         std::copy(row.impulse, row.impulse + n, row.previous);
       });
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::wall_impulses(std::vector<double> &wall_sums) const
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::wall_impulses(std::vector<double> &wall_sums) const
 {
   wall_sums.assign(n_walls, 0.);
   const Range range = ranges.back();
@@ -149,8 +150,8 @@ void DiskSweeps<n, in_cell>::wall_impulses(std::vector<double> &wall_sums) const
     }
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::store_impulses(Contacts &target)
 {
   for_ranges_at_once(
       [&](const Range range, bool, std::uint32_t)
@@ -159,23 +160,25 @@ void DiskSweeps<n, in_cell>::store_impulses(DiskContacts &target)
                    [&](const std::uint32_t row, const std::uint32_t i)
                    {
                      target.impulse[i] = rows[row].impulse[0];
-                     if constexpr (n > 1)
+                     if constexpr (n == 4)
+                       std::copy_n(rows[row].impulse + 1, 3, target.tangential_impulse[i].begin());
+                     else if constexpr (n > 1)
                        target.tangential_impulse[i] = rows[row].impulse[1];
-                     if constexpr (n > 2)
+                     if constexpr (n == 3)
                        target.rolling_impulse[i] = rows[row].impulse[2];
                    });
       });
   if (!share || share->apart())
     return;
   share->share_contacts(target.impulse);
-  if constexpr (n > 1)
+  if constexpr (n > 1 && dim == 2)
     share->share_contacts(target.tangential_impulse);
-  if constexpr (n > 2)
+  if constexpr (n == 3)
     share->share_contacts(target.rolling_impulse);
 }
 
-template <unsigned int n, bool in_cell>
-void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target)
+template <unsigned int n, bool in_cell, int dim>
+void DiskSweeps<n, in_cell, dim>::store_velocities(Bodies &target)
 {
   if (share && !share->apart())
     share->template tell_all<n_velocities>([this](const std::uint32_t body, const unsigned int c) -> double &
@@ -184,7 +187,7 @@ void DiskSweeps<n, in_cell>::store_velocities(DiskBodies &target)
   for (std::size_t i = 0; i < n_bodies(); ++i)
   {
     const std::uint32_t body = original_of[i];
-    target.velocity[body] = {{states[i].velocity[0], states[i].velocity[1]}};
+    std::copy_n(states[i].velocity, dim, target.velocity[body].begin());
     if constexpr (n > 1)
       target.angular_velocity[body] = states[i].angular_velocity;
   }
@@ -196,4 +199,6 @@ template class DiskSweeps<3>;
 template class DiskSweeps<1, true>;
 template class DiskSweeps<2, true>;
 template class DiskSweeps<3, true>;
+template class DiskSweeps<1, false, 3>;
+template class DiskSweeps<4, false, 3>;
 } // namespace softgrain::contact

@@ -362,8 +362,11 @@ void FieldWriter::write(const Snapshot<3> &snapshot)
       [&](const auto &put_part)
       {
         if (options.points)
-          put_part("points", [&](VtuFile &file)
-                   { space_fields::fill_points(file, snapshot.points, options.deformation_gradient); });
+          put_part("points",
+                   [&](VtuFile &file) {
+                     space_fields::fill_points(file, snapshot.points, options.deformation_gradient,
+                                               options.extra_fields);
+                   });
         if (options.outlines)
           put_part("outlines", [&](VtuFile &file) { space_fields::fill_surfaces(file, snapshot.bodies); });
         if (options.contacts)

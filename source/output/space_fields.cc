@@ -29,7 +29,10 @@ void push_tensor(std::vector<float> &values, const Tensor &tensor)
 }
 } // namespace
 
-void fill_points(VtuFile &file, const PointStates<3> &points, const bool deformation_gradient)
+void fill_points(VtuFile &file,
+                 const PointStates<3> &points,
+                 const bool deformation_gradient,
+                 const bool extra)
 {
   file.add_vertices(points.position);
   std::vector<std::int32_t> body;
@@ -41,14 +44,18 @@ void fill_points(VtuFile &file, const PointStates<3> &points, const bool deforma
     push_tensor(stress, points.stress[p]);
     von_mises.push_back(static_cast<float>(std::sqrt(1.5) * deviator(points.stress[p]).norm()));
     pressure.push_back(static_cast<float>(-trace(points.stress[p]) / 3.));
-    push_tensor(gradient, points.deformation_gradient[p]);
+    if (!points.deformation_gradient.empty())
+      push_tensor(gradient, points.deformation_gradient[p]);
   }
   file.add_point_data("body", body);
   file.add_point_data("volume_m3", 1, volume);
   file.add_point_data("stress_Pa", 9, stress);
   file.add_point_data("von_mises_Pa", 1, von_mises);
   file.add_point_data("pressure_Pa", 1, pressure);
-  if (deformation_gradient)
+  for (const NamedField &field : points.extra)
+    if (extra)
+      file.add_point_data(field.name, 1, std::vector<float>(field.values.begin(), field.values.end()));
+  if (deformation_gradient && !gradient.empty())
     file.add_point_data("deformation_gradient", 9, gradient);
 }
 

@@ -81,6 +81,31 @@ const std::vector<std::string> known = {"Dimension",
                                         "Contact/Friction of pairs",
                                         "Stop/"};
 
+/// What bonded particles know in space beside these.
+const std::vector<std::string> known_to_bonded_particles = {"Output/Inner forces",
+                                                            "Primaries/Smallest diameter",
+                                                            "Primaries/Largest diameter",
+                                                            "Primaries/Size distribution",
+                                                            "Primaries/Mean diameter",
+                                                            "Primaries/Standard deviation",
+                                                            "Primaries/Exponent",
+                                                            "Primaries/Number per body",
+                                                            "Primaries/Seed",
+                                                            "Primaries/Variants",
+                                                            "Time/Step fraction",
+                                                            "Contact/Restitution",
+                                                            "Contact/Gap correction",
+                                                            "Contact/Range",
+                                                            "Contact/Skin",
+                                                            "Contact/Largest penetration",
+                                                            "Contact/Tolerance",
+                                                            "Contact/Maximum sweeps",
+                                                            "Contact/Relaxation",
+                                                            "Contact/Algorithm",
+                                                            "Contact/Wall tolerance",
+                                                            "Contact/Wall floor",
+                                                            "Contact/Penetration tolerance"};
+
 /// What a scheme does not know in space, beside what none does.
 const std::vector<std::string> unknown_at_rest = {"Loads/", "Time/Theta", "Time/CFL multiple"},
                                unknown_to_inertia = {"Quasi-static/"};
@@ -102,11 +127,32 @@ bool is_in(const std::vector<std::string> &patterns, const std::vector<std::stri
                      [&](const std::string &pattern) { return matches(path, pattern); });
 }
 
+/// What a file says of an entry of a section, or, without one, of its own; empty where it has none.
+std::string value_of(const ParameterSection &parameters, const std::string &section, const std::string &name)
+{
+  if (section.empty())
+  {
+    for (const ParameterEntry &entry : parameters.entries)
+      if (entry.name == name)
+        return entry.value;
+    return "";
+  }
+  for (const ParameterSection &part : parameters.sections)
+    if (part.name == section)
+      return value_of(part, "", name);
+  return "";
+}
+
 /// Finds parameters that nothing in space knows, or that the scheme does not.
 class ParameterCheck
 {
 public:
-  ParameterCheck(const std::string &scheme, Mistakes &mistakes) : scheme(scheme), mistakes(mistakes) {}
+  ParameterCheck(const ParameterSection &parameters, Mistakes &mistakes)
+      : bonded(value_of(parameters, "", "Model") == "bpm")
+      , scheme(value_of(parameters, "Time", "Scheme"))
+      , mistakes(mistakes)
+  {
+  }
 
   void look_at(const ParameterSection &section)
   {
@@ -114,9 +160,9 @@ public:
       if (entry.value != entry.default_value)
       {
         path.push_back(entry.name);
-        if (!is_in(known, path))
+        if (!is_in(known, path) && !(bonded && is_in(known_to_bonded_particles, path)))
           refuse(entry, "");
-        else if (is_in(scheme == "quasi_static" ? unknown_at_rest : unknown_to_inertia, path))
+        else if (!bonded && is_in(scheme == "quasi_static" ? unknown_at_rest : unknown_to_inertia, path))
           refuse(entry, " and 'Time/Scheme' = '" + scheme + "'");
         path.pop_back();
       }
@@ -135,25 +181,15 @@ private:
     for (const std::string &part : path)
       name += (name.empty() ? "" : "/") + part;
     mistakes.add(InputError("'" + name + "' = '" + entry.value + "' is not allowed with 'Dimension' = '3'" +
-                            scheme_too + ", where it is not there yet: it must be '" + entry.default_value +
-                            "'"));
+                            (bonded ? " and 'Model' = 'bpm'" : scheme_too) +
+                            ", where it is not there yet: it must be '" + entry.default_value + "'"));
   }
 
+  const bool bonded; ///< bonded particles, which have no schemes
   const std::string scheme;
   Mistakes &mistakes;
   std::vector<std::string> path;
 };
-
-/// What a file says of Time/Scheme.
-std::string scheme_of(const ParameterSection &parameters)
-{
-  for (const ParameterSection &part : parameters.sections)
-    if (part.name == "Time")
-      for (const ParameterEntry &entry : part.entries)
-        if (entry.name == "Scheme")
-          return entry.value;
-  return "";
-}
 
 void check_velocity(const BodyDescription<3> &body)
 {
@@ -250,7 +286,7 @@ void check_slides(const Scene<3> &scene, Mistakes &mistakes)
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
 {
   Mistakes mistakes;
-  ParameterCheck(scheme_of(parameters), mistakes).look_at(parameters);
+  ParameterCheck(parameters, mistakes).look_at(parameters);
   check_bodies(scene, mistakes);
   check_walls(scene, mistakes);
   mistakes.attempt([&]() { check_slides(scene, mistakes); });

@@ -26,7 +26,7 @@ std::shared_ptr<const bpm::Attraction> attraction()
   return std::shared_ptr<const bpm::Attraction>(std::move(law));
 }
 
-bpm::Primaries at_rest(const bpm::Aggregate &aggregate)
+bpm::Primaries at_rest(const bpm::Aggregate<2> &aggregate)
 {
   bpm::Primaries disks;
   disks.position = aggregate.position;
@@ -39,7 +39,7 @@ bpm::Primaries at_rest(const bpm::Aggregate &aggregate)
 }
 
 /// Sum of squares of the momenta of primaries after a step of @p dt from rest, with or without contacts.
-double moved(const bpm::Aggregate &aggregate, const double dt, const bool touching)
+double moved(const bpm::Aggregate<2> &aggregate, const double dt, const bool touching)
 {
   bpm::DynamicsSettings settings;
   settings.solver.tolerance = 1e-8;
@@ -58,7 +58,7 @@ double moved(const bpm::Aggregate &aggregate, const double dt, const bool touchi
 }
 
 /// By how much some exact steps from rest raise the energy of attraction, over that energy.
-double given(const bpm::Aggregate &aggregate, const double dt)
+double given(const bpm::Aggregate<2> &aggregate, const double dt)
 {
   bpm::DynamicsSettings settings;
   settings.solver.tolerance = 1e-10;
@@ -76,7 +76,7 @@ double given(const bpm::Aggregate &aggregate, const double dt)
   return (highest - start) / -start;
 }
 
-std::size_t n_touching(const bpm::Aggregate &aggregate, const double gap)
+std::size_t n_touching(const bpm::Aggregate<2> &aggregate, const double gap)
 {
   std::size_t n = 0;
   for (std::size_t a = 0; a < aggregate.size(); ++a)
@@ -100,10 +100,10 @@ void look(const std::string &what, std::shared_ptr<const Shape<2>> shape, const 
   double contacts = 0., degrees = 0., left = 0., free = 0., gift = 0.;
   for (unsigned int seed = 1; seed <= 3; ++seed)
   {
-    const bpm::Aggregate aggregate = bpm::make_aggregate(body, 1., attraction(), settings, seed);
+    const bpm::Aggregate<2> aggregate = bpm::make_aggregate(body, 1., attraction(), settings, seed);
     contacts += n_touching(aggregate, 2e-4);
     degrees += 2. * aggregate.size() - 3.;
-    const double dt = 0.2 * bpm::attraction_time(2.1, 1., 1.);
+    const double dt = 0.2 * bpm::attraction_time<2>(2.1, 1., 1.);
     left += moved(aggregate, dt, true);
     free += moved(aggregate, dt, false);
     gift = std::max(gift, given(aggregate, dt));

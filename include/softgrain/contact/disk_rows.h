@@ -10,23 +10,40 @@
 
 namespace softgrain::contact
 {
-/// A body as the sweeps see it; without rotations half a cache line.
-template <bool rotates>
+/// A body as the sweeps see it; in the plane without rotations half a cache line, in space with them a whole
+/// one.
+template <bool rotates, int dim = 2>
 struct DiskState
 {
-  double velocity[2];  ///< [m/s]
-  double inverse_mass; ///< [m/kg]
-  double unused;       ///< keeps a state inside one cache line
+  double velocity[dim]; ///< [m/s]
+  double inverse_mass;  ///< [m/kg]
+  double unused;        ///< keeps a state inside one cache line
 };
 
 template <>
-struct DiskState<true>
+struct DiskState<true, 2>
 {
   double velocity[2];
   double inverse_mass;
   double angular_velocity; ///< [rad/s]
   double inverse_inertia;  ///< [1/(kg m)]
   double unused;
+};
+
+template <>
+struct DiskState<false, 3>
+{
+  double velocity[3];
+  double inverse_mass;
+};
+
+template <>
+struct DiskState<true, 3>
+{
+  double velocity[3];
+  double inverse_mass;
+  std::array<double, 3> angular_velocity; ///< [rad/s]
+  double inverse_inertia;                 ///< [1/(kg m^2)]
 };
 
 /// What a contact knows beyond the normal direction.
@@ -47,16 +64,24 @@ struct DiskRowExtra<3> : DiskRowExtra<2>
   double rolling; ///< [m]
 };
 
+/// What it knows in space is the same as with friction in the plane.
+template <>
+struct DiskRowExtra<4> : DiskRowExtra<2>
+{
+};
+
 /**
- * @brief A contact as the sweeps see it: 48 bytes without friction, 88 with it, 112 with rolling resistance.
+ * @brief A contact as the sweeps see it: in the plane 48 bytes without friction, 88 with it, 112 with rolling
+ * resistance.
  *
- * @tparam n impulses: 1 normal, 2 with friction, 3 with rolling resistance
+ * @tparam n impulses: 1 normal; in the plane 2 with friction, 3 with rolling resistance; in space 4 with
+ * friction, which is a vector
  */
-template <unsigned int n>
+template <unsigned int n, int dim = 2>
 struct DiskRow : DiskRowExtra<n>
 {
   std::uint32_t a, b; ///< indices into the packed bodies
-  double normal[2];
+  double normal[dim];
   double gap_velocity; ///< [m/s]
   double impulse[n];
   double previous[n]; ///< impulse before the last sweep, for the momentum
@@ -76,6 +101,9 @@ struct DiskCompliance
 {
   double normal;                                       ///< [m/kg]
   double tangential = 0., rolling = 0., coupling = 0.; ///< [m/kg], [1/(kg m)], [1/kg]
+
+  /// Compliance of component @p c of the impulse.
+  double of(const unsigned int c) const { return c == 0 ? normal : n == 4 || c == 1 ? tangential : rolling; }
 };
 
 /**
@@ -85,9 +113,10 @@ struct DiskCompliance
  * @tparam wall b is a wall: impulses move it along the normal, and with inverse_inertia for an inverse mass
  *              along the tangent; it does not turn
  */
-template <unsigned int n, bool wall>
+template <unsigned int n, bool wall, int dim = 2>
 struct DiskContact
 {
+  static_assert(dim == 2);
   using State = DiskState<(n > 1)>;
   using Row = DiskRow<n>;
 

@@ -42,7 +42,7 @@ public:
    * @param colour_end ranges before the end of each colour
    */
   DiskShare(const Ranks &ranks,
-            const DiskContacts &contacts,
+            const ContactOrder &contacts,
             const std::vector<std::uint32_t> &number_of,
             std::size_t n_bodies,
             const std::vector<ContactRange> &ranges,
@@ -123,12 +123,12 @@ private:
 
   std::pair<std::uint32_t, std::uint32_t> range_of(std::size_t colour, unsigned int rank) const;
   void divide(const std::vector<std::uint32_t> &colour_end);
-  void find_exchanges(const DiskContacts &contacts,
+  void find_exchanges(const ContactOrder &contacts,
                       const std::vector<std::uint32_t> &number_of,
                       std::size_t n_bodies);
   /// Calls work(colour, rank, number of a body) for both bodies of every contact.
   template <class Work>
-  void for_bodies(const DiskContacts &contacts,
+  void for_bodies(const ContactOrder &contacts,
                   const std::vector<std::uint32_t> &number_of,
                   const Work &work) const;
   /// Gives all ranks what each has in its parts of @p numbers; part(begin, end) says where that of some

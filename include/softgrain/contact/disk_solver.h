@@ -18,7 +18,7 @@ namespace softgrain::contact
 /// Contacts below which other threads or ranks would cost more than they do.
 constexpr std::size_t contacts_to_share = 4000;
 
-/// Ways to solve the contacts between disks.
+/// Ways to solve the contacts between disks, or balls.
 enum class DiskAlgorithm
 {
   gauss_seidel, ///< plain sweeps, with relaxation
@@ -65,6 +65,9 @@ DiskSolverReport solve_disks(DiskBodies &bodies,
                              const DiskSolverSettings &settings,
                              const Ranks *ranks = nullptr,
                              const DiskExchanges *exchanges = nullptr);
+
+/// Solves the contacts between balls in space, on this rank alone.
+DiskSolverReport solve_balls(BallBodies &bodies, BallContacts &contacts, const DiskSolverSettings &settings);
 } // namespace softgrain::contact
 
 #endif

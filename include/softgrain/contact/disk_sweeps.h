@@ -2,6 +2,7 @@
 #ifndef softgrain_contact_disk_sweeps_h
 #define softgrain_contact_disk_sweeps_h
 
+#include <softgrain/contact/ball_rows.h>
 #include <softgrain/contact/disk_rows.h>
 #include <softgrain/contact/disk_share.h>
 #include <softgrain/contact/disk_system.h>
@@ -26,14 +27,19 @@ namespace softgrain::contact
  * Several ranks share the contacts, see DiskShare; each packs and sweeps its own. Where all know all
  * contacts, store_impulses() and store_velocities() make all known to all. All ranks call the same in the
  * same order.
- * @tparam n impulses of a contact: 1 normal, 2 with friction, 3 with rolling resistance
+ * @tparam n impulses of a contact: 1 normal; in the plane 2 with friction, 3 with rolling resistance; in
+ * space 4 with friction, which is a vector
  * @tparam in_cell contacts know their branch, and a cell that deforms parts or closes them. Where that is
- * free to deform, it has a part in all contacts, which are then swept one after the other
+ * free to deform, it has a part in all contacts, which are then swept one after the other. In the plane
+ * @tparam dim 2: disks, 3: balls
  */
-template <unsigned int n, bool in_cell = false>
+template <unsigned int n, bool in_cell = false, int dim = 2>
 class DiskSweeps
 {
 public:
+  using Bodies = RoundBodies<dim>;
+  using Contacts = RoundContacts<dim>;
+
   /// What measure() finds.
   struct Measure
   {
@@ -44,8 +50,8 @@ public:
   /// Packs; set_free_velocities() comes next. All arguments have to stay. Several @p ranks share the
   /// contacts, unless the cell is free to deform; null: this process sweeps all. With @p exchanges each of
   /// them has its own contacts and bodies alone.
-  DiskSweeps(const DiskBodies &bodies,
-             const DiskContacts &contacts,
+  DiskSweeps(const Bodies &bodies,
+             const Contacts &contacts,
              ThreadTeam &team,
              const Ranks *ranks = nullptr,
              const DiskExchanges *exchanges = nullptr);
@@ -84,14 +90,17 @@ public:
   void wall_impulses(std::vector<double> &sums) const;
 
   /// Impulses to @p contacts, in the order that they came in.
-  void store_impulses(DiskContacts &contacts);
+  void store_impulses(Contacts &contacts);
   /// Velocities to @p bodies; those without contact stay as they are.
-  void store_velocities(DiskBodies &bodies);
+  void store_velocities(Bodies &bodies);
 
 private:
-  using Row = std::conditional_t<in_cell, DiskRowInCell<n>, DiskRow<n>>;
-  using State = DiskState<(n > 1)>;
-  static constexpr unsigned int n_velocities = n > 1 ? 3 : 2;
+  using Row = std::conditional_t<in_cell, DiskRowInCell<n>, DiskRow<n, dim>>;
+  using State = DiskState<(n > 1), dim>;
+  template <bool wall>
+  using Contact = DiskContact<n, wall, dim>;
+  /// Components of a velocity, and of a rotation behind it.
+  static constexpr unsigned int n_velocities = n == 1 ? dim : dim == 2 ? 3 : 6;
 
   using Range = ContactRange;
 
@@ -107,7 +116,10 @@ private:
 
   double &velocity(const std::size_t body, const unsigned int component)
   {
-    if constexpr (n > 1)
+    if constexpr (n == 4)
+      if (component >= 3)
+        return states[body].angular_velocity[component - 3];
+    if constexpr (n > 1 && dim == 2)
       if (component == 2)
         return states[body].angular_velocity;
     return states[body].velocity[component];
@@ -128,8 +140,8 @@ private:
   template <class Work>
   static void interleave(Range range, const Work &work);
 
-  const DiskBodies &bodies;
-  const DiskContacts &contacts;
+  const Bodies &bodies;
+  const Contacts &contacts;
   ThreadTeam &team;
 
   // Not vectors: those would fill them on one thread before all threads do.

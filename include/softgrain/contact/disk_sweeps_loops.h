@@ -16,9 +16,9 @@ constexpr std::uint32_t disk_bodies_per_piece = 2048;
 /// Parts of a range that take turns.
 constexpr std::uint32_t disk_lanes = 4;
 
-template <unsigned int n, bool in_cell>
+template <unsigned int n, bool in_cell, int dim>
 template <class Work>
-void DiskSweeps<n, in_cell>::interleave(const Range range, const Work &work)
+void DiskSweeps<n, in_cell, dim>::interleave(const Range range, const Work &work)
 {
   const std::uint32_t length = (range.last - range.first + disk_lanes - 1) / disk_lanes;
   std::uint32_t row = range.first;
@@ -27,18 +27,18 @@ void DiskSweeps<n, in_cell>::interleave(const Range range, const Work &work)
       work(row++, contact);
 }
 
-template <unsigned int n, bool in_cell>
+template <unsigned int n, bool in_cell, int dim>
 template <class Work>
-void DiskSweeps<n, in_cell>::run(const std::pair<std::uint32_t, std::uint32_t> some, const Work &work)
+void DiskSweeps<n, in_cell, dim>::run(const std::pair<std::uint32_t, std::uint32_t> some, const Work &work)
 {
   const std::uint32_t first = some.first, walls = ranges.size() - 1;
   team.run(some.second - first,
            [&](const std::uint32_t i) { work(ranges[first + i], first + i == walls, first + i); });
 }
 
-template <unsigned int n, bool in_cell>
+template <unsigned int n, bool in_cell, int dim>
 template <class Work>
-void DiskSweeps<n, in_cell>::for_ranges(const Work &work)
+void DiskSweeps<n, in_cell, dim>::for_ranges(const Work &work)
 {
   if (in_cell && cell.is_free())
   {
@@ -66,9 +66,9 @@ void DiskSweeps<n, in_cell>::for_ranges(const Work &work)
   run({first, first + 1}, work);
 }
 
-template <unsigned int n, bool in_cell>
+template <unsigned int n, bool in_cell, int dim>
 template <class Work>
-void DiskSweeps<n, in_cell>::for_ranges_at_once(const Work &work)
+void DiskSweeps<n, in_cell, dim>::for_ranges_at_once(const Work &work)
 {
   if (!share)
     run({0, ranges.size()}, work);
@@ -77,9 +77,9 @@ void DiskSweeps<n, in_cell>::for_ranges_at_once(const Work &work)
       run(share->own_ranges(colour), work);
 }
 
-template <unsigned int n, bool in_cell>
+template <unsigned int n, bool in_cell, int dim>
 template <class Work>
-void DiskSweeps<n, in_cell>::for_bodies(const Work &work)
+void DiskSweeps<n, in_cell, dim>::for_bodies(const Work &work)
 {
   const auto in_pieces = [&](const std::size_t number, const auto &one)
   {

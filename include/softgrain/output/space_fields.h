@@ -11,7 +11,7 @@
 namespace softgrain::space_fields
 {
 /// Material points: body, volume, stress, von Mises stress, pressure and, if it is wanted, F.
-void fill_points(VtuFile &file, const PointStates<3> &points, bool deformation_gradient);
+void fill_points(VtuFile &file, const PointStates<3> &points, bool deformation_gradient, bool extra);
 
 /// Bodies as triangles, with what belongs to a body on each.
 void fill_surfaces(VtuFile &file, const std::vector<BodyState<3>> &bodies);

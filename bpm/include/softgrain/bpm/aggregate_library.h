@@ -21,9 +21,9 @@ public:
   explicit AggregateLibrary(const std::string &file);
 
   /// The aggregate kept under @p key, or null.
-  const Aggregate *find(const std::string &key) const;
+  const Aggregate<2> *find(const std::string &key) const;
 
-  void add(const std::string &key, const Aggregate &aggregate);
+  void add(const std::string &key, const Aggregate<2> &aggregate);
 
   /// Writes the file, whole or not at all, if something was added. @throw InputError when it cannot be
   /// written.
@@ -31,7 +31,7 @@ public:
 
 private:
   std::string file;
-  std::map<std::string, Aggregate> aggregates;
+  std::map<std::string, Aggregate<2>> aggregates;
   bool changed = false;
 };
 

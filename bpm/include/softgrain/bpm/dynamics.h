@@ -4,6 +4,7 @@
 
 #include <softgrain/base/exact_sum.h>
 #include <softgrain/bpm/attraction.h>
+#include <softgrain/bpm/attraction_batch.h>
 #include <softgrain/bpm/dynamics_report.h>
 #include <softgrain/bpm/dynamics_settings.h>
 #include <softgrain/bpm/primaries.h>
@@ -239,8 +240,7 @@ private:
 
   /// Gap up to which a pair is looked at [mean diameters].
   double contact_reach() const;
-  struct Scratch;
-  void attract_and_find(std::size_t tile, Scratch &scratch);
+  void attract_and_find(std::size_t tile, AttractionBatch<2> &batch);
   void collect(const std::vector<Wall> &walls);
   void collect_obstacles(std::size_t n_walls);
   /// Impulses of the last step of a primary at piece @p surface of the line with pieces from @p first to

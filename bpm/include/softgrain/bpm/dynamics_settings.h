@@ -31,6 +31,8 @@ struct DynamicsSettings
   bool any_rolling() const { return rolling_resistance > 0. || inner_rolling_resistance > 0.; }
   /// Whether rotations of the primaries matter.
   bool rotations() const;
+  /// Gap beyond which no pair counts as near, however fast it closes [mean diameters].
+  double reach() const;
 };
 } // namespace softgrain::bpm
 

@@ -30,11 +30,16 @@ enum class Settling
  * @param how far
  * @throw ComputationError when it does not come to rest wholly
  */
-void settle(Aggregate &aggregate,
+template <int dim>
+void settle(Aggregate<dim> &aggregate,
             const std::string &name,
             double density,
             const std::shared_ptr<const Attraction> &attraction,
             Settling how);
+
+/// Moves the balls of an aggregate towards the origin, to places so many times nearer as far as the others
+/// leave them room, with inelastic contacts.
+void draw_together(Aggregate<3> &aggregate, double factor);
 } // namespace softgrain::bpm
 
 #endif
