@@ -208,9 +208,10 @@ private:
   }
 };
 
-[[maybe_unused]] const bool registered = Registry<ModelFactory>::instance().add(
-    "bpm",
-    "Bonded particles: aggregates of rigid disks that attract each other, with contact dynamics.",
-    [] { return std::make_unique<BpmFactory>(); });
+[[maybe_unused]] const bool registered =
+    Registry<ModelFactory>::instance().add("bpm",
+                                           "Bonded particles: aggregates of rigid disks, in space balls, "
+                                           "that attract each other, with contact dynamics.",
+                                           [] { return std::make_unique<BpmFactory>(); });
 } // namespace
 } // namespace softgrain::bpm

@@ -33,8 +33,9 @@ double whole_power(double x, unsigned int n)
 void PowerLaw::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using dealii::Patterns::Double;
-  prm.declare_entry("Force at contact", "100", Double(0.),
-                    "F0, the attraction of two primaries that touch, which is the largest. Units: N/m.");
+  prm.declare_entry(
+      "Force at contact", "100", Double(0.),
+      "F0, the attraction of two primaries that touch, which is the largest; in space in N. Units: N/m.");
   prm.declare_entry("Exponent", "7", Double(1.01, 100.), "Exponent gamma of the force. Units: none.");
   declare_cutoff(prm);
 }

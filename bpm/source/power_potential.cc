@@ -18,9 +18,9 @@ namespace
 void PowerPotential::declare_parameters(dealii::ParameterHandler &prm) const
 {
   using dealii::Patterns::Double;
-  prm.declare_entry(
-      "Characteristic force", "100", Double(0.),
-      "F0: the energy at contact is -F0 a0, the force at contact F0 times the exponent. Units: N/m.");
+  prm.declare_entry("Characteristic force", "100", Double(0.),
+                    "F0: the energy at contact is -F0 a0, the force at contact F0 times the exponent; in "
+                    "space in N. Units: N/m.");
   prm.declare_entry("Exponent", "7", Double(0.01, 99.), "Exponent gamma of the potential. Units: none.");
   PowerLaw::declare_cutoff(prm);
 }

@@ -375,9 +375,9 @@ void CommandLine::print_parameters() const
     throw InputError("this program was built without any model");
   const bool has_mpm = std::find(models.begin(), models.end(), "mpm") != models.end();
   const std::string shown = !model.empty() ? model : has_mpm ? "mpm" : models.front();
-  if ((dimension != 2 && dimension != 3) || (dimension == 3 && shown != "mpm"))
+  if ((dimension != 2 && dimension != 3) || (dimension == 3 && shown != "mpm" && shown != "bpm"))
     throw InputError("'--dimension' = '" + std::to_string(dimension) +
-                     "' is not allowed: it must be 2 or, for the model mpm, 3");
+                     "' is not allowed: it must be 2 or, for the models mpm and bpm, 3");
   declare_all_parameters(prm, shown, names, dimension);
   prm.set("Model", shown);
   prm.set("Dimension", std::to_string(dimension));
