@@ -30,11 +30,11 @@ namespace softgrain::bpm
 class SpaceModel final : public Model<3>
 {
 public:
+  using Laws = std::vector<std::shared_ptr<const Attraction>>;
+
   /// @param laws attraction of every material
   /// @throw InputError when primaries lie in each other or behind a wall
-  SpaceModel(const Scene<3> &scene,
-             const Settings &settings,
-             const std::vector<std::shared_ptr<const Attraction>> &laws);
+  SpaceModel(const Scene<3> &scene, const Settings &settings, const Laws &laws);
 
   std::string name() const override { return "bpm"; }
   StepReport advance(double dt_limit) override;
@@ -63,7 +63,6 @@ public:
   const BallDynamics &motion() const { return *dynamics; }
 
 private:
-  using Laws = std::vector<std::shared_ptr<const Attraction>>;
   using Accelerations = std::vector<std::vector<std::array<double, 3>>>;
 
   /// Aggregates for all bodies, each of those that differ once.
