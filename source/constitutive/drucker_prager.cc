@@ -84,11 +84,11 @@ template <int dim>
 typename DruckerPrager<dim>::Projection
 DruckerPrager<dim>::project_on_cap(const double p, const double q, const Cap &cap) const
 {
-  // In u and y the elastic energy is (u^2 + y^2) / 2, up to a shift, and the cap an ellipse of half axes A,
-  // B.
-  const double a = std::sqrt(this->lambda + 2. / 3. * this->mu), b = std::sqrt(3 * this->mu);
-  const double A = (cap.end - cap.start) / a, B = cap.top / b;
-  const double u_trial = (p - cap.start) / a, y_trial = q / b;
+  // In u and y the elastic energy is (u^2 + y^2) / (6 mu), up to a shift, and the cap an ellipse of half axes
+  // A, B. All are stresses: a root of a stress would not be the same bits in all units.
+  const double a = std::sqrt((this->lambda + 2. / 3. * this->mu) / (3 * this->mu));
+  const double A = (cap.end - cap.start) / a, B = cap.top;
+  const double u_trial = (p - cap.start) / a, y_trial = q;
   // u = u_trial / (1 + t/A^2), and so for y: what is left over is convex in t and falls; Newton from the
   // left.
   double t = std::max({0., A * (u_trial - A), B * (y_trial - B)}), c_u = 1, c_y = 1, u = 0, y = 0;
@@ -106,11 +106,11 @@ DruckerPrager<dim>::project_on_cap(const double p, const double q, const Cap &ca
   // The normal of the ellipse, softened by c, is what the derivative lacks.
   const double n_u = u / A, n_y = y / B, normal = c_u * n_u * n_u + c_y * n_y * n_y;
   const double cross = -c_u * n_u * c_y * n_y / normal;
-  Projection result{cap.start + a * A * u, b * B * y, c_y};
+  Projection result{cap.start + a * A * u, B * y, c_y};
   result.pp = c_u - c_u * n_u * c_u * n_u / normal;
   result.qq = c_y - c_y * n_y * c_y * n_y / normal;
-  result.pq = cross * a / b;
-  result.qp = cross * b / a;
+  result.pq = cross * a;
+  result.qp = cross / a;
   return result;
 }
 

@@ -15,6 +15,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -37,7 +38,15 @@ std::mutex &trilinos_in_use()
   return mutex;
 }
 
-/// The lower triangle of a body's matrix as a full Trilinos matrix of this process alone.
+/// The power of two that brings @p x to between 1 and 2, exactly.
+double to_one(const double x)
+{
+  return x > 0. && std::isfinite(x) ? std::exp2(-std::ilogb(x)) : 1.;
+}
+
+/// The lower triangle of a body's matrix as a full Trilinos matrix of this process alone. Matrix and right
+/// side are brought to numbers near 1 by powers of two, so Trilinos, whose thresholds have no unit, sees the
+/// same bits in all units that are powers of two of each other.
 class TrilinosBase : public LinearSolver
 {
 public:
@@ -54,6 +63,7 @@ public:
       lay_out(lower);
       source.clear_pattern_flag();
     }
+    scale = to_one(lower.valuePtr()[lower.outerIndexPtr()[0]]);
     fill(lower);
     prepare(source);
     return true;
@@ -64,13 +74,15 @@ public:
   void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
   {
     const std::lock_guard<std::mutex> lock(trilinos_in_use());
-    right.set(indices.size(), indices.data(), b.data());
+    const double of_right = to_one(b.lpNorm<Eigen::Infinity>());
+    x = of_right * b;
+    right.set(indices.size(), indices.data(), x.data());
     right.compress(dealii::VectorOperation::insert);
     solution = 0.;
     if (right.l2_norm() > 0.)
       apply();
-    x.resize(b.size());
     solution.extract_subvector_to(indices.begin(), indices.end(), x.data());
+    x *= scale / of_right;
   }
 
   void condense(const Rows &rows, Eigen::MatrixXd &W) override
@@ -95,6 +107,7 @@ protected:
   Wrappers::MPI::Vector right, solution;
 
 private:
+  double scale = 1.; ///< of the matrix
   void lay_out(const SystemMatrix::Sparse &lower)
   {
     const int n = lower.rows();
@@ -126,7 +139,8 @@ private:
   /// Row by row: entry by entry takes longer than multigrid.
   void fill(const SystemMatrix::Sparse &lower)
   {
-    by_row(lower, [this](const std::size_t place, int, const double value) { values[place] = value; });
+    by_row(lower,
+           [this](const std::size_t place, int, const double value) { values[place] = scale * value; });
     for (std::size_t i = 0; i < indices.size(); ++i)
       matrix.set(i, begin_of_row[i + 1] - begin_of_row[i], columns.data() + begin_of_row[i],
                  values.data() + begin_of_row[i], false);
@@ -209,6 +223,8 @@ private:
   void prepare(const SystemMatrix &source) override
   {
     motions = source.rigid_motions();
+    for (Eigen::Index c = 0; c < motions.cols(); ++c)
+      motions.col(c) *= to_one(motions.col(c).lpNorm<Eigen::Infinity>());
     prepare_multigrid(amg, matrix, motions, dim);
   }
 

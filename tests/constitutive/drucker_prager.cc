@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Drucker-Prager with a cap: where pressure, tension, shear without change of volume and their mixtures end
-// up, in closed form or on the surface; what is dissipated; and the properties of every law.
+// up, in closed form or on the surface; what is dissipated; the same bits with stresses twice as large, which
+// is exact but for roots of a stress; and the properties of every law.
 #include "law_point.h"
 #include "law_properties.h"
 
@@ -75,6 +76,19 @@ int main()
   const double u = (p(*mixed) - start) / (end - start), v = q(*mixed) / (d + m * start);
   std::cout << "  on the cap: " << u * u + v * v << ", off its ends: " << (u > 0.1 && v > 0.1 ? "yes" : "no")
             << '\n';
+  Settings twice = settings;
+  for (auto &[name, value] : twice)
+    if (name != "Poisson's ratio" && name != "Friction")
+      value = std::to_string(2 * std::stod(value));
+  LawPoint<3> once("drucker_prager", settings), doubled("drucker_prager", twice);
+  bool same = true;
+  for (unsigned int i = 1; i <= 50; ++i)
+  {
+    once.go_to(axes(-4e-4 * i, 1e-5 * i, 0));
+    doubled.go_to(axes(-4e-4 * i, 1e-5 * i, 0));
+    same = same && (2. * once.last.stress - doubled.last.stress).norm() == 0.;
+  }
+  std::cout << "compressed with stresses twice as large: the same bits " << (same ? "yes" : "no") << '\n';
   bool holds = true;
   for (const char *friction : {"0", "0.6"})
     for (const char *cohesion : {"1e7", "2e8"})

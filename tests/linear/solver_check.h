@@ -36,8 +36,8 @@ inline Eigen::Matrix<double, 8, 8> element()
   return K;
 }
 
-/// The square with @p n elements along an edge.
-inline SystemMatrix square(const unsigned int n)
+/// The square with @p n elements along an edge. @param stiffness factor of its matrix
+inline SystemMatrix square(const unsigned int n, const double stiffness = 1.)
 {
   std::vector<std::vector<unsigned int>> cells;
   for (unsigned int j = 0; j < n; ++j)
@@ -62,10 +62,10 @@ inline SystemMatrix square(const unsigned int n)
         c,
         [&](const unsigned int a, const unsigned int e, const unsigned int b, const unsigned int d)
         { return K(2 * a + e, 2 * b + d); },
-        1.);
+        stiffness);
   Eigen::VectorXd springs = Eigen::VectorXd::Zero((n + 1) * (n + 1));
   springs.head(n + 1).setConstant(100.);
-  matrix.add_mass<2>(springs, 1.);
+  matrix.add_mass<2>(springs, stiffness);
   return matrix;
 }
 
