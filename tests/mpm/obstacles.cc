@@ -2,7 +2,8 @@
 // Obstacles and soft disks: one that rests on two ends presses on them along its radii; one in a groove
 // presses on both flanks alike; a plate that rises is the wall that rises so, with and without friction and
 // inertia; a disk in an arc swings with the period of a pendulum, sliding or rolling; a small disk that
-// touches the end of a plate which leans over it is at rest, for no part of it went through the plate.
+// touches the end of a plate which leans over it is at rest, for no part of it went through the plate; of a
+// plate that turns energies balance, wherever the scene stands.
 #include "gel.h"
 #include "scene_of.h"
 
@@ -235,6 +236,31 @@ void at_the_end_of_a_plate()
     }
   std::cout << "at the end of a plate: energy " << energy << '\n';
 }
+
+/// A plate under a disk turns about a pivot to the right of it and throws it up.
+void turns(const double friction)
+{
+  for (const double x : {0., 64e-3})
+  {
+    std::ostringstream points, pivot, center, lower, upper, strength;
+    points << "Obstacles/plate/Points=" << x - 12e-3 << ", -5.1e-3; " << x + 12e-3 << ", -5.1e-3";
+    pivot << "Obstacles/plate/Pivot=" << x + 12e-3 << ", -5.1e-3";
+    center << "Bodies/disk/Center=" << x << ", 0";
+    lower << "Mesh/Lower=" << x - 16e-3 << ", -16e-3";
+    upper << "Mesh/Upper=" << x + 16e-3 << ", 16e-3";
+    strength << "Obstacles/plate/Friction=" << friction;
+    const auto model =
+        scene_of_text(disk_scene("subsection Obstacles\n set Names = plate\n subsection plate\n set Angle = "
+                                 "-1000*t\n set Points = 0, 0; 1, 0\n end\nend\n"),
+                      {points.str(), pivot.str(), center.str(), lower.str(), upper.str(), strength.str(),
+                       "Contact/Sub-grid compliance=false", "Time/Time step=1e-4"});
+    EnergyWatch energy(*model);
+    run_until(*model, 4e-3, [&](const StepReport &) { energy.look(*model); });
+    std::cout << "plate that turns, friction " << friction << ", the scene at " << x << ": "
+              << (model->snapshot().bodies[0].velocity[1] > 0.2 ? "thrown up" : "NOT thrown up")
+              << ", energy error " << below(1e-3, energy.error()) << '\n';
+  }
+}
 } // namespace
 
 int main(int, char **argv)
@@ -243,6 +269,8 @@ int main(int, char **argv)
   on_two_ends();
   in_a_groove();
   at_the_end_of_a_plate();
+  turns(0.);
+  turns(0.4);
   plate_and_wall("in motion", {"Time/Time step=1e-4"}, 4e-3);
   plate_and_wall("in balance",
                  {"Time/Scheme=quasi_static", "Time/Time step=5e-4", "Bodies/disk/Angular velocity=0"}, 4e-3);

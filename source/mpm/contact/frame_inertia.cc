@@ -54,7 +54,8 @@ typename FrameState<dim>::Vector FrameState<dim>::parted(const unsigned int k,
                                                          const Vector &wall_way) const
 {
   const RayHere &here = rays[k];
-  Vector way = -1. * way_of_partner(wall_way, here.start[0]);
+  // Places at the start are known where there is friction alone.
+  Vector way = -1. * way_of_partner(wall_way, rubs(k) ? here.start[0] : here.side[0].place);
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
       way += sign(side) *

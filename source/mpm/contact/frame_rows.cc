@@ -84,6 +84,8 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
         // Friction does its work between the places that it holds together.
         row.normal = dealii::Tensor<1, 2>({-ray.e[0][1], ray.e[0][0]});
         row.friction = frame.friction_coefficient();
+        if (frame.obstacle() != nullptr)
+          row.partner_velocity = frame.obstacle()->way_of(ray.start[0]) / scene.dt;
         given += frame.in_space(k, rubbing[f][k]);
       }
       row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function);
