@@ -8,6 +8,32 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+/// The integral of the share over the way on which a contact is still held, in the mean over a part of it
+/// along which the gap goes linearly from @p start to @p end [m]. A gap t lies on that way where the contact
+/// is nearer than t, so it is the share at t times the part that is nearer: three points of Gauss between the
+/// kinks of that part.
+double mean_way(const Adhesion &adhesion, const double memory, const double start, const double end)
+{
+  constexpr double root = 0.7745966692414834;
+  constexpr std::array<double, 3> at = {{0.5 - 0.5 * root, 0.5, 0.5 + 0.5 * root}},
+                                  weight = {{5. / 18., 8. / 18., 5. / 18.}};
+  const double reach = adhesion.reach();
+  const std::array<double, 4> kinks = {
+      {0., std::clamp(std::min(start, end), 0., reach), std::clamp(std::max(start, end), 0., reach), reach}};
+  double sum = 0.;
+  for (unsigned int piece = 0; piece < 3; ++piece)
+    for (unsigned int q = 0; q < at.size(); ++q)
+    {
+      const double length = kinks[piece + 1] - kinks[piece], t = kinks[piece] + at[q] * length;
+      if (length > 0.)
+        sum += weight[q] * length * adhesion.mean_share(memory, t, t) * part_within(t, start, end);
+    }
+  return sum;
+}
+} // namespace
+
 /// How far across the rays it is from one of them to the end of the side that it meets, @p direction 1 or -1;
 /// no more than their spacing [m].
 template <int dim>
@@ -66,6 +92,26 @@ double FrameState<dim>::pull_now(const FrameScene<dim> &scene, const unsigned in
   return strength * sum;
 }
 
+/// Likewise [J/m].
+template <int dim>
+double FrameState<dim>::parts_for_now(const FrameScene<dim> &scene, const unsigned int k) const
+{
+  double sum = 0.;
+  for (const HalfLength &half : half_lengths(scene, k))
+    sum += half.length * mean_way(*scene.adhesion, rays[k].memory, rays[k].gap, half.gap);
+  return strength * sum;
+}
+
+template <int dim>
+double FrameState<dim>::adhesion_work(const FrameScene<dim> &scene) const
+{
+  double sum = 0.;
+  for (unsigned int k = 0; k < rays.size() && strength != 0.; ++k)
+    if (rays[k].met && !rays[k].left)
+      sum += parts_for_now(scene, k) - rays[k].parts_for;
+  return sum;
+}
+
 template <int dim>
 void FrameState<dim>::find_pulls(const FrameScene<dim> &scene, const bool held)
 {
@@ -80,6 +126,8 @@ void FrameState<dim>::find_pulls(const FrameScene<dim> &scene, const bool held)
     ray.pull = pull_now(scene, k);
     if (held)
       ray.pull = 0.5 * (ray.pull + frame.rays[k].pull);
+    if (!inertia())
+      ray.parts_for = parts_for_now(scene, k);
   }
 }
 
@@ -111,5 +159,6 @@ double FrameState<dim>::memory_after(const FrameScene<dim> &scene,
 
 template void FrameState<2>::find_pulls(const FrameScene<2> &, bool);
 template double FrameState<2>::pull_to_come(const FrameScene<2> &) const;
+template double FrameState<2>::adhesion_work(const FrameScene<2> &) const;
 template double FrameState<2>::memory_after(const FrameScene<2> &, unsigned int, double, double) const;
 } // namespace softgrain::mpm

@@ -38,6 +38,7 @@ void account_contacts(
     wall.work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
   };
   state.balance.subgrid_energy = step.dents;
+  state.balance.adhesion_work += step.adhesion_work;
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   const std::vector<double> &P = work.contact.impulses();
@@ -66,12 +67,11 @@ void account_contacts(
       }
       if (cell)
         virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
-      if (c == 0)
+      if (c == 0 && !balanced)
       {
         const double pulled = contact.adhesion_work(r);
         state.balance.adhesion_work += pulled;
-        if (!balanced)
-          state.balance.contact_loss += pulled - rows[r].work_beyond;
+        state.balance.contact_loss += pulled - rows[r].work_beyond;
       }
       // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
       // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.

@@ -204,6 +204,7 @@ void RayStep::accept(State &state_to_change)
   {
     frames[f].add_kinks(force[f], rubbing[f], found.kinks);
     found.dents += frames[f].dent_energy(force[f]);
+    found.adhesion_work += frames[f].adhesion_work(scene);
   }
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
     for (const unsigned int side : {0, 1})

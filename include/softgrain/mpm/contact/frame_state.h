@@ -75,12 +75,14 @@ public:
       return 0.;
     return rays[k].pull > 0. && force <= 0. && free_gap(k) > 0. ? least : std::max(force, least);
   }
-  /// Finds by how much rays pull in this step: what adhesion does where surfaces are as the step begins, as
-  /// they have just been met.
+  /// Finds by how much rays pull in this step: what adhesion does where they were met as the step begins.
   /// @param held the step seeks balance only: pulls go half-way there
   void find_pulls(const FrameScene<dim> &scene, bool held);
   /// The difference of what rays pull to what they would pull where they were last met [N/m].
   double pull_to_come(const FrameScene<dim> &scene) const;
+  /// What adhesion does in a step without inertia: parting takes as much less where rays were last met than
+  /// at the start [J/m]. Whatever the pull of the step, what comes near and goes again leaves nothing.
+  double adhesion_work(const FrameScene<dim> &scene) const;
 
   /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
   /// those without force that cannot have come within @p within since they were last met. No place has moved
@@ -339,6 +341,7 @@ private:
   };
   std::array<HalfLength, 2> half_lengths(const FrameScene<dim> &scene, unsigned int k) const;
   double pull_now(const FrameScene<dim> &scene, unsigned int k) const;
+  double parts_for_now(const FrameScene<dim> &scene, unsigned int k) const;
   bool has_neighbour(unsigned int k, int direction) const;
   double way_to_edge(const FrameScene<dim> &scene, unsigned int k, double direction) const;
   double memory_after(const FrameScene<dim> &scene, unsigned int k, double force, double rubbing) const;

@@ -27,9 +27,10 @@ struct RayHere
   double at_start = 0; ///< gap at the start of the step [m]
   double beyond =
       0; ///< what its gap opens beside the way of the places that its row stands for, with inertia [m]
-  double stays = 0;  ///< what the step leaves closed of an overlap with which it began [m]
-  double pull = 0;   ///< with which adhesion holds the surfaces together [N/m]
-  double memory = 0; ///< of a contact law that remembers
+  double stays = 0;     ///< what the step leaves closed of an overlap with which it began [m]
+  double pull = 0;      ///< with which adhesion holds the surfaces together [N/m]
+  double memory = 0;    ///< of a contact law that remembers
+  double parts_for = 0; ///< what parting takes from adhesion, as the step begins [J/m]
 
   // Of friction; vectors of e are 0 where there is none.
   std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step

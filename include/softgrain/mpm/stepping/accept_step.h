@@ -26,6 +26,7 @@ struct FoundStep
   std::vector<dealii::Tensor<1, 2>> resistance = {}; ///< as State::resistance
   ContactKinks kinks = {};                           ///< without inertia
   double dents = 0;                                  ///< energy in what the grid misses of them [J/m]
+  double adhesion_work = 0;                          ///< likewise without inertia [J/m]
 };
 
 /**
