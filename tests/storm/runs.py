@@ -99,17 +99,18 @@ class Program:
             scene.values = {path: value for path, value in scene.values.items() if not path.startswith("Linear solver/")}
         return scene
 
-    def run(self, scene, folder, threads=1, more=(), keep=False):
-        """Runs a scene in a folder of its own. Code 124 says that it did not end."""
+    def run(self, scene, folder, threads=1, more=(), keep=False, limit=0):
+        """Runs a scene in a folder of its own. Code 124 says that it did not end. @param limit: where it may take longer"""
+        limit = max(limit, self.limit)
         if not keep:
             shutil.rmtree(folder, ignore_errors=True)
             scene.save(folder)
         words = [str(self.path), "run", "scene.prm", "--threads", str(threads), "--output", "out", *more]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         try:
-            done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, timeout=10 * self.limit,
+            done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, timeout=10 * limit,
                                   env={**os.environ, "TMPDIR": str(folder), "OPENBLAS_NUM_THREADS": "1"},
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (self.limit, self.limit + 5)))
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
             code, message = done.returncode, done.stderr.strip()
         except subprocess.TimeoutExpired:
             code, message = 124, ""
