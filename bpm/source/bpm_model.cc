@@ -32,21 +32,21 @@ constexpr double share_of_damping = 0.2;
 /// What a step changes of an obstacle; formulas are dear to copy.
 struct Felt
 {
-  Pose now;
-  ObstacleMotion way;
+  Pose<2> now;
+  ObstacleMotion<2> way;
   dealii::Tensor<1, 2> force;
   double torque, work;
 };
 
-std::vector<Felt> felt_by(const std::vector<Obstacle> &obstacles)
+std::vector<Felt> felt_by(const std::vector<Obstacle<2>> &obstacles)
 {
   std::vector<Felt> felt;
-  for (const Obstacle &one : obstacles)
+  for (const Obstacle<2> &one : obstacles)
     felt.push_back({one.now, one.way, one.force, one.torque, one.work});
   return felt;
 }
 
-void put_back(const std::vector<Felt> &felt, std::vector<Obstacle> &obstacles)
+void put_back(const std::vector<Felt> &felt, std::vector<Obstacle<2>> &obstacles)
 {
   for (std::size_t o = 0; o < obstacles.size(); ++o)
   {
@@ -63,7 +63,7 @@ BpmModel::~BpmModel() = default;
 
 void BpmModel::drive_walls(const double dt)
 {
-  for (Obstacle &obstacle : moving_obstacles)
+  for (Obstacle<2> &obstacle : moving_obstacles)
     obstacle.plan(now, dt);
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {

@@ -113,7 +113,7 @@ void BpmModel::read_wall_contacts(const StateReader &in)
 {
   const char *const name = "bpm/wall_contacts/indices";
   std::size_t n_surfaces = moving_walls.size();
-  for (const Obstacle &obstacle : moving_obstacles)
+  for (const Obstacle<2> &obstacle : moving_obstacles)
     n_surfaces += obstacle.description.pieces.size();
   const std::vector<std::uint64_t> indices = in.read_integers(name, ListSize::rows_of(2));
   const std::size_t n = indices.size() / 2;

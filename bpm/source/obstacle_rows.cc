@@ -8,7 +8,7 @@ namespace softgrain::bpm
 {
 using Vector = dealii::Tensor<1, 2>;
 
-void Dynamics::set_obstacles(std::vector<Obstacle> *list)
+void Dynamics::set_obstacles(std::vector<Obstacle<2>> *list)
 {
   obstacles = list;
   feet.reset();
@@ -27,7 +27,7 @@ void Dynamics::collect_obstacles(const std::size_t n_walls)
        feet->find(primaries.position, primaries.radius, contact_reach() * diameter))
   {
     const std::uint32_t o = foot.obstacle, i = foot.disk, surface = first_surface[o] + foot.piece;
-    const Obstacle &obstacle = (*obstacles)[o];
+    const Obstacle<2> &obstacle = (*obstacles)[o];
     const std::array<double, 2> n = {foot.normal[0], foot.normal[1]}, &v = primaries.velocity[i];
     const Vector own = obstacle.way.velocity(foot.drawn);
     if (inverse_mass[i] == 0. || !closes({v[0] - own[0], v[1] - own[1]}, n, foot.gap))
@@ -93,12 +93,12 @@ void Dynamics::drive_obstacles(const std::size_t n_walls)
 
 void Dynamics::move_obstacles(const double dt, DynamicsReport &report)
 {
-  for (Obstacle &obstacle : *obstacles)
+  for (Obstacle<2> &obstacle : *obstacles)
     obstacle.arrive();
   const std::size_t first = rows.size() - obstacle_rows.size();
   for (std::size_t k = 0; k < obstacle_rows.size(); ++k)
   {
-    Obstacle &obstacle = (*obstacles)[obstacle_rows[k].obstacle];
+    Obstacle<2> &obstacle = (*obstacles)[obstacle_rows[k].obstacle];
     const std::array<double, 2> &normal = rows.normal[first + k];
     const double tangential = rotations ? rows.tangential_impulse[first + k] : 0.;
     const Vector given({normal[0] * rows.impulse[first + k] - normal[1] * tangential,

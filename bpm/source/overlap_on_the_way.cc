@@ -208,7 +208,7 @@ Overlap Dynamics::deepest_in_obstacles(const double dt) const
   Overlap deepest;
   for (std::size_t o = 0; o < obstacles->size(); ++o)
   {
-    const ObstacleMotion &way = (*obstacles)[o].way;
+    const ObstacleMotion<2> &way = (*obstacles)[o].way;
     const double own_way = feet->farthest_way(o);
     for (std::size_t i = 0; i < primaries.size(); ++i)
     {

@@ -14,12 +14,16 @@ DRAWING = {
     "eight_spheres": ["--cut", "y=6e-3"],
     "diametral_compression_mpm_thesis_method": ["--contacts", "none"],
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],
+    "drum_of_spheres": ["--field", "body", "--view", "-60", "20"],
+    "hopper_of_spheres": ["--field", "body", "--frame", "6", "--view", "-60", "15"],
     "sheared_spheres": ["--contacts", "chains", "--view", "-60", "20"],
     "sphere_between_plates": ["--cut", "y=0"],
+    "sphere_in_a_die": ["--cut", "y=0"],
     "spinning_disk": ["--field", "velocity_m_per_s"],
     "patch_test": ["--range", "0", "3e5"],
     "plastic_block": ["--range", "0", "3e8"],
     "pull_off": ["--frame", "5"],
+    "triaxial_spheres": ["--cut", "y=5e-3"],
     "two_disks": ["--frame", "3"],
 }
 

@@ -26,6 +26,15 @@ WIDTHS = {
     "mean_stress_Pa": 3,
     "deformation_gradient": 4,
 }
+# Arrays that tell where obstacles are, for all of them together.
+LINES = (
+    "line_offsets",
+    "points_m",
+    "vertex_offsets",
+    "triangle_offsets",
+    "vertices_m",
+    "triangles",
+)
 # Names of arrays in files of softgrain 0.2.0 and before, and those that fields.pvd and history.csv
 # have.
 OLD_NAMES = {
@@ -170,8 +179,8 @@ class SnapshotSource:
         ):
             if size == 0 and n_rows > 0:
                 continue  # what this model does not have
-            if name in ("line_offsets", "points_m"):
-                continue  # see lines()
+            if part == "obstacles" and name in LINES:
+                continue  # see lines() and, in space, obstacle_surfaces()
             columns[shown_name(name)] = partial(self.read, f"{part}/{name}")
         if part == "bodies":
             columns = {"body": lambda: np.arange(n_rows), **columns}

@@ -33,6 +33,7 @@ WIDTHS = {
     "normal": 3,
     "force_N": 3,
     "point_m": 3,
+    "pivot_m": 3,
     "vertices_m": 3,
     "triangles": 3,
     "stress_Pa": 6,
@@ -114,24 +115,26 @@ def pairs_of(contacts):
 class Surfaces:
     """
     The surfaces of the bodies: ``surfaces[b]`` is (vertices [m], triangles), whose corners run
-    counter-clockwise when seen from outside.
+    counter-clockwise when seen from outside. Those of obstacles are sheets.
     """
 
-    def __init__(self, parts):
-        self.parts = parts
+    def __init__(self, parts, one="body", several="bodies"):
+        self.parts, self.one, self.several = parts, one, several
 
-    def __getitem__(self, body):
-        if not 0 <= body < len(self.parts):
+    def __getitem__(self, index):
+        if not 0 <= index < len(self.parts):
             raise InputError(
-                f"there is no surface of a body {body}; there are {len(self.parts)} bodies"
+                f"there is no surface of a {self.one} {index}; there are {len(self.parts)}"
+                f" {self.several}"
             )
-        return self.parts[body]
+        return self.parts[index]
 
     def __len__(self):
         return len(self.parts)
 
     def __repr__(self):
-        return f"<surfaces of {len(self)} bodies, {sum(len(t) for _, t in self.parts)} triangles>"
+        triangles = sum(len(t) for _, t in self.parts)
+        return f"<surfaces of {len(self)} {self.several}, {triangles} triangles>"
 
 
 class SpaceSnapshotSource(SnapshotSource):
@@ -139,13 +142,19 @@ class SpaceSnapshotSource(SnapshotSource):
 
     widths, table_type = WIDTHS, SpaceTable
 
-    def surfaces(self):
+    def triangles(self, part):
         first, begin = (
-            self.read(f"surfaces/{name}") for name in ("vertex_offsets", "triangle_offsets")
+            self.read(f"{part}/{name}") for name in ("vertex_offsets", "triangle_offsets")
         )
-        vertices = np.split(self.read("surfaces/vertices_m"), first[1:-1])
-        triangles = np.split(self.read("surfaces/triangles"), begin[1:-1])
-        return Surfaces(list(zip(vertices, triangles)))
+        vertices = np.split(self.read(f"{part}/vertices_m"), first[1:-1])
+        triangles = np.split(self.read(f"{part}/triangles"), begin[1:-1])
+        return list(zip(vertices, triangles))
+
+    def surfaces(self):
+        return Surfaces(self.triangles("surfaces"))
+
+    def obstacle_surfaces(self):
+        return Surfaces(self.triangles("obstacles"), "sheet", "obstacles")
 
     def vertices(self):
         return self.read("surfaces/vertices_m")
@@ -176,9 +185,9 @@ class SpaceFieldSource:
 
     def table(self, part):
         grid = self.grid(part)
-        if part == "bodies":
-            body = grid.cell_data["body"].astype(int)
-            first = np.unique(body, return_index=True)[1]
+        if part in ("bodies", "obstacles"):
+            number = grid.cell_data["body" if part == "bodies" else "obstacle"].astype(int)
+            first = np.unique(number, return_index=True)[1]
             data = {name: values[first] for name, values in grid.cell_data.items()}
         else:
             place = {"points": "position_m"}.get(part, "place_m")
@@ -188,16 +197,22 @@ class SpaceFieldSource:
         data = {n: v.astype(int) if n in INDICES else v for n, v in data.items()}
         return SpaceTable(data, part, self.path(part))
 
-    def surfaces(self):
-        grid = self.grid("surfaces")
-        body = grid.cell_data["body"].astype(int)
+    def triangles(self, part, number):
+        grid = self.grid(part)
+        owner = grid.cell_data[number].astype(int)
         triangles = np.array(grid.cells, dtype=int).reshape(-1, 3)
         parts = []
-        for b in range(int(body.max(initial=-1)) + 1):
-            own = triangles[body == b]
+        for b in range(int(owner.max(initial=-1)) + 1):
+            own = triangles[owner == b]
             used, corners = np.unique(own, return_inverse=True)
             parts.append((grid.points[used], corners.reshape(-1, 3)))
-        return Surfaces(parts)
+        return parts
+
+    def surfaces(self):
+        return Surfaces(self.triangles("surfaces", "body"))
+
+    def obstacle_surfaces(self):
+        return Surfaces(self.triangles("obstacles", "obstacle"), "sheet", "obstacles")
 
     def vertices(self):
         return self.grid("surfaces").points
@@ -214,6 +229,7 @@ class SpaceState(State):
     def forget(self):
         super().forget()
         self.__dict__.pop("surfaces", None)
+        self.__dict__.pop("obstacle_surfaces", None)
 
     @cached_property
     def points(self):
@@ -267,6 +283,13 @@ class SpaceState(State):
         if not self.has("surfaces"):
             self.part("surfaces")  # says that there are none
         return self.source.surfaces()
+
+    @cached_property
+    def obstacle_surfaces(self):
+        """The sheets of the obstacles; none in a scene without obstacles."""
+        if not self.has("obstacles"):
+            return Surfaces([], "sheet", "obstacles")
+        return self.source.obstacle_surfaces()
 
     def box(self):
         """

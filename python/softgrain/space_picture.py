@@ -19,6 +19,7 @@ VIEW = (-60.0, 20.0)  # degrees about z, and above the plane of x and y
 PIXELS, FINER = 900, 2  # rows of the picture, and how many each of them is made of
 NEAREST = 4  # points that a place takes its value from
 PLAIN, TUBES, EDGES = (0.78, 0.80, 0.84), (0.72, 0.11, 0.09), (0.35, 0.35, 0.38)
+SHEETS = (0.62, 0.68, 0.76)
 LIGHT = np.array([-0.35, 0.55, 0.76])  # from where it comes: right, up, towards the viewer
 
 
@@ -85,6 +86,7 @@ class SpacePicture:
             if self.field:
                 samples.append(self.field.values(state))
             places.append(state.source.vertices())
+            places += [vertices for vertices, _ in state.obstacle_surfaces.parts]
             if edges := box_edges(state):
                 places.append(np.concatenate(edges))
             if self.options.contacts == "chains" and len(state.contacts):
@@ -158,6 +160,7 @@ class SpacePicture:
         depth = self.draw_grains(canvas, state, pale=chains)
         if chains and len(state.contacts):
             self.draw_chains(canvas, depth, state)
+        self.draw_obstacles(canvas, depth, state)
         self.draw_box(canvas, depth, state, seen_through=chains)
         rows, columns = (n // FINER * FINER for n in self.camera.shape)
         image = canvas.reshape(*self.camera.shape, 3)[:rows, :columns]
@@ -279,6 +282,26 @@ class SpacePicture:
             if b >= 0:
                 parts.append(raster.tube(place, centers[b], wide))
         self.draw_solid(canvas, depth, parts, TUBES, through=0.0)
+
+    def draw_obstacles(self, canvas, depth, state):
+        """Sheets let what is behind them shine through."""
+        if not len(state.obstacle_surfaces):
+            return
+        vertices, triangles, _ = raster.joined(state.obstacle_surfaces.parts)
+        seen = raster.fragments(self.camera, vertices, triangles)
+        if self.cut:
+            place = (seen.weight[:, :, None] * vertices[triangles[seen.triangle]]).sum(axis=1)
+            side = self.cut.toward(self.axes)
+            seen = seen.where(side * (place[:, self.cut.axis] - self.cut.at) <= 0)
+        seen = raster.nearest(seen.where(seen.depth >= depth[seen.pixel]))
+        if not len(seen.pixel):
+            return
+        normals = raster.smooth_normals(vertices, triangles)[triangles[seen.triangle]]
+        normal = (seen.weight[:, :, None] * normals).sum(axis=1)
+        normal[normal @ self.axes[2] < 0] *= -1  # both sides of a sheet are lit
+        colour = np.clip(np.array(SHEETS) * self.brightness(normal)[:, None], 0, 1)
+        cover = np.where(np.isfinite(depth[seen.pixel]), 0.3, 0.6)[:, None]
+        canvas[seen.pixel] = cover * colour + (1 - cover) * canvas[seen.pixel]
 
     def draw_box(self, canvas, depth, state, seen_through):
         edges = box_edges(state)

@@ -19,6 +19,7 @@ UNITS = {  # longest first: the end of a name says its unit
     "_per_s": "1/s",
     "_per_m": "1/m",
     "_bytes": "B",
+    "_N_m": "N m",
     "_Pa": "Pa",
     "_kg": "kg",
     "_rad": "rad",

@@ -169,6 +169,8 @@ void Input::check_all(const ModelFactory &factory)
       mistakes.attempt([&]() { check_output_folder(run_parameters.output_directory); });
       mistakes.end();
       factory.check_in_space(*space, prm);
+      described_stages.check(*space, [&](const Scene<3> &scene)
+                             { check_walls_in_space(scene, parameter_tree(prm)); });
       return;
     }
     mistakes.attempt([&]() { check_scene(described_scene); });

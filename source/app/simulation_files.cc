@@ -21,21 +21,22 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void add_to_row(const std::vector<ObstacleState<2>> &obstacles, HistoryRow &row)
+template <int dim>
+void add_to_row(const std::vector<ObstacleState<dim>> &obstacles, HistoryRow &row)
 {
-  for (const ObstacleState<2> &obstacle : obstacles)
+  const std::string axes = "xyz";
+  for (const ObstacleState<dim> &obstacle : obstacles)
   {
-    row.emplace_back(obstacle.name + "_x_m", obstacle.pivot[0]);
-    row.emplace_back(obstacle.name + "_y_m", obstacle.pivot[1]);
+    for (unsigned int d = 0; d < dim; ++d)
+      row.emplace_back(obstacle.name + "_" + axes[d] + "_m", obstacle.pivot[d]);
     row.emplace_back(obstacle.name + "_angle_rad", obstacle.angle);
-    row.emplace_back(obstacle.name + "_force_x_N_per_m", obstacle.force[0]);
-    row.emplace_back(obstacle.name + "_force_y_N_per_m", obstacle.force[1]);
-    row.emplace_back(obstacle.name + "_torque_N", obstacle.torque);
+    for (unsigned int d = 0; d < dim; ++d)
+      row.emplace_back(obstacle.name + "_force_" + axes[d] + (dim == 2 ? "_N_per_m" : "_N"),
+                       obstacle.force[d]);
+    row.emplace_back(obstacle.name + (dim == 2 ? "_torque_N" : "_torque_N_m"), obstacle.torque);
   }
 }
 
-/// Obstacles are lines of the plane.
-void add_to_row(const std::vector<ObstacleState<3>> &, HistoryRow &) {}
 } // namespace
 
 template <int dim>

@@ -16,7 +16,7 @@ constexpr double same_place = 1e-9;
 constexpr double turn = 0.5;
 } // namespace
 
-ObstacleFeet::ObstacleFeet(const std::vector<Obstacle> &list) : obstacles(list)
+ObstacleFeet::ObstacleFeet(const std::vector<Obstacle<2>> &list) : obstacles(list)
 {
   for (std::size_t o = 0; o < obstacles.size(); ++o)
   {
@@ -116,7 +116,7 @@ bool ObstacleFeet::is_touched(const End &end, const dealii::Point<2> &center, co
 
 double ObstacleFeet::farthest_way(const std::size_t o) const
 {
-  const ObstacleMotion &way = obstacles[o].way;
+  const ObstacleMotion<2> &way = obstacles[o].way;
   return way.start.placed(circles[o].center).distance(way.end.placed(circles[o].center)) +
          std::abs(way.end.angle - way.start.angle) * circles[o].radius;
 }
@@ -140,7 +140,7 @@ std::vector<ObstacleFeet::Foot> ObstacleFeet::find(const std::vector<std::array<
   std::vector<Foot> feet;
   for (std::uint32_t o = 0; o < obstacles.size(); ++o)
   {
-    const Pose &now = obstacles[o].now;
+    const Pose<2> &now = obstacles[o].now;
     const dealii::Point<2> middle = now.placed(circles[o].center);
     const std::size_t first = feet.size();
     for (std::uint32_t i = 0; i < centers.size(); ++i)

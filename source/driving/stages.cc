@@ -63,7 +63,7 @@ void Stages::parse_parameters(dealii::ParameterHandler &prm,
   mistakes.end();
 }
 
-std::string Stages::as_said_in(const Stage &stage, const Scene<2> &scene, std::string message)
+std::string Stages::as_said_in(const Stage &stage, const std::vector<std::string> &walls, std::string message)
 {
   const auto replace = [&message](const std::string &from, const std::string &to)
   {
@@ -72,9 +72,9 @@ std::string Stages::as_said_in(const Stage &stage, const Scene<2> &scene, std::s
   };
   const std::string section = "'Stages/" + stage.name + "/";
   replace("'Stop/", section + "Stop/");
-  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+  for (std::size_t w = 0; w < walls.size(); ++w)
     if (stage.drives[w])
-      replace("'Walls/" + scene.walls[w].name + "/", section + scene.walls[w].name + "/");
+      replace("'Walls/" + walls[w] + "/", section + walls[w] + "/");
   return message;
 }
 

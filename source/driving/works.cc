@@ -3,20 +3,21 @@
 
 namespace softgrain
 {
-double
-external_work(const Balance &balance, const std::vector<Wall> &walls, const std::vector<Obstacle> &obstacles)
+double external_work(const Balance &balance,
+                     const std::vector<Wall> &walls,
+                     const std::vector<Obstacle<2>> &obstacles)
 {
   double sum = balance.work_beside_walls();
   for (const Wall &wall : walls)
     sum += wall.work;
-  for (const Obstacle &obstacle : obstacles)
+  for (const Obstacle<2> &obstacle : obstacles)
     sum += obstacle.work;
   return sum;
 }
 
 std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balance,
                                                             const std::vector<Wall> &walls,
-                                                            const std::vector<Obstacle> &obstacles,
+                                                            const std::vector<Obstacle<2>> &obstacles,
                                                             const Workers &workers)
 {
   std::vector<std::pair<std::string, double>> columns;
@@ -27,7 +28,7 @@ std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balan
   };
   for (const Wall &wall : walls)
     add(true, wall.description.name, wall.work);
-  for (const Obstacle &obstacle : obstacles)
+  for (const Obstacle<2> &obstacle : obstacles)
     add(true, obstacle.description.name, obstacle.work);
   for (const std::string &load : workers.loads)
     add(true, load, balance.load_work.of(load));

@@ -7,8 +7,6 @@
 #include <softgrain/output/space_fields.h>
 #include <softgrain/output/vtu_file.h>
 
-#include <boost/property_tree/xml_parser.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,10 +17,6 @@ namespace softgrain
 namespace
 {
 using Cell = VtuFile::Cell;
-
-/// Beginnings of the names of files.
-const std::vector<std::string> prefixes = {"points-", "outlines-", "contacts-", "walls-", "obstacles-"};
-const std::string suffix = ".vtu";
 
 std::int32_t id(const unsigned int index)
 {
@@ -268,34 +262,6 @@ FieldWriter::FieldWriter(const std::string &directory, const FieldOptions &optio
 {
 }
 
-void FieldWriter::resume(const double time)
-{
-  frames.clear();
-  const std::string path = directory + "/fields.pvd";
-  if (!std::filesystem::exists(path))
-    return;
-  try
-  {
-    boost::property_tree::ptree tree;
-    boost::property_tree::read_xml(path, tree);
-    for (const auto &[tag, item] : tree.get_child("VTKFile.Collection"))
-      if (tag == "DataSet")
-      {
-        const double frame_time = item.get<double>("<xmlattr>.timestep");
-        if (frames.empty() || frames.back().time != frame_time)
-          frames.push_back({frame_time, {}});
-        frames.back().parts.emplace_back(item.get<std::string>("<xmlattr>.name"),
-                                         item.get<std::string>("<xmlattr>.file"));
-      }
-  }
-  catch (const boost::property_tree::ptree_error &error)
-  {
-    throw InputError(path + " is not a series of pictures to go on with: " + error.what());
-  }
-  while (!frames.empty() && frames.back().time > time)
-    frames.pop_back();
-}
-
 std::string FieldWriter::begin_frame(const double time)
 {
   while (!frames.empty() && frames.back().time >= time)
@@ -321,7 +287,7 @@ void FieldWriter::put(Frame &frame,
   file.add_global("TimeValue", frame.time);
   file.add_global("step", static_cast<double>(step));
   fill(file);
-  const std::string name = "fields/" + part + "-" + number + suffix;
+  const std::string name = "fields/" + part + "-" + number + ".vtu";
   write_file_atomically(directory + "/" + name, file.text(), late);
   frame.parts.emplace_back(part, name);
 }
@@ -371,34 +337,9 @@ void FieldWriter::write(const Snapshot<3> &snapshot)
           put_part("outlines", [&](VtuFile &file) { space_fields::fill_surfaces(file, snapshot.bodies); });
         if (options.contacts)
           put_part("contacts", [&](VtuFile &file) { space_fields::fill_contacts(file, snapshot.contacts); });
+        if (options.walls && !snapshot.obstacles.empty())
+          put_part("obstacles",
+                   [&](VtuFile &file) { space_fields::fill_obstacles(file, snapshot.obstacles); });
       });
-}
-
-void FieldWriter::write_index()
-{
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
-  for (const Frame &frame : frames)
-    for (std::size_t part = 0; part < frame.parts.size(); ++part)
-      text += "<DataSet timestep=\"" + exact_text(frame.time) + "\" part=\"" + std::to_string(part) +
-              "\" name=\"" + frame.parts[part].first + "\" file=\"" + frame.parts[part].second + "\"/>\n";
-  // A failure of power may take the newest pictures, but never the index of all.
-  AtomicFile file(directory + "/fields.pvd");
-  file.write(text + "</Collection>\n</VTKFile>\n");
-  file.sync();
-  file.commit(late);
-}
-
-void FieldWriter::remove_stale_files() const
-{
-  std::set<std::string> kept;
-  for (const Frame &frame : frames)
-    for (const auto &part : frame.parts)
-      kept.insert(std::filesystem::path(part.second).filename());
-  remove_series_files(directory + "/fields", prefixes, suffix, kept);
-}
-
-void remove_pictures(const std::string &directory)
-{
-  remove_series(directory + "/fields.pvd", directory + "/fields", prefixes, suffix);
 }
 } // namespace softgrain

@@ -103,17 +103,20 @@ void read_widths(const Hdf5File &file, const std::string &group, std::vector<Bod
                          { read_rows(file, group + name, bodies, member); });
 }
 
-template <typename Action>
+template <int dim, typename Action>
 void for_each_obstacle_array(const Action &action)
 {
+  const bool plane = dim == 2;
   action(
       "obstacles/pivot_m", [](auto &obstacle) -> auto & { return obstacle.pivot; });
   action(
       "obstacles/angle_rad", [](auto &obstacle) -> auto & { return obstacle.angle; });
   action(
-      "obstacles/force_N_per_m", [](auto &obstacle) -> auto & { return obstacle.force; });
+      plane ? "obstacles/force_N_per_m" : "obstacles/force_N",
+      [](auto &obstacle) -> auto & { return obstacle.force; });
   action(
-      "obstacles/torque_N", [](auto &obstacle) -> auto & { return obstacle.torque; });
+      plane ? "obstacles/torque_N" : "obstacles/torque_N_m",
+      [](auto &obstacle) -> auto & { return obstacle.torque; });
 }
 
 template <int dim>
@@ -153,13 +156,14 @@ std::vector<std::string> names_of(const std::vector<Item> &items)
   return names;
 }
 
-void write_obstacles(const Hdf5Group &file, const std::vector<ObstacleState<2>> &obstacles)
+template <int dim>
+void write_obstacles(const Hdf5Group &file, const std::vector<ObstacleState<dim>> &obstacles)
 {
   if (obstacles.empty())
     return;
   file.write("obstacles/name", names_of(obstacles));
-  for_each_obstacle_array([&](const std::string &name, const auto &member)
-                          { write_rows(file, name, obstacles, member); });
+  for_each_obstacle_array<dim>([&](const std::string &name, const auto &member)
+                               { write_rows(file, name, obstacles, member); });
   write_lines(file, obstacles);
 }
 
@@ -172,12 +176,15 @@ void read_names(const Hdf5File &file, const std::string &name, std::vector<Item>
     items[i].name = names[i];
 }
 
-void read_obstacles(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<2>> &obstacles)
+template <int dim>
+void read_obstacles(const Hdf5File &file,
+                    const std::string &group,
+                    std::vector<ObstacleState<dim>> &obstacles)
 {
   if (!file.contains(group + "obstacles"))
     return;
-  for_each_obstacle_array([&](const std::string &name, const auto &member)
-                          { read_rows(file, group + name, obstacles, member); });
+  for_each_obstacle_array<dim>([&](const std::string &name, const auto &member)
+                               { read_rows(file, group + name, obstacles, member); });
   read_names(file, group + "obstacles/name", obstacles);
   read_lines(file, group, obstacles);
 }
@@ -206,10 +213,8 @@ void write_snapshot(Hdf5File &whole_file,
   for_each_wall_array<dim>([&](const std::string &name, const auto &member)
                            { write_rows(file, name, snapshot.walls, member); });
   if constexpr (dim == 2)
-  {
     write_cell(file, snapshot);
-    write_obstacles(file, snapshot.obstacles);
-  }
+  write_obstacles(file, snapshot.obstacles);
   for_each_energy<dim>([&](const std::string &name, const auto &member)
                        { file.write(name, std::vector<double>{member(snapshot.energies)}); });
   const std::string object = group.empty() ? "/" : group;
@@ -252,10 +257,8 @@ Snapshot<dim> read_snapshot_group(const Hdf5File &file, const std::string &group
   read_names(file, group + "bodies/name", snapshot.bodies);
   read_names(file, group + "walls/name", snapshot.walls);
   if constexpr (dim == 2)
-  {
     read_cell(file, group, snapshot);
-    read_obstacles(file, group, snapshot.obstacles);
-  }
+  read_obstacles(file, group, snapshot.obstacles);
   for_each_energy<dim>(
       [&](const std::string &name, const auto &member)
       {

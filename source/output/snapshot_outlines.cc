@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace softgrain
 {
@@ -82,50 +83,99 @@ void read_lines(const Hdf5File &file, const std::string &group, std::vector<Obst
                              points.begin() + static_cast<std::ptrdiff_t>(offsets[o + 1]));
 }
 
-void write_outlines(const Hdf5Group &file, const std::vector<BodyState<3>> &bodies)
+namespace
+{
+using Vertices = std::vector<dealii::Point<3>>;
+
+const Vertices &vertices_of(const BodyState<3> &body)
+{
+  return body.outline.at(0);
+}
+
+const Vertices &vertices_of(const ObstacleState<3> &obstacle)
+{
+  return obstacle.line;
+}
+
+void set_vertices(Vertices vertices, BodyState<3> &body)
+{
+  body.outline.push_back(std::move(vertices));
+}
+
+void set_vertices(Vertices vertices, ObstacleState<3> &obstacle)
+{
+  obstacle.line = std::move(vertices);
+}
+
+/// Of all items one after the other. @param folder in the file
+template <class Item>
+void write_triangles(const Hdf5Group &file, const std::string &folder, const std::vector<Item> &items)
 {
   std::vector<std::uint64_t> vertex_offsets{0}, triangle_offsets{0}, triangles;
   std::vector<double> rows;
-  for (const BodyState<3> &body : bodies)
+  for (const Item &item : items)
   {
-    for (const dealii::Point<3> &vertex : body.outline.at(0))
+    for (const dealii::Point<3> &vertex : vertices_of(item))
       put(rows, vertex);
-    for (const std::array<unsigned int, 3> &triangle : body.triangles)
+    for (const std::array<unsigned int, 3> &triangle : item.triangles)
       triangles.insert(triangles.end(), triangle.begin(), triangle.end());
     vertex_offsets.push_back(rows.size() / 3);
     triangle_offsets.push_back(triangles.size() / 3);
   }
-  file.write("surfaces/vertex_offsets", vertex_offsets);
-  file.write("surfaces/triangle_offsets", triangle_offsets);
-  file.write("surfaces/vertices_m", rows, 3);
-  file.write("surfaces/triangles", triangles, 3);
+  file.write(folder + "/vertex_offsets", vertex_offsets);
+  file.write(folder + "/triangle_offsets", triangle_offsets);
+  file.write(folder + "/vertices_m", rows, 3);
+  file.write(folder + "/triangles", triangles, 3);
 }
 
-void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<3>> &bodies)
+template <class Item>
+void read_triangles(const Hdf5File &file, const std::string &folder, std::vector<Item> &items)
 {
-  const std::vector<std::uint64_t> first = file.read_integers(group + "surfaces/vertex_offsets"),
-                                   begin = file.read_integers(group + "surfaces/triangle_offsets"),
-                                   corners = file.read_integers(group + "surfaces/triangles");
-  std::vector<dealii::Point<3>> vertices;
-  read_rows(file, group + "surfaces/vertices_m", vertices);
-  if (first.size() != bodies.size() + 1 || begin.size() != bodies.size() + 1 ||
+  const std::vector<std::uint64_t> first = file.read_integers(folder + "/vertex_offsets"),
+                                   begin = file.read_integers(folder + "/triangle_offsets"),
+                                   corners = file.read_integers(folder + "/triangles");
+  Vertices vertices;
+  read_rows(file, folder + "/vertices_m", vertices);
+  if (first.size() != items.size() + 1 || begin.size() != items.size() + 1 ||
       !rising(first, vertices.size()) || !rising(begin, corners.size() / 3) || corners.size() % 3 != 0)
-    refuse(file, group + "surfaces");
-  for (std::size_t b = 0; b < bodies.size(); ++b)
+    refuse(file, folder);
+  for (std::size_t b = 0; b < items.size(); ++b)
   {
-    bodies[b].outline.emplace_back(vertices.begin() + static_cast<std::ptrdiff_t>(first[b]),
-                                   vertices.begin() + static_cast<std::ptrdiff_t>(first[b + 1]));
+    set_vertices({vertices.begin() + static_cast<std::ptrdiff_t>(first[b]),
+                  vertices.begin() + static_cast<std::ptrdiff_t>(first[b + 1])},
+                 items[b]);
     for (std::size_t t = begin[b]; t < begin[b + 1]; ++t)
     {
       std::array<unsigned int, 3> triangle;
       for (unsigned int k = 0; k < 3; ++k)
       {
-        if (corners[3 * t + k] >= bodies[b].outline[0].size())
-          refuse(file, group + "surfaces");
+        if (corners[3 * t + k] >= vertices_of(items[b]).size())
+          refuse(file, folder);
         triangle[k] = static_cast<unsigned int>(corners[3 * t + k]);
       }
-      bodies[b].triangles.push_back(triangle);
+      items[b].triangles.push_back(triangle);
     }
   }
+}
+} // namespace
+
+void write_outlines(const Hdf5Group &file, const std::vector<BodyState<3>> &bodies)
+{
+  write_triangles(file, "surfaces", bodies);
+}
+
+void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<3>> &bodies)
+{
+  read_triangles(file, group + "surfaces", bodies);
+}
+
+void write_lines(const Hdf5Group &file, const std::vector<ObstacleState<3>> &obstacles)
+{
+  write_triangles(file, "obstacles", obstacles);
+}
+
+void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<3>> &obstacles)
+{
+  read_triangles(file, group + "obstacles", obstacles);
 }
 } // namespace softgrain

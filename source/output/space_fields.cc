@@ -13,10 +13,11 @@ std::int32_t id(const unsigned int index)
   return index == ContactState<3>::not_a_body ? -1 : static_cast<std::int32_t>(index);
 }
 
-void push(std::vector<float> &values, const dealii::Tensor<1, 3> &vector)
+template <class Number, class Vector>
+void push(std::vector<Number> &values, const Vector &vector)
 {
   for (unsigned int d = 0; d < 3; ++d)
-    values.push_back(static_cast<float>(vector[d]));
+    values.push_back(static_cast<Number>(vector[d]));
 }
 
 /// Row by row, as ParaView wants a tensor.
@@ -101,5 +102,30 @@ void fill_contacts(VtuFile &file, const std::vector<ContactState<3>> &contacts)
   file.add_point_data("normal", 3, normal);
   file.add_point_data("normal_force_N", 1, normal_force);
   file.add_point_data("gap_m", 1, gap);
+}
+
+void fill_obstacles(VtuFile &file, const std::vector<ObstacleState<3>> &obstacles)
+{
+  std::vector<std::int32_t> index;
+  std::vector<double> pivot, force, angle, torque;
+  for (std::size_t o = 0; o < obstacles.size(); ++o)
+  {
+    const ObstacleState<3> &obstacle = obstacles[o];
+    const std::size_t n = obstacle.triangles.size();
+    file.add_triangles(obstacle.line, obstacle.triangles);
+    index.insert(index.end(), n, static_cast<std::int32_t>(o));
+    angle.insert(angle.end(), n, obstacle.angle);
+    torque.insert(torque.end(), n, obstacle.torque);
+    for (std::size_t t = 0; t < n; ++t)
+    {
+      push(pivot, obstacle.pivot);
+      push(force, obstacle.force);
+    }
+  }
+  file.add_cell_data("obstacle", index);
+  file.add_cell_data("pivot_m", 3, pivot);
+  file.add_cell_data("angle_rad", 1, angle);
+  file.add_cell_data("force_N", 3, force);
+  file.add_cell_data("torque_N_m", 1, torque);
 }
 } // namespace softgrain::space_fields

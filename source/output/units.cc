@@ -10,7 +10,7 @@ namespace softgrain
 namespace
 {
 /// Longest first: `_m_per_s` ends with `_s`.
-constexpr std::array<std::pair<const char *, const char *>, 24> units = {{{"_kg_m_per_s", "kg m/s"},
+constexpr std::array<std::pair<const char *, const char *>, 25> units = {{{"_kg_m_per_s", "kg m/s"},
                                                                           {"_kg_per_m3", "kg/m^3"},
                                                                           {"_rad_per_s", "rad/s"},
                                                                           {"_J_per_m3", "J/m^3"},
@@ -25,6 +25,7 @@ constexpr std::array<std::pair<const char *, const char *>, 24> units = {{{"_kg_
                                                                           {"_per_s", "1/s"},
                                                                           {"_per_m", "1/m"},
                                                                           {"_bytes", "byte"},
+                                                                          {"_N_m", "N m"},
                                                                           {"_rad", "rad"},
                                                                           {"_Pa", "Pa"},
                                                                           {"_kg", "kg"},

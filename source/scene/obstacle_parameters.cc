@@ -4,6 +4,7 @@
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/obstacle_parameters.h>
+#include <softgrain/scene/solid_obstacles.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
@@ -104,40 +105,59 @@ std::vector<Expression> displacement(const std::string &text, const std::string 
   return {formula_of_time(text.substr(0, middle), parameter),
           formula_of_time(text.substr(middle + 1), parameter)};
 }
+
+ObstacleDescription<2> parse_line(const dealii::ParameterHandler &prm, const std::string &name)
+{
+  const std::string where = "Obstacles/" + name;
+  ObstacleDescription<2> obstacle;
+  obstacle.name = name;
+  obstacle.pieces = prm.get("Shape") == "arc" ? arc(prm, where) : segments(prm, where);
+  obstacle.pivot = dealii::Point<2>(pair_of_numbers(prm.get("Pivot")));
+  obstacle.motion = displacement(prm.get("Displacement"), where + "/Displacement");
+  obstacle.motion.push_back(formula_of_time(prm.get("Angle"), where + "/Angle"));
+  obstacle.friction = prm.get_double("Friction");
+  return obstacle;
+}
 } // namespace
 
-ObstacleParameters::ObstacleParameters(const std::vector<std::string> &names) : names(names) {}
+ObstacleParameters::ObstacleParameters(const std::vector<std::string> &names, const unsigned int dimension)
+    : names(names), dimension(dimension)
+{
+}
 
 void ObstacleParameters::declare_parameters(dealii::ParameterHandler &prm) const
 {
   prm.enter_subsection("Obstacles");
   prm.declare_entry("Names", "", List(Anything()),
-                    "Names of the obstacles: rigid lines of finite length, straight or round; each has a "
-                    "subsection of its name.");
+                    dimension == 3
+                        ? "Names of the obstacles: rigid sheets, tubes, cones or triangles; each has a "
+                          "subsection of its name."
+                        : "Names of the obstacles: rigid lines of finite length, straight or round; each has "
+                          "a subsection of its name.");
   for (const std::string &name : names)
   {
     prm.enter_subsection(name);
-    declare(prm);
+    if (dimension == 3)
+      declare_solid_obstacle(prm);
+    else
+      declare(prm);
     prm.leave_subsection();
   }
   prm.leave_subsection();
 }
 
-std::vector<ObstacleDescription<2>> ObstacleParameters::parse_parameters(dealii::ParameterHandler &prm) const
+template <int dim>
+std::vector<ObstacleDescription<dim>>
+ObstacleParameters::parse_parameters(dealii::ParameterHandler &prm) const
 {
-  std::vector<ObstacleDescription<2>> obstacles;
+  std::vector<ObstacleDescription<dim>> obstacles;
   const auto parse_one = [&](const std::string &name)
   {
     const WithinSection section(prm, name);
-    const std::string where = "Obstacles/" + name;
-    ObstacleDescription<2> obstacle;
-    obstacle.name = name;
-    obstacle.pieces = prm.get("Shape") == "arc" ? arc(prm, where) : segments(prm, where);
-    obstacle.pivot = dealii::Point<2>(pair_of_numbers(prm.get("Pivot")));
-    obstacle.motion = displacement(prm.get("Displacement"), where + "/Displacement");
-    obstacle.motion.push_back(formula_of_time(prm.get("Angle"), where + "/Angle"));
-    obstacle.friction = prm.get_double("Friction");
-    obstacles.push_back(obstacle);
+    if constexpr (dim == 3)
+      obstacles.push_back(parse_solid_obstacle(prm, name));
+    else
+      obstacles.push_back(parse_line(prm, name));
   };
   Mistakes mistakes;
   const WithinSection section(prm, "Obstacles");
@@ -147,19 +167,30 @@ std::vector<ObstacleDescription<2>> ObstacleParameters::parse_parameters(dealii:
   return obstacles;
 }
 
-dealii::Tensor<1, 2> Pose::turned(const dealii::Tensor<1, 2> &v, const double by) const
+template <>
+dealii::Tensor<1, 2> Pose<2>::turned(const dealii::Tensor<1, 2> &v, const double by) const
 {
   const double c = std::cos(by), s = std::sin(by);
   return dealii::Tensor<1, 2>({c * v[0] - s * v[1], s * v[0] + c * v[1]});
 }
 
-Pose pose_of(const ObstacleDescription<2> &obstacle, const double time)
+template <>
+dealii::Tensor<1, 3> Pose<3>::turned(const dealii::Tensor<1, 3> &v, const double by) const
 {
-  Pose pose;
+  const double c = std::cos(by), s = std::sin(by);
+  return c * v + s * dealii::cross_product_3d(axis, v) + (1. - c) * (axis * v) * axis;
+}
+
+template <int dim>
+Pose<dim> pose_of(const ObstacleDescription<dim> &obstacle, const double time)
+{
+  Pose<dim> pose;
   pose.pivot = obstacle.pivot;
-  for (unsigned int d = 0; d < 2; ++d)
+  if constexpr (dim == 3)
+    pose.axis = obstacle.axis;
+  for (unsigned int d = 0; d < dim; ++d)
     pose.shift[d] = obstacle.motion[d]({time});
-  pose.angle = degree * obstacle.motion[2]({time});
+  pose.angle = degree * obstacle.motion[dim]({time});
   if (!std::isfinite(pose.shift.norm() + pose.angle))
   {
     std::ostringstream text;
@@ -168,4 +199,11 @@ Pose pose_of(const ObstacleDescription<2> &obstacle, const double time)
   }
   return pose;
 }
+
+template std::vector<ObstacleDescription<2>>
+ObstacleParameters::parse_parameters<2>(dealii::ParameterHandler &) const;
+template std::vector<ObstacleDescription<3>>
+ObstacleParameters::parse_parameters<3>(dealii::ParameterHandler &) const;
+template Pose<2> pose_of(const ObstacleDescription<2> &, double);
+template Pose<3> pose_of(const ObstacleDescription<3> &, double);
 } // namespace softgrain

@@ -105,7 +105,7 @@ void check_inside(const BodyDescription<2> &body, const WallDescription<2> &wall
 /// looked at.
 void check_outside(const BodyDescription<2> &body, const ObstacleDescription<2> &obstacle)
 {
-  const Pose pose = pose_of(obstacle, 0.);
+  const Pose<2> pose = pose_of(obstacle, 0.);
   const double size = body.shape->size(), tolerance = touching * size;
   const auto box = body.shape->bounding_box();
   // Chords lie up to half a thousandth of an arc's radius off it.

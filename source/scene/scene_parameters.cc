@@ -18,7 +18,7 @@ SceneParameters::SceneParameters(const SceneNames &names,
     , materials(names.materials, laws)
     , bodies(names.bodies, dimension)
     , walls(names.walls, dimension)
-    , obstacles(names.obstacles)
+    , obstacles(names.obstacles, dimension)
 {
 }
 
@@ -106,7 +106,7 @@ Scene<2> SceneParameters::parse_parameters(dealii::ParameterHandler &prm) const
   mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters<2>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<2>(prm); });
   mistakes.attempt([&]() { parse_contact(prm, scene); });
-  mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters(prm); });
+  mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters<2>(prm); });
   mistakes.attempt([&]() { rub_at_walls(prm, scene); });
   mistakes.attempt([&]() { scene.loads = Loads<2>::parse_parameters(prm); });
   mistakes.end();
@@ -121,6 +121,7 @@ Scene<3> SceneParameters::parse_parameters_in_space(dealii::ParameterHandler &pr
   mistakes.attempt([&]() { scene.bodies = bodies.parse_parameters<3>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.packing = PackingParameters::parse_parameters<3>(prm, scene.materials); });
   mistakes.attempt([&]() { scene.walls = walls.parse_parameters<3>(prm); });
+  mistakes.attempt([&]() { scene.obstacles = obstacles.parse_parameters<3>(prm); });
   mistakes.attempt([&]() { scene.loads = Loads<3>::parse_parameters(prm); });
   mistakes.end();
   parse_contact(prm, scene);

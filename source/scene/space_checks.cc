@@ -2,8 +2,10 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
 #include <softgrain/base/mistakes.h>
+#include <softgrain/geometry/rigid_surface.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/scene/contact_pairs.h>
+#include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/space_checks.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -56,6 +58,8 @@ const std::vector<std::string> known = {"Dimension",
                                         "Walls/*/Tangential velocity",
                                         "Walls/*/Friction",
                                         "Walls/*/Position",
+                                        "Walls/*/Pressure",
+                                        "Obstacles/",
                                         "Mesh/Lower",
                                         "Mesh/Upper",
                                         "Mesh/Cell size",
@@ -75,11 +79,19 @@ const std::vector<std::string> known = {"Dimension",
                                         "Quasi-static/Regularisation",
                                         "Quasi-static/Unbalanced force",
                                         "Quasi-static/Held steps",
+                                        "Quasi-static/Wall motion",
                                         "Contact/Sub-grid compliance",
                                         "Contact/Friction",
                                         "Contact/Friction at walls",
                                         "Contact/Friction of pairs",
-                                        "Stop/"};
+                                        "Stop/",
+                                        "Stages/Names",
+                                        "Stages/*/*/Drive",
+                                        "Stages/*/*/Velocity",
+                                        "Stages/*/*/Tangential velocity",
+                                        "Stages/*/*/Position",
+                                        "Stages/*/*/Pressure",
+                                        "Stages/*/Stop/"};
 
 /// What bonded particles know in space beside these.
 const std::vector<std::string> known_to_bonded_particles = {"Output/Inner forces",
@@ -105,6 +117,10 @@ const std::vector<std::string> known_to_bonded_particles = {"Output/Inner forces
                                                             "Contact/Wall tolerance",
                                                             "Contact/Wall floor",
                                                             "Contact/Penetration tolerance"};
+
+/// What material points know in space, and bonded particles do not.
+const std::vector<std::string> unknown_to_bonded_particles = {"Obstacles/", "Walls/*/Pressure",
+                                                              "Stages/*/*/Pressure", "Quasi-static/"};
 
 /// What a scheme does not know in space, beside what none does.
 const std::vector<std::string> unknown_at_rest = {"Loads/", "Time/Theta", "Time/CFL multiple"},
@@ -143,6 +159,12 @@ std::string value_of(const ParameterSection &parameters, const std::string &sect
   return "";
 }
 
+/// Bonded particles have none.
+std::string scheme_of(const ParameterSection &parameters)
+{
+  return value_of(parameters, "", "Model") == "bpm" ? "" : value_of(parameters, "Time", "Scheme");
+}
+
 /// Finds parameters that nothing in space knows, or that the scheme does not.
 class ParameterCheck
 {
@@ -160,7 +182,9 @@ public:
       if (entry.value != entry.default_value)
       {
         path.push_back(entry.name);
-        if (!is_in(known, path) && !(bonded && is_in(known_to_bonded_particles, path)))
+        if (bonded ? !is_in(known_to_bonded_particles, path) &&
+                         (!is_in(known, path) || is_in(unknown_to_bonded_particles, path))
+                   : !is_in(known, path))
           refuse(entry, "");
         else if (!bonded && is_in(scheme == "quasi_static" ? unknown_at_rest : unknown_to_inertia, path))
           refuse(entry, " and 'Time/Scheme' = '" + scheme + "'");
@@ -208,6 +232,39 @@ void check_velocity(const BodyDescription<3> &body)
       throw InputError("'" + path + "' = '" + body.velocity + "' is not finite at the center of the body");
 }
 
+/// No place of a body may lie in an obstacle at the start; triangles a twentieth of the body wide are looked
+/// at.
+void check_beside(const BodyDescription<3> &body, const ObstacleDescription<3> &obstacle)
+{
+  const Pose<3> pose = pose_of(obstacle, 0.);
+  const auto [lower, upper] = body.shape->bounding_box();
+  const double size = (upper - lower).norm();
+  double deepest = 0.;
+  for (const dealii::Point<3> &x : body.shape->surface(0.05 * size).vertices)
+    deepest = std::max(deepest, -obstacle.surface->height(pose.drawn(x), size));
+  if (deepest <= 1e-9 * size)
+    return;
+  std::ostringstream text;
+  text << "'Bodies/" << body.name << "' reaches " << deepest << " m into obstacle '" << obstacle.name
+       << "': they must lie beside each other at the start";
+  throw InputError(text.str());
+}
+
+void check_obstacles(const Scene<3> &scene, Mistakes &mistakes)
+{
+  for (const ObstacleDescription<3> &obstacle : scene.obstacles)
+  {
+    for (const WallDescription<3> &wall : scene.walls)
+      if (wall.name == obstacle.name)
+        mistakes.add(InputError("'Obstacles/Names': '" + obstacle.name +
+                                "' is not allowed: a wall has this name, and columns of history.csv could "
+                                "not be told apart"));
+    for (const BodyDescription<3> &body : scene.bodies)
+      if (!mistakes.attempt([&]() { check_beside(body, obstacle); }))
+        break; // often the obstacle is wrong
+  }
+}
+
 void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
 {
   std::vector<std::string> names;
@@ -238,7 +295,33 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
     }
 }
 
-void check_walls(const Scene<3> &scene, Mistakes &mistakes)
+/// A pressure acts on what lies between four walls beside it.
+void check_pressed(const Scene<3> &scene,
+                   const WallDescription<3> &wall,
+                   const std::string &scheme,
+                   Mistakes &mistakes)
+{
+  const std::string section = "'Walls/" + wall.name;
+  if (wall.drive_name != "pressure" || scheme != "quasi_static")
+  {
+    mistakes.add(InputError(
+        section + "/Drive' = '" + wall.drive_name +
+        "' is not allowed with 'Dimension' = '3': it must be one that says how the wall moves, 'velocity' or "
+        "'position'" +
+        (scheme.empty() ? "" : ", or with 'Time/Scheme' = 'quasi_static' also 'pressure'")));
+    return;
+  }
+  unsigned int beside = 0;
+  for (const WallDescription<3> &other : scene.walls)
+    beside += std::abs(other.normal * wall.normal) < 1e-9;
+  if (beside != 4)
+    mistakes.add(InputError(section +
+                            "/Drive' = 'pressure' needs an area to act on: there must be four walls "
+                            "beside it, at right angles to it and to each other, and there are " +
+                            std::to_string(beside)));
+}
+
+void check_walls(const Scene<3> &scene, const std::string &scheme, Mistakes &mistakes)
 {
   for (const WallDescription<3> &wall : scene.walls)
   {
@@ -246,10 +329,7 @@ void check_walls(const Scene<3> &scene, Mistakes &mistakes)
     if (wall.type != WallDescription<3>::Type::plane)
       mistakes.add(InputError(section + "/Type' is not allowed with 'Dimension' = '3': it must be 'plane'"));
     if (!wall.drive->prescribed())
-      mistakes.add(
-          InputError(section + "/Drive' = '" + wall.drive_name +
-                     "' is not allowed with 'Dimension' = '3': it must be one that says how the wall "
-                     "moves, 'velocity' or 'position'"));
+      check_pressed(scene, wall, scheme, mistakes);
     // The first body tells enough: often the wall is wrong, and many lie behind it.
     for (const BodyDescription<3> &body : scene.bodies)
     {
@@ -283,13 +363,22 @@ void check_slides(const Scene<3> &scene, Mistakes &mistakes)
 }
 } // namespace
 
+void check_walls_in_space(const Scene<3> &scene, const ParameterSection &parameters)
+{
+  Mistakes mistakes;
+  check_walls(scene, scheme_of(parameters), mistakes);
+  mistakes.attempt([&]() { check_slides(scene, mistakes); });
+  mistakes.end();
+}
+
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
 {
   Mistakes mistakes;
   ParameterCheck(parameters, mistakes).look_at(parameters);
   check_bodies(scene, mistakes);
-  check_walls(scene, mistakes);
+  check_walls(scene, scheme_of(parameters), mistakes);
   mistakes.attempt([&]() { check_slides(scene, mistakes); });
+  check_obstacles(scene, mistakes);
   mistakes.end();
 }
 } // namespace softgrain

@@ -16,7 +16,7 @@ namespace
 {
 const double pi = std::acos(-1.), gravity = 9.81;
 
-Obstacle line(const Polygon &points, const double friction, const std::string &way = "0")
+Obstacle<2> line(const Polygon &points, const double friction, const std::string &way = "0")
 {
   Scene<2> scene;
   ObstacleDescription<2> description;
@@ -45,7 +45,7 @@ public:
   OneDisk(const dealii::Point<2> &place,
           const std::array<double, 2> &velocity,
           const double radius,
-          std::vector<Obstacle> list)
+          std::vector<Obstacle<2>> list)
       : obstacles(std::move(list))
   {
     bpm::Primaries disk;
@@ -64,7 +64,7 @@ public:
 
   bpm::DynamicsReport step(const double dt, const double pull = gravity)
   {
-    for (Obstacle &one : obstacles)
+    for (Obstacle<2> &one : obstacles)
       one.plan(time, dt);
     time += dt;
     return dynamics->step(dt, walls, {{0., -pull}});
@@ -74,7 +74,7 @@ public:
   const std::array<double, 2> &velocity() const { return dynamics->disks().velocity[0]; }
 
   std::vector<Wall> walls;
-  std::vector<Obstacle> obstacles;
+  std::vector<Obstacle<2>> obstacles;
   std::unique_ptr<bpm::Dynamics> dynamics;
   double time = 0;
 };
@@ -82,7 +82,7 @@ public:
 /// Thrown at @p speed on a line, above it or below (@p side -1): speed along it at the end, and the highest
 /// hop.
 void slide(const std::string &what,
-           std::vector<Obstacle> lines,
+           std::vector<Obstacle<2>> lines,
            const double speed = 0.5,
            const double side = 1.)
 {
@@ -137,9 +137,9 @@ int main()
 
   // A corner that stands out, of one line and of two; one that stands in is two contacts.
   const dealii::Point<2> a(-1., -1.), b(1., -1.), corner(0., 0.);
-  for (const std::vector<Obstacle> &lines :
-       {std::vector<Obstacle>{line({a, corner, b}, 0.)},
-        std::vector<Obstacle>{line({a, corner}, 0.), line({corner, b}, 0.)}})
+  for (const std::vector<Obstacle<2>> &lines :
+       {std::vector<Obstacle<2>>{line({a, corner, b}, 0.)},
+        std::vector<Obstacle<2>>{line({a, corner}, 0.), line({corner, b}, 0.)}})
   {
     OneDisk on({0., 0.1}, {0., 0.}, 0.1, lines), in({0., -0.1 * std::sqrt(2.)}, {0., 0.}, 0.1, lines);
     std::cout << "contacts of a corner that stands out " << on.dynamics->contacts().size() << ", in "

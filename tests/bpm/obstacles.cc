@@ -15,7 +15,7 @@ namespace
 {
 const double pi = std::acos(-1.), gravity = 9.81;
 
-Obstacle obstacle(const std::vector<Curve> &pieces, const double friction, const std::string &angle = "0")
+Obstacle<2> obstacle(const std::vector<Curve> &pieces, const double friction, const std::string &angle = "0")
 {
   Scene<2> scene;
   ObstacleDescription<2> description;
@@ -32,7 +32,7 @@ Obstacle obstacle(const std::vector<Curve> &pieces, const double friction, const
 class OneDisk
 {
 public:
-  OneDisk(const double x, const double y, std::vector<Obstacle> list) : obstacles(std::move(list))
+  OneDisk(const double x, const double y, std::vector<Obstacle<2>> list) : obstacles(std::move(list))
   {
     bpm::Primaries disk;
     disk.position = {{x, y}};
@@ -51,7 +51,7 @@ public:
 
   bpm::DynamicsReport step(const double dt)
   {
-    for (Obstacle &one : obstacles)
+    for (Obstacle<2> &one : obstacles)
       one.plan(time, dt);
     time += dt;
     return dynamics->step(dt, walls, {{0., -gravity}});
@@ -61,7 +61,7 @@ public:
   double spin() const { return dynamics->disks().angular_velocity[0]; }
 
   std::vector<Wall> walls;
-  std::vector<Obstacle> obstacles;
+  std::vector<Obstacle<2>> obstacles;
   std::unique_ptr<bpm::Dynamics> dynamics;
   double time = 0;
 };
@@ -100,7 +100,7 @@ int main()
   for (unsigned int i = 0; i < 200; ++i)
     on_ends.step(1e-3);
   std::cout << "on two ends: forces over the weight";
-  for (const Obstacle &one : on_ends.obstacles)
+  for (const Obstacle<2> &one : on_ends.obstacles)
     std::cout << ' ' << one.force / (2. * gravity);
   std::cout << ", expected " << 0.5 * std::tan(pi / 6.) << " outwards and 0.5\n";
 

@@ -107,7 +107,7 @@ int main()
   rough.friction = rough.walls[0].friction = 0.5;
   const ContactPairs pairs(rough);
   // A rigid arc that bulges towards the first body, and the tip of a line beside it.
-  Obstacle arc, line;
+  Obstacle<2> arc, line;
   arc.description.pieces = {Curve::arc({-0.3, 4.}, 1., -1., 1.)};
   line.description.pieces = {Curve::segment({2.6, 8.}, {2.9, 6.3})};
   const std::vector<ObstacleLine> obstacles{ObstacleLine(arc), ObstacleLine(line)};

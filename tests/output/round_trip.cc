@@ -69,9 +69,14 @@ void snapshot()
   out.bodies[1].outline.push_back({{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}});
   out.bodies[2].outline.clear();
   out.energies = {1. / 3, 2, 3, 4};
-  out.obstacles = {
-      {"drum", {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}}, {0.7, 0.8}, 1. / 3, dealii::Tensor<1, 2>({1., -2.}), 3.},
-      {"plate", {{1., 2.}, {3., 4.}}, {5., 6.}, 0., dealii::Tensor<1, 2>({0.1, 0.}), -0.2}};
+  out.obstacles = {{"drum",
+                    {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}},
+                    {},
+                    {0.7, 0.8},
+                    1. / 3,
+                    dealii::Tensor<1, 2>({1., -2.}),
+                    3.},
+                   {"plate", {{1., 2.}, {3., 4.}}, {}, {5., 6.}, 0., dealii::Tensor<1, 2>({0.1, 0.}), -0.2}};
   SnapshotFile file("run");
   file.append(out);
   const Snapshot<2> in = read_snapshot("run/snapshots.h5", 0);

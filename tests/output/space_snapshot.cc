@@ -77,6 +77,14 @@ Snapshot<3> some_snapshot()
   wall.velocity = 0.1;
   wall.normal_force = 5.;
   snapshot.walls.push_back(wall);
+  snapshot.obstacles = {{"plate",
+                         {{0., 0., 1.}, {2., 0., 1. / 3.}, {0., 2., 1.}},
+                         {{{0, 1, 2}}},
+                         {0.1, 0.2, 0.3},
+                         1. / 3.,
+                         vector(1., -2., 3.),
+                         0.7},
+                        {"empty", {}, {}, {}, 0., vector(0., 0., 0.), 0.}};
   return snapshot;
 }
 
@@ -107,6 +115,14 @@ void compare(const char *what, const Snapshot<3> &in, const Snapshot<3> &out)
   same = same && in.walls.size() == 1 && in.walls[0].name == "bottom" &&
          in.walls[0].point == out.walls[0].point && in.walls[0].normal == out.walls[0].normal &&
          in.walls[0].position == -1. && in.walls[0].velocity == 0.1 && in.walls[0].normal_force == 5.;
+  same = same && in.obstacles.size() == out.obstacles.size();
+  for (std::size_t o = 0; same && o < in.obstacles.size(); ++o)
+  {
+    const ObstacleState<3> &one = in.obstacles[o], &other = out.obstacles[o];
+    same = one.name == other.name && one.line == other.line && one.triangles == other.triangles &&
+           one.pivot == other.pivot && one.angle == other.angle && one.force == other.force &&
+           one.torque == other.torque;
+  }
   std::cout << what << ": " << (same ? "same" : "DIFFERENT") << '\n';
 }
 

@@ -103,8 +103,7 @@ class Space(unittest.TestCase):
             for i, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz")):
                 self.assertAlmostEqual(told[f"stress_{name}_Pa"], stress[i], delta=0.03 * np.abs(stress).max() + 1e-9)
         self.assertGreater(told["top_pressure_Pa"], 0.005)
-        # A place of contact is on the grid, which a light contact lets go beyond the wall by the dent that it does not show.
-        self.assertAlmostEqual(told["mean_pressure_Pa"] / told["wall_pressure_Pa"], 1, delta=1e-2)
+        self.assertAlmostEqual(told["mean_pressure_Pa"] / told["wall_pressure_Pa"], 1, delta=5e-3)
         self.assertAlmostEqual(told["stress_1_Pa"] + told["stress_2_Pa"] + told["stress_3_Pa"],
                                3 * told["mean_pressure_Pa"], 9)
 
@@ -213,6 +212,79 @@ class Space(unittest.TestCase):
         code, _, error = tool_runs.run("render.py", common.EXAMPLE, "--cut", "x=0")
         self.assertEqual(code, 2)
         self.assertIn("--cut is for runs in space", error)
+
+
+class SpaceObstacles(unittest.TestCase):
+    """A ball on a tilted plate that turns, before anything has happened and after a step."""
+
+    def test_sheets_of_obstacles(self):
+        scene = SCENE[: SCENE.index("subsection Packing")] + """
+subsection Bodies
+  set Names = ball
+  subsection ball
+    set Shape  = sphere
+    set Radius = 2.5
+  end
+end
+subsection Obstacles
+  set Names = plate, tube
+  subsection plate
+    set Points    = 0, -3.1; 4, -3.1
+    set Thickness = 1
+    set Angle     = 10*t
+    set Friction  = 0.5
+  end
+  subsection tube
+    set Points    = 3.6, -3; 3.6, 3
+    set Axis      = 1, 0, 0
+    set Thickness = 1
+    set Displacement = 0; 0; t
+  end
+end
+subsection Mesh
+  set Lower     = -3, -3, -3
+  set Upper     = 3, 3, 3
+  set Cell size = 0.9
+end
+subsection Time
+  set Scheme    = moreau_jean
+  set Time step = 0.01
+end
+subsection Stop
+  set End time = 0.02
+end
+subsection Output
+  set Fields every    = 0.02
+  set Snapshots every = 0.02
+end
+"""
+        with open("sheets.prm", "w", encoding="utf-8") as file:
+            file.write(scene)
+        subprocess.run([common.PROGRAM, "run", "sheets.prm", "--threads", "1", "--output", "sheets"], check=True,
+                       stdout=subprocess.DEVNULL)
+        found = softgrain.open("sheets")
+        for state in (found.snapshots[-1], found.fields[-1]):
+            table = state.obstacles
+            self.assertEqual(len(table), 2)
+            np.testing.assert_allclose(table["pivot_m"], [[0, 0, 0], [0, 0, 0.02]], atol=1e-7)
+            np.testing.assert_allclose(table["angle_rad"], [np.radians(0.2), 0], atol=1e-9)
+            self.assertEqual(table["force_N"].shape, (2, 3))
+            self.assertEqual(len(state.obstacle_surfaces), 2)
+            vertices, triangles = state.obstacle_surfaces[1]
+            np.testing.assert_allclose(np.hypot(vertices[:, 1], vertices[:, 2] - 0.02), 3.6, atol=1e-5)
+            sides = vertices[triangles]
+            area = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
+            self.assertAlmostEqual(area / (2 * np.pi * 3.6 * 6), 1, 2)
+            with self.assertRaisesRegex(softgrain.InputError, "no surface of a sheet 2; there are 2 obstacles"):
+                state.obstacle_surfaces[2]
+        self.assertEqual(found.snapshots[-1].obstacles["name"].tolist(), ["plate", "tube"])
+        self.assertEqual(found.history_table.unit("plate_torque_N_m"), "N m")
+        images = []
+        for words in ((), ("--cut", "y=0")):
+            self.assertEqual(tool_runs.run("render.py", "sheets", "--output", "sheets.png", "--dpi", "40", *words)[0], 0)
+            images.append(matplotlib.image.imread("sheets.png"))
+        self.assertGreater(np.abs(images[0] - images[1]).mean(), 0.005)
+
 
 
 if __name__ == "__main__":

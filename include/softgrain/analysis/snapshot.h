@@ -89,16 +89,18 @@ struct WallState
   double offset = 0;             ///< of the cell above, of such a side [m]
 };
 
-/// A rigid line of finite length and what it feels.
+/// A rigid line of finite length, in space a sheet, and what it feels.
 template <int dim>
 struct ObstacleState
 {
   std::string name;
-  std::vector<dealii::Point<dim>> line; ///< where it is, arcs as polylines [m]
-  dealii::Point<dim> pivot;             ///< where it is [m]
-  double angle = 0;                     ///< by which it has turned, counter-clockwise [rad]
-  dealii::Tensor<1, dim> force;         ///< on it [N/m in 2D]
-  double torque = 0;                    ///< of these forces about the pivot, counter-clockwise [N in 2D]
+  /// Where it is, arcs as polylines; in space the corners of its triangles [m].
+  std::vector<dealii::Point<dim>> line;
+  std::vector<std::array<unsigned int, 3>> triangles; ///< in space
+  dealii::Point<dim> pivot;                           ///< where it is [m]
+  double angle = 0;             ///< by which it has turned, counter-clockwise about its axis [rad]
+  dealii::Tensor<1, dim> force; ///< on it [N/m in 2D]
+  double torque = 0;            ///< of these forces about the axis through the pivot [N in 2D]
 };
 
 /// Energies of the whole scene [J/m in 2D].

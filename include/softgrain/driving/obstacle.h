@@ -15,72 +15,80 @@ class StateReader;
 class StateWriter;
 
 /// How an obstacle moves in a step.
+template <int dim>
 struct ObstacleMotion
 {
-  Pose start, end;
+  Pose<dim> start, end;
   double dt = 0; ///< [s]; 0: it stands
 
   /// Pose @p share of the step after its start.
-  Pose at(double share) const;
+  Pose<dim> at(double share) const;
+  /// That it stands where the step ends.
+  ObstacleMotion at_end() const { return {end, end, 0.}; }
 
-  /// Mean over the step, of a point of the drawn obstacle [m/s].
-  dealii::Tensor<1, 2> velocity(const dealii::Point<2> &drawn) const
+  /// Way of a point of the drawn obstacle over the step [m].
+  dealii::Tensor<1, dim> way_of(const dealii::Point<dim> &drawn) const
   {
-    return dt > 0. ? (end.placed(drawn) - start.placed(drawn)) / dt : dealii::Tensor<1, 2>();
+    return end.placed(drawn) - start.placed(drawn);
+  }
+  /// Mean over the step, of a point of the drawn obstacle [m/s].
+  dealii::Tensor<1, dim> velocity(const dealii::Point<dim> &drawn) const
+  {
+    return dt > 0. ? way_of(drawn) / dt : dealii::Tensor<1, dim>();
   }
   double spin() const { return dt > 0. ? (end.angle - start.angle) / dt : 0.; } ///< [rad/s]
 };
 
 /**
- * @brief A rigid line of finite length, straight or round, on its way; the same in both models.
+ * @brief A rigid line of finite length, in space a sheet, on its way; the same in both models.
  *
  * Bodies may touch it from both sides. Where it is, is a formula of time: nothing that it meets moves it.
  */
+template <int dim>
 struct Obstacle
 {
-  ObstacleDescription<2> description;
-  Pose now;                   ///< where it is
-  ObstacleMotion way;         ///< of the step to come, or of the last one
-  dealii::Tensor<1, 2> force; ///< on it, mean over the last step [N/m]
-  double torque = 0;          ///< of these forces about the pivot, counter-clockwise [N]
-  double work = 0;            ///< done by it since the start [J/m]
+  ObstacleDescription<dim> description;
+  Pose<dim> now;                ///< where it is
+  ObstacleMotion<dim> way;      ///< of the step to come, or of the last one
+  dealii::Tensor<1, dim> force; ///< on it, mean over the last step [N/m; N]
+  double torque = 0;            ///< of these forces about the axis through the pivot [N; N m]
+  double work = 0;              ///< done by it since the start [J/m; J]
+
+  /// What it would do in a step of @p dt from @p time on [s].
+  ObstacleMotion<dim> motion(double time, double dt) const;
 
   /// Makes ready for a step of @p dt from @p time on; 0: it stands [s].
-  void plan(double time, double dt);
+  void plan(const double time, const double dt) { way = motion(time, dt); }
 
   /// It has gone the planned way, and felt nothing yet.
   void arrive();
 
   /// Books an impulse that it has given to a body at @p place in a step of @p dt [s].
-  void give(const dealii::Tensor<1, 2> &given, const dealii::Point<2> &place, double dt);
+  void give(const dealii::Tensor<1, dim> &given, const dealii::Point<dim> &place, double dt);
 
   /// What history, pictures and measures show of it.
-  ObstacleState<2> state() const;
-
-  /**
-   * @brief Whether piece @p k begins in a corner, or in an end of the line: what can be touched by itself.
-   *
-   * @p k may be the number of pieces: the end of the last one.
-   */
-  bool has_tip(std::size_t k) const;
-  /// That place, as drawn [m].
-  dealii::Point<2> tip(std::size_t k) const;
+  ObstacleState<dim> state() const;
 };
 
 /// The obstacles of a scene, where they are at time 0.
-std::vector<Obstacle> make_obstacles(const Scene<2> &scene);
+template <int dim>
+std::vector<Obstacle<dim>> make_obstacles(const Scene<dim> &scene);
 
-std::vector<ObstacleState<2>> states_of(const std::vector<Obstacle> &obstacles);
+template <int dim>
+std::vector<ObstacleState<dim>> states_of(const std::vector<Obstacle<dim>> &obstacles);
 
-bool rough(const std::vector<ObstacleDescription<2>> &obstacles); ///< Whether one has friction.
+template <int dim>
+bool rough(const std::vector<ObstacleDescription<dim>> &obstacles); ///< Whether one has friction.
 
 /// Keeps what obstacles feel under @p name in a checkpoint; without obstacles nothing.
-void save_obstacles(StateWriter &out, const std::string &name, const std::vector<Obstacle> &obstacles);
+template <int dim>
+void save_obstacles(StateWriter &out, const std::string &name, const std::vector<Obstacle<dim>> &obstacles);
 /// @throw InputError when there were other obstacles
+template <int dim>
 void load_obstacles(const StateReader &in,
                     const std::string &name,
                     double time,
-                    std::vector<Obstacle> &obstacles);
+                    std::vector<Obstacle<dim>> &obstacles);
 } // namespace softgrain
 
 #endif

@@ -36,7 +36,7 @@ public:
   };
 
   /// @param list of obstacles; it has to stay, and so has the form of its members
-  explicit ObstacleFeet(const std::vector<Obstacle> &list);
+  explicit ObstacleFeet(const std::vector<Obstacle<2>> &list);
 
   /**
    * @brief All feet with gaps up to @p reach [m], where the obstacles are now, in the order of obstacles,
@@ -88,7 +88,7 @@ private:
   bool is_touched(const End &end, const dealii::Point<2> &center, const Joints &joints) const;
   static Circle circle_around(const std::vector<Polygon> &lines);
 
-  const std::vector<Obstacle> &obstacles;
+  const std::vector<Obstacle<2>> &obstacles;
   std::vector<Circle> circles;                    ///< around every obstacle
   std::vector<std::vector<Circle>> piece_circles; ///< around every piece
 };

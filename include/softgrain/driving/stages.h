@@ -38,10 +38,10 @@ public:
                         const StopConditions &run);
 
   /// Calls check(scene) for the scene of every stage. @throw InputError as it does
-  template <typename Check>
-  void check(const Scene<2> &scene, const Check &check) const
+  template <int dim, typename Check>
+  void check(const Scene<dim> &scene, const Check &check) const
   {
-    Scene<2> here = scene;
+    Scene<dim> here = scene;
     for (const Stage &stage : list)
     {
       for (std::size_t w = 0; w < here.walls.size(); ++w)
@@ -52,12 +52,18 @@ public:
         }
       try
       {
-        stage.stop.check(here);
+        if constexpr (dim == 2)
+          stage.stop.check(here);
+        else
+          stage.stop.check_in_space(here);
         check(here);
       }
       catch (const InputError &error)
       {
-        throw InputError(as_said_in(stage, here, error.what()));
+        std::vector<std::string> walls;
+        for (const WallDescription<dim> &wall : here.walls)
+          walls.push_back(wall.name);
+        throw InputError(as_said_in(stage, walls, error.what()));
       }
     }
   }
@@ -71,7 +77,8 @@ public:
 
 private:
   /// @p message with the parameters of the stage in place of those of the run.
-  static std::string as_said_in(const Stage &stage, const Scene<2> &scene, std::string message);
+  static std::string
+  as_said_in(const Stage &stage, const std::vector<std::string> &walls, std::string message);
 
   std::vector<Stage> list;
 };

@@ -18,9 +18,11 @@ void write_outlines(const snapshot_rows::Hdf5Group &file, const std::vector<Body
 void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<2>> &bodies);
 void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<3>> &bodies);
 
-/// Lines of obstacles.
+/// Lines of obstacles in the plane, and their sheets in space.
 void write_lines(const snapshot_rows::Hdf5Group &file, const std::vector<ObstacleState<2>> &obstacles);
+void write_lines(const snapshot_rows::Hdf5Group &file, const std::vector<ObstacleState<3>> &obstacles);
 void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<2>> &obstacles);
+void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<3>> &obstacles);
 } // namespace softgrain
 
 #endif

@@ -18,6 +18,9 @@ void fill_surfaces(VtuFile &file, const std::vector<BodyState<3>> &bodies);
 
 /// Places that carry force.
 void fill_contacts(VtuFile &file, const std::vector<ContactState<3>> &contacts);
+
+/// The sheets of obstacles, with where they are and what they feel.
+void fill_obstacles(VtuFile &file, const std::vector<ObstacleState<3>> &obstacles);
 } // namespace softgrain::space_fields
 
 #endif

@@ -17,6 +17,7 @@
 namespace softgrain
 {
 class ContactLaw;
+class RigidSurface;
 template <int dim>
 class PackingMethod;
 template <int dim>
@@ -77,6 +78,18 @@ struct ObstacleDescription
   std::string name;
   std::vector<Curve> pieces;      ///< as drawn; each begins where the one before it ends
   dealii::Point<dim> pivot;       ///< about which it turns, before it is displaced [m]
+  std::vector<Expression> motion; ///< formulas of t: displacement [m], angle [degrees]
+  double friction = 0;
+};
+
+/// A rigid sheet in space that bodies may touch from both sides.
+template <>
+struct ObstacleDescription<3>
+{
+  std::string name;
+  std::shared_ptr<const RigidSurface> surface; ///< as drawn
+  dealii::Point<3> pivot;         ///< on the axis about which it turns, before it is displaced [m]
+  dealii::Tensor<1, 3> axis;      ///< about which it turns, unit
   std::vector<Expression> motion; ///< formulas of t: displacement [m], angle [degrees]
   double friction = 0;
 };

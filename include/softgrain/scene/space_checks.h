@@ -10,14 +10,17 @@ namespace softgrain
 /**
  * @brief Looks at a scene in space before anything is computed.
  *
- * Few scenes can be computed there so far: one body between flat walls that are told how to move, without
- * friction and loads. Every parameter that would ask for more, and every one that would have no effect, must
+ * Every parameter that would ask for what is not there yet, and every one that would have no effect, must
  * stand at its default.
  *
  * @param parameters all of the file
  * @throw InputErrors with a line for each that does not, and for what does not fit together
  */
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters);
+
+/// How walls are driven, alone: for the stages of a run.
+/// @throw InputError as check_scene_in_space()
+void check_walls_in_space(const Scene<3> &scene, const ParameterSection &parameters);
 } // namespace softgrain
 
 #endif

@@ -56,7 +56,7 @@ Distance distance_of_wall(const WallDescription<2> &wall)
 
 Distance distance_of_obstacle(const ObstacleDescription<2> &obstacle)
 {
-  const Pose pose = pose_of(obstacle, 0.);
+  const Pose<2> pose = pose_of(obstacle, 0.);
   return [&obstacle, pose](const Area &area)
   {
     const Place center = pose.drawn(area.center());

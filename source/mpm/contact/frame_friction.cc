@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction of the rays of a frame.
+// What the sides of a frame do to each other, and the friction of its rays.
 #include <softgrain/mpm/contact/frame_state.h>
 
 namespace softgrain::mpm
 {
+/// What the two sides do to each other. A body of which a wall is made stands for the wall.
+template <int dim>
+void FrameState<dim>::find_pair(const FrameScene<dim> &scene)
+{
+  const unsigned int wall = frame.partner == none ? frame.wall : scene.bodies[frame.partner].wall;
+  const bool two_bodies = wall == none;
+  if (scene.pairs != nullptr)
+    friction = line != nullptr ? line->friction
+               : two_bodies    ? scene.pairs->friction(frame.body, frame.partner)
+                               : scene.pairs->friction_at_wall(frame.body, wall);
+  // A corner has no length of its own.
+  if (scene.adhesion != nullptr && frame.corner == none && line == nullptr)
+    strength = two_bodies ? scene.pairs->adhesion(frame.body, frame.partner)
+                          : scene.pairs->adhesion_at_wall(frame.body, wall);
+}
+
 template <int dim>
 void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &wall_way, const unsigned int k)
 {
@@ -77,4 +93,6 @@ template void FrameState<3>::look_for_slide(const FrameScene<3> &,
                                             const std::vector<Eigen::VectorXd> &,
                                             const FrameState<3>::Vector &,
                                             unsigned int);
+template void FrameState<2>::find_pair(const FrameScene<2> &);
+template void FrameState<3>::find_pair(const FrameScene<3> &);
 } // namespace softgrain::mpm

@@ -64,7 +64,7 @@ void load_frames(const StateReader &in,
                  const std::string &name,
                  const std::vector<Body<2>> &bodies,
                  const unsigned int n_walls,
-                 const std::vector<Obstacle> &obstacles,
+                 const std::vector<Obstacle<2>> &obstacles,
                  std::vector<Frame> &frames)
 {
   const std::vector<std::uint64_t> who = in.read_integers(name + "/who", ListSize::rows_of(counts_of_frame));
@@ -81,7 +81,7 @@ void load_frames(const StateReader &in,
   for (const Body<2> &body : bodies)
     outlines.push_back(outline_of(body));
   std::vector<LineSurface> lines;
-  for (const Obstacle &obstacle : obstacles)
+  for (const Obstacle<2> &obstacle : obstacles)
     lines.push_back(surface_of(obstacle));
   frames.assign(n, Frame());
   std::size_t next = 0;

@@ -58,9 +58,8 @@ RaySide<dim> FrameLayout<dim>::meet_surface(const ContactFrame<dim> &frame,
 {
   const Ray<dim> ray = ray_of(frame, offset, away(side));
   const unsigned int b = side == 0 ? frame.partner : frame.body;
-  if constexpr (dim == 2)
-    if (b == ContactFrame<dim>::none)
-      return scene.line_of(frame)->meet(ray, 0., guess);
+  if (b == ContactFrame<dim>::none)
+    return scene.line_of(frame)->meet(ray, 0., guess);
   return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].displacement, guess);
 }
 

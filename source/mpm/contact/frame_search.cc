@@ -27,7 +27,7 @@ constexpr double keeps_direction = 0.98163; ///< cosine of 11 degrees
 /// Cosine and distance [cells] up to which a frame is turned in place of laying another one.
 constexpr double turns_direction = 0.5, turns_within = 2.;
 
-/// Finds the stretches of a pair. @param lines samples of the obstacles
+/// Finds the stretches of a pair. @param lines samples of the obstacles of the plane
 template <int dim>
 void look(const FrameScene<dim> &scene,
           const std::vector<SampledSurface<dim>> &samples,
@@ -37,10 +37,13 @@ void look(const FrameScene<dim> &scene,
   const SampledSurface<dim> &body = samples[task.named.body];
   if (scene.line_of(task.named) != nullptr)
   {
-    // Long lines have but a part near a body.
+    // Long lines have but a part near a body; a surface is sampled where it faces the body.
     if constexpr (dim == 2)
       task.image = std::make_unique<SampledSurface<2>>(
           part_in(task.near, lines[task.named.wall - scene.walls.size()]));
+    else
+      task.image = std::make_unique<SampledSurface<3>>(
+          scene.line_of(task.named)->facing(body, scene.reach_of(task.named)));
     task.partner = task.image.get();
     if (!task.partner->samples.empty())
       task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
@@ -168,7 +171,7 @@ template <int dim>
 struct LookedAt
 {
   const FrameScene<dim> &scene;
-  const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies and of obstacles
+  const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies, and of obstacles of the plane
 };
 
 /// Whether a frame that is kept has to be turned.

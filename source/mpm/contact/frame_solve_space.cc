@@ -69,7 +69,13 @@ bool FrameSystem<3>::factorize_active()
   if (any_slips)
     slip_factor.reinit(sizes, neighbours, false);
   for (const auto &entry : own)
-    add_entry(entry.row(), entry.col(), entry.value());
+  {
+    const unsigned int i = entry.row(), j = entry.col();
+    add_entry(i, j, entry.value());
+    // What slips gives to walls under loads.
+    if (number[j] >= 0 && slips_with_force(i))
+      add_slip(j, columns[i].mate, slips(i) * columns[i].bound * entry.value());
+  }
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (give_of(i) != 0.)
       add_entry(i, i, give_of(i));
@@ -81,21 +87,34 @@ bool FrameSystem<3>::factorize_active()
   return !any_slips || slip_factor.factorize();
 }
 
-/// Adds an entry of a frame's own, and its mirror image.
+/// Adds an entry of a frame's own, or of a frame and a wall under a load, and its mirror image.
 template <>
 void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const double value)
 {
   if (number[i] < 0 || number[j] < 0)
     return;
-  const int block = block_of[i], row = number[i] - factor.first()[block],
-            column = number[j] - factor.first()[block];
-  factor.block(block, block)(std::max(row, column), std::min(row, column)) += value;
+  // The later one stands in the later block.
+  const int row = std::max(number[i], number[j]), column = std::min(number[i], number[j]);
+  const int row_block = std::max(block_of[i], block_of[j]), column_block = std::min(block_of[i], block_of[j]);
+  factor.block(row_block, column_block)(row - factor.first()[row_block],
+                                        column - factor.first()[column_block]) += value;
   if (!any_slips)
     return;
-  auto with_slip = slip_factor.block(block, block);
-  with_slip(row, column) += value;
-  if (row != column)
-    with_slip(column, row) += value;
+  add_slip(i, j, value);
+  if (i != j)
+    add_slip(j, i, value);
+}
+
+/// Adds to the matrix with friction that slips, in the row of @p i and the column of @p j.
+template <>
+void FrameSystem<3>::add_slip(const unsigned int i, const unsigned int j, const double value)
+{
+  const int row_block = block_of[i], column_block = block_of[j], row = number[i] - factor.first()[row_block],
+            column = number[j] - factor.first()[column_block];
+  if (row_block >= column_block)
+    slip_factor.block(row_block, column_block)(row, column) += value;
+  else
+    slip_factor.transposed_block(column_block, row_block)(column, row) += value;
 }
 
 /// Adds W of a body, block by block.
@@ -161,7 +180,6 @@ void FrameSystem<3>::add_body(const unsigned int b)
 template <>
 bool FrameSystem<3>::solve_active()
 {
-  Assert(ways.empty(), dealii::ExcNotImplemented()); // walls under loads
   const int n = number_unknowns();
   if (!factorize_active())
     return false;

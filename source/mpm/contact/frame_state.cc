@@ -9,6 +9,7 @@ namespace softgrain::mpm
 {
 namespace
 {
+constexpr double nearly_flat = 0.5; ///< bend of an obstacle over that of a body
 /// Times the softer Young's modulus, at rest and with inertia, where masses hold what the field of a body
 /// does not.
 constexpr double softness_at_rest = 1e-3, softness_with_inertia = 1e-4;
@@ -28,13 +29,12 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
   if constexpr (dim == 3)
     young *= scene.cell_size;
   softness = (inertia() ? softness_with_inertia : softness_at_rest) / young;
+  line = scene.line_of(frame);
   // The law of dents is one of smooth surfaces; at a corner it would let go where the force grows.
-  if (subgrid.on && frame.corner == none)
+  if (subgrid.on && frame.corner == none && !meets_bent_obstacle(scene))
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = scene.apart(frame);
-  if constexpr (dim == 2)
-    line = scene.line_of(frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
   find_pair(scene);
@@ -70,9 +70,8 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
                            away(side) - frame.origin;
           height += sign(side) * (x * frame.direction);
         }
-        else if constexpr (dim == 2)
-          if (line != nullptr && side == 0)
-            height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
+        else if (line != nullptr && side == 0)
+          height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
       heights.push_back(height);
     }
     const double nearest = *std::min_element(heights.begin(), heights.end()) + scene.same_gap();
@@ -93,20 +92,14 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
         }
 }
 
-/// What the two sides do to each other. A body of which a wall is made stands for the wall.
+/// In space the law of dents is that of a plane or a ball: not of an obstacle that bends as a body does.
 template <int dim>
-void FrameState<dim>::find_pair(const FrameScene<dim> &scene)
+bool FrameState<dim>::meets_bent_obstacle(const FrameScene<dim> &scene) const
 {
-  const unsigned int wall = frame.partner == none ? frame.wall : scene.bodies[frame.partner].wall;
-  const bool two_bodies = wall == none;
-  if (scene.pairs != nullptr)
-    friction = line != nullptr ? line->friction
-               : two_bodies    ? scene.pairs->friction(frame.body, frame.partner)
-                               : scene.pairs->friction_at_wall(frame.body, wall);
-  // A corner has no length of its own.
-  if (scene.adhesion != nullptr && frame.corner == none && line == nullptr)
-    strength = two_bodies ? scene.pairs->adhesion(frame.body, frame.partner)
-                          : scene.pairs->adhesion_at_wall(frame.body, wall);
+  if (dim == 2 || line == nullptr)
+    return false;
+  const double size = std::cbrt(scene.bodies[frame.body].rest_area);
+  return frame.rays[0].place[0].bend.norm() * size > nearly_flat;
 }
 
 template <int dim>
@@ -128,9 +121,8 @@ RaySide<dim> FrameState<dim>::meet_surface(const FrameScene<dim> &scene,
                                            const SurfacePlace<dim> &guess) const
 {
   const unsigned int b = body(side);
-  if constexpr (dim == 2)
-    if (b == none)
-      return line->meet(ray, at, guess);
+  if (b == none)
+    return line->meet(ray, at, guess);
   return meet(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], guess);
 }
 
@@ -153,7 +145,7 @@ void FrameState<dim>::meet_corner(const FrameScene<dim> &scene,
   dealii::Point<dim> place;
   if (b != none)
     place = dealii::Point<dim>(corner.place.position + corner.function.at(displacement[b]) + away(side));
-  else if constexpr (dim == 2)
+  else
     place = line->placed(corner.place, at);
   corner.height = (place - frame.origin) * frame.direction;
   rays[k].gap += sign(side) * corner.height;
@@ -218,9 +210,8 @@ FrameState<dim>::mean_motion(const std::vector<Eigen::VectorXd> &increment) cons
         for (const auto &[i, weight] : mean[side])
           sum[m] += weight * (PlaceFunctions<dim>::of_node(increment[body(side)], i) * t);
       sum[m] += share(side) * (carried[side] * t);
-      if constexpr (dim == 2)
-        if (line != nullptr && side == 0 && share(0) > 0.)
-          sum[m] += line->way_of(frame.rays[0].place[0]) * t;
+      if (line != nullptr && side == 0 && share(0) > 0.)
+        sum[m] += line->way_of(frame.rays[0].place[0]) * t;
     }
   return sum;
 }

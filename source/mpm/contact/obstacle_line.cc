@@ -31,7 +31,7 @@ struct Turn
 };
 
 /// Gives a sample where a piece begins in a corner the normal and the angle of the corner.
-void make_corner(const Turn &turn, const Pose &pose, SampledSurface<2>::Sample &sample)
+void make_corner(const Turn &turn, const Pose<2> &pose, SampledSurface<2>::Sample &sample)
 {
   const Vector normal = turn.turns_back()
                             ? turn.before
@@ -40,13 +40,31 @@ void make_corner(const Turn &turn, const Pose &pose, SampledSurface<2>::Sample &
   sample.corner = 0.5 * std::acos(std::clamp(turn.cosine(), -1., 1.));
 }
 
-SampledSurface<2>::Sample sample_of(const SurfacePlace<2> &place, const Pose &pose)
+SampledSurface<2>::Sample sample_of(const SurfacePlace<2> &place, const Pose<2> &pose)
 {
   SampledSurface<2>::Sample sample;
   sample.place = place;
   sample.position = pose.placed(place.position);
   sample.normal = pose.turned(place.normal, pose.angle);
   return sample;
+}
+
+/// Where a line goes straight on, up to about a degree, there is no corner.
+constexpr double straight_on = 0.9998;
+
+/// Whether piece @p k begins in a corner, or in an end of the line: what can be touched by itself. @param k
+/// may be the number of pieces: the end of the last one
+bool has_tip(const std::vector<Curve> &pieces, const std::size_t k)
+{
+  if (pieces.front().closed())
+    return false;
+  const bool loop = pieces.size() > 1 && pieces.back().end() == pieces.front().begin();
+  if (k == pieces.size())
+    return !loop;
+  if (k == 0 && !loop)
+    return true;
+  const Curve &before = k == 0 ? pieces.back() : pieces[k - 1];
+  return before.direction_at_end() * pieces[k].direction_at_begin() < straight_on;
 }
 
 /// A line whose sides go on straight beyond dents: there the other side of the dent holds what comes, and a
@@ -93,15 +111,15 @@ private:
 };
 } // namespace
 
-LineSurface surface_of(const Obstacle &obstacle)
+LineSurface surface_of(const Obstacle<2> &obstacle)
 {
   std::vector<char> tips;
   for (std::size_t k = 0; k <= obstacle.description.pieces.size(); ++k)
-    tips.push_back(obstacle.has_tip(k));
+    tips.push_back(has_tip(obstacle.description.pieces, k));
   return {obstacle.description.pieces, std::move(tips)};
 }
 
-ObstacleLine::ObstacleLine(const Obstacle &obstacle)
+ObstacleLine::ObstacleLine(const Obstacle<2> &obstacle)
     : friction(obstacle.description.friction), surface(surface_of(obstacle)), way(obstacle.way)
 {
 }
@@ -119,7 +137,7 @@ SampledSurface<2> ObstacleLine::samples(const double spacing) const
 {
   SampledSurface<2> result;
   result.spacing = spacing;
-  const Pose &pose = way.start;
+  const Pose<2> &pose = way.start;
   const unsigned int n = surface.n_pieces() / 2;
   std::vector<unsigned int> first(2 * n), last(2 * n); // samples of every piece
   for (unsigned int step = 0; step < 2 * n; ++step)
@@ -157,7 +175,7 @@ SampledSurface<2> ObstacleLine::samples(const double spacing) const
 
 RaySide<2> ObstacleLine::meet(const Ray<2> &ray, const double share, const SurfacePlace<2> &guess) const
 {
-  const Pose pose = way.at(share);
+  const Pose<2> pose = way.at(share);
   const auto turn = [&](const Vector &v, const double by) { return pose.turned(v, by); };
   Ray<2> drawn = ray;
   drawn.origin = pose.drawn(ray.origin);

@@ -82,10 +82,10 @@ private:
     const double spacing = own.boundary().spacing / own.boundary().stride;
     for (unsigned int o = 0; o < scene.obstacles->size(); ++o)
     {
-      const Obstacle &obstacle = (*scene.obstacles)[o];
+      const Obstacle<2> &obstacle = (*scene.obstacles)[o];
       double way = 0.;
       Polygon here;
-      const Pose pose = obstacle.way.at(scene.share);
+      const Pose<2> pose = obstacle.way.at(scene.share);
       for (const Curve &piece : obstacle.description.pieces)
       {
         // Chords of 0.1 rad lie within 0.13 % of the radius.
@@ -102,7 +102,7 @@ private:
           [&](const double share)
           {
             Intrusion deepest;
-            const Pose there = obstacle.way.at(share);
+            const Pose<2> there = obstacle.way.at(share);
             const OnTheWay body(own, scene.share - share);
             for (const Curve &piece : obstacle.description.pieces)
             {

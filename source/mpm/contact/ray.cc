@@ -54,6 +54,13 @@ dealii::Tensor<2, dim - 1> jacobian(const Ray<dim> &ray, const Deformed<dim> &su
   return J;
 }
 
+/// A surface that stands along the ray, or has been turned over, has no height.
+template <int n>
+bool stands_along(const dealii::Tensor<2, n> &J)
+{
+  return !(determinant(J) * determinant(J) > 1e-6);
+}
+
 /// Gives a side that has been met its height and derivatives.
 template <int dim, class Field>
 void derive(const Ray<dim> &ray,
@@ -146,8 +153,7 @@ RaySide<dim> meet_deformed(const Ray<dim> &ray,
       return side;
     const Deformed<dim> here(side.place, near);
     const dealii::Tensor<2, dim - 1> J = jacobian(ray, here);
-    // A surface that stands along the ray, or has been turned over, has no height.
-    if (!(determinant(J) * determinant(J) > 1e-6))
+    if (stands_along(J))
       return side;
     const dealii::Tensor<2, dim - 1> inverse = invert(J);
     dealii::Tensor<1, dim - 1> off;
@@ -199,6 +205,23 @@ RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const Su
   return meet_deformed(ray, surface, none, guess);
 }
 
+template <int dim>
+RaySide<dim> side_at(const Ray<dim> &ray, const SurfacePlace<dim> &place)
+{
+  const NoField<dim> none;
+  RaySide<dim> side;
+  side.place = place;
+  const Deformed<dim> here(place, none);
+  const dealii::Tensor<2, dim - 1> J = jacobian(ray, here);
+  if (!stands_along(J))
+  {
+    side.met = true;
+    derive(ray, here, invert(J), none, side);
+  }
+  return side;
+}
+
+template RaySide<3> side_at(const Ray<3> &, const SurfacePlace<3> &);
 template RaySide<2> meet(const Ray<2> &, const RestSurface<2> &, const SurfacePlace<2> &);
 template RaySide<3> meet(const Ray<3> &, const RestSurface<3> &, const SurfacePlace<3> &);
 template RaySide<2> meet(const Ray<2> &,

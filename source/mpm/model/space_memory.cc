@@ -50,8 +50,18 @@ void save_frames(const std::vector<Frame> &frames, StateWriter &out)
   out.write("space/frames/rays", rays);
 }
 
+/// A place of an obstacle as it was when it was kept.
+SurfacePlace<3> place_of(const Obstacle<3> &obstacle, const dealii::Point<3> &position)
+{
+  const RigidSurface &surface = *obstacle.description.surface;
+  SurfacePlace<3> place = surface.nearest(position, surface.thickness()).value_or(SurfacePlace<3>());
+  place.position = position;
+  return place;
+}
+
 void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_walls)
 {
+  const std::size_t n_fixed = n_walls + state.obstacles.size();
   const std::vector<std::uint64_t> who =
       in.read_integers("space/frames/who", ListSize::rows_of(counts_of_frame));
   const std::size_t n = who.size() / counts_of_frame;
@@ -67,7 +77,7 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
     Frame &frame = state.frames[f];
     const std::uint64_t *names = &who[counts_of_frame * f];
     const bool at_wall = names[1] == Frame::none;
-    if (names[0] >= state.bodies.size() || (at_wall ? names[2] >= n_walls : names[1] >= state.bodies.size()))
+    if (names[0] >= state.bodies.size() || (at_wall ? names[2] >= n_fixed : names[1] >= state.bodies.size()))
       in.refuse("space/frames/who", "there is no such body or wall");
     frame.body = names[0];
     frame.partner = names[1];
@@ -94,6 +104,8 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
         take(of_ray, position);
         if (const unsigned int b = side == 0 ? frame.partner : frame.body; b != Frame::none)
           ray.place[side] = state.surfaces[b].at(position);
+        else if (frame.wall >= n_walls)
+          ray.place[side] = place_of(state.obstacles[frame.wall - n_walls], position);
       }
     }
   }
@@ -198,6 +210,7 @@ void SpaceModel::save(StateWriter &out) const
   out.write("space/displacement", nodal(state, &Body<3>::displacement));
   out.write("space/held_back", state.held_back);
   out.write("space/walls", walls);
+  save_obstacles(out, "space/obstacles", state.obstacles);
   save_frames(state.frames, out);
   save_contacts(state.contacts, out);
   if (settings.scheme.inertia)
@@ -236,7 +249,9 @@ void SpaceModel::load(StateReader &in)
     driven[w].force = state.wall_force[w] = dealii::Tensor<1, 3>({of_wall[4], of_wall[5], of_wall[6]});
     driven[w].drive_begin = of_wall[7];
     driven[w].travel_before = of_wall[8];
+    state.loaded[w].way = driven[w].travel;
   }
+  load_obstacles(in, "space/obstacles", state.time, state.obstacles);
   load_frames(in, state, driven.size());
   load_contacts(in, state);
   if (settings.scheme.inertia)

@@ -6,7 +6,6 @@
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/space_model.h>
-#include <softgrain/mpm/stepping/driven_work.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/scene/wall_drive.h>
@@ -15,6 +14,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -62,6 +62,17 @@ std::vector<dealii::Point<3>> places_in_cells(const Shape<3> &shape, const Latti
   return places;
 }
 
+/// What bodies press into a thin sheet could come out on its other side.
+void check_thickness(const ObstacleDescription<3> &obstacle, const double cell_size)
+{
+  if (obstacle.surface->thickness() >= cell_size)
+    return;
+  std::ostringstream text;
+  text << "'Obstacles/" << obstacle.name << "/Thickness' = '" << obstacle.surface->thickness()
+       << "' is not allowed: it must be at least 'Mesh/Cell size', which is " << cell_size << " m";
+  throw InputError(text.str());
+}
+
 /// [m/s]
 double fastest_of(const WallMotion<3> &wall)
 {
@@ -76,6 +87,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     , subgrid{settings.subgrid_compliance(), settings.cell_size, settings.space_lower}
     , pairs(scene)
     , loads(scene.loads)
+    , frictionless(pairs.frictionless() && !rough(scene.obstacles))
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
 {
@@ -90,6 +102,10 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     wall_names.push_back(wall.name);
   }
   state.wall_force.resize(driven.size());
+  state.loaded.resize(driven.size());
+  state.obstacles = make_obstacles(scene);
+  for (const Obstacle<3> &obstacle : state.obstacles)
+    check_thickness(obstacle.description, settings.cell_size);
   if (!this->settings.scheme.inertia)
     return;
   choose_for_long_steps(wanted_step(), cfl_step(), this->settings);
@@ -142,25 +158,6 @@ void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) con
   }
 }
 
-WallMotion<3> SpaceModel::DrivenWall::motion(const double time, const double dt) const
-{
-  const WallStep step{time - drive_begin, dt, travel - travel_before};
-  WallMotion<3> motion{point(), description.normal, description.drive->demand(step).velocity};
-  motion.slide = description.drive->slide_velocity(step);
-  return motion;
-}
-
-void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
-{
-  for (std::size_t w = 0; w < driven.size(); ++w)
-    if (drives[w])
-    {
-      driven[w].description.drive = drives[w];
-      driven[w].drive_begin = state.time;
-      driven[w].travel_before = driven[w].travel;
-    }
-}
-
 double SpaceModel::cfl_step() const
 {
   double step = std::numeric_limits<double>::max();
@@ -183,17 +180,12 @@ double SpaceModel::wanted_step() const
       if (speed > 0.)
         by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
     }
+  if (settings.wall_way > 0. && !settings.scheme.inertia)
+    if (const double speed = fastest_obstacle(std::min(told, 1e3 * settings.cell_size)); speed > 0.)
+      by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
   if (settings.scheme.inertia && by_walls == longest)
     return settings.step.wanted(settings.cfl_multiple * cfl_step());
   return std::min(told, by_walls);
-}
-
-std::vector<WallMotion<3>> SpaceModel::motion() const
-{
-  std::vector<WallMotion<3>> walls;
-  for (const DrivenWall &wall : driven)
-    walls.push_back({wall.point(), wall.description.normal, 0.});
-  return walls;
 }
 
 void SpaceModel::note(const StepOutcome &outcome, StepReport &report) const
@@ -209,37 +201,14 @@ void SpaceModel::note(const StepOutcome &outcome, StepReport &report) const
 
 Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &report)
 {
-  std::vector<WallMotion<3>> walls;
-  for (const DrivenWall &wall : driven)
-    walls.push_back(wall.motion(state.time, dt));
-  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), walls, dt)
-                                                      : SpaceAtRest(state, scene(), walls).go(dt, wanted);
+  const SpaceMotion planned = motion(dt);
+  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), planned, dt)
+                                                      : SpaceAtRest(state, scene(), planned).go(dt, wanted);
   note(outcome, report);
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
-  book_walls(walls, dt);
+  book(planned, dt);
   return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
-}
-
-void SpaceModel::book_walls(const std::vector<WallMotion<3>> &walls, const double dt)
-{
-  const bool balanced = !settings.scheme.inertia;
-  std::vector<DrivenWork> works;
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    DrivenWall &wall = driven[w];
-    const dealii::Tensor<1, 3> before = balanced ? wall.force : state.wall_force[w],
-                               way = dt * (walls[w].velocity * walls[w].normal +
-                                           walls[w].slide * walls[w].tangent());
-    wall.speed = walls[w].velocity;
-    wall.slide = walls[w].slide;
-    wall.travel += dt * wall.speed;
-    wall.work += 0.5 * (before + state.wall_force[w]) * way;
-    works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
-    wall.force = state.wall_force[w];
-  }
-  if (balanced)
-    state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
 }
 
 void SpaceModel::keep_before()
@@ -269,7 +238,8 @@ StepReport SpaceModel::advance(const double dt_limit)
   SafeStep safe;
   if (!settings.scheme.inertia)
     keep_before();
-  else if (const double limit = safe_step_in_space(state.bodies, wanted); limit < wanted)
+  else if (const double limit = safe_step_in_space(state.bodies, state.obstacles, state.time, wanted);
+           limit < wanted)
   {
     safe.dt = limit;
     safe.shortest = settings.step.smallest_step * std::min(wanted, settings.cfl_multiple * cfl_step());
@@ -304,7 +274,7 @@ void SpaceModel::settle(StepReport &report)
   StepOutcome outcome;
   try
   {
-    outcome = SpaceAtRest(state, scene(), motion()).settle(last_dt);
+    outcome = SpaceAtRest(state, scene(), motion(0.)).settle(last_dt);
   }
   catch (...)
   {
@@ -312,6 +282,7 @@ void SpaceModel::settle(StepReport &report)
     throw;
   }
   note(outcome, report);
+  follow_loads();
   if (outcome.held_steps > 0)
     state.released_energy += before - not_booked();
   for (std::size_t w = 0; w < driven.size(); ++w)

@@ -50,6 +50,8 @@ Energies SpaceModel::energies() const
   energies.external_work = state.motion.load_work.sum();
   for (const DrivenWall &wall : driven)
     energies.external_work += wall.work;
+  for (const Obstacle<3> &obstacle : state.obstacles)
+    energies.external_work += obstacle.work;
   return energies;
 }
 
@@ -137,6 +139,8 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
   std::vector<std::pair<std::string, double>> columns;
   for (const DrivenWall &wall : driven)
     columns.emplace_back(wall.description.name + "_work_J", wall.work);
+  for (const Obstacle<3> &obstacle : state.obstacles)
+    columns.emplace_back(obstacle.description.name + "_work_J", obstacle.work);
   for (const std::string &load : loads.names())
     columns.emplace_back(load + "_work_J", state.motion.load_work.of(load));
   return columns;

@@ -55,6 +55,7 @@ Snapshot<3> SpaceModel::snapshot() const
   result.time = state.time;
   result.step = steps;
   result.walls = walls();
+  result.obstacles = obstacles();
   result.energies = energies();
   for (const Body<3> &body : state.bodies)
   {

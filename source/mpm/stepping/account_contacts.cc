@@ -22,7 +22,7 @@ void account_contacts(
     state.walls[w].slide_speed = motion[w].slide;
   }
   std::vector<std::pair<dealii::Tensor<1, 2>, double>> felt_before; // by obstacles: force and torque
-  for (Obstacle &obstacle : state.obstacles)
+  for (Obstacle<2> &obstacle : state.obstacles)
   {
     felt_before.emplace_back(obstacle.force, obstacle.torque);
     obstacle.arrive();
@@ -52,7 +52,7 @@ void account_contacts(
       const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
       if (rows[r].obstacle)
       {
-        Obstacle &obstacle = state.obstacles[rows[r].wall - state.walls.size()];
+        Obstacle<2> &obstacle = state.obstacles[rows[r].wall - state.walls.size()];
         obstacle.give(given, rows[r].place, dt);
         state.balance.wall_impulse += given;
         if (!balanced)
@@ -88,8 +88,8 @@ void account_contacts(
   std::vector<DrivenWork> driven;
   for (unsigned int o = 0; balanced && o < state.obstacles.size(); ++o)
   {
-    Obstacle &obstacle = state.obstacles[o];
-    const ObstacleMotion &way = obstacle.way;
+    Obstacle<2> &obstacle = state.obstacles[o];
+    const ObstacleMotion<2> &way = obstacle.way;
     if (way.dt == 0.)
       continue;
     const dealii::Tensor<1, 2> shift = way.end.shift - way.start.shift;

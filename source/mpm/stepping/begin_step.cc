@@ -17,7 +17,7 @@ begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan
 std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const StepPlan &plan)
 {
   const std::vector<Wall> &walls = state.walls;
-  for (Obstacle &obstacle : state.obstacles)
+  for (Obstacle<2> &obstacle : state.obstacles)
     obstacle.plan(state.time, plan.held ? 0. : plan.dt);
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)

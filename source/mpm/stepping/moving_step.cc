@@ -22,7 +22,7 @@ class MovingStep : public SpaceRayStep
 public:
   MovingStep(SpaceState &state,
              const SpaceScene &space,
-             const std::vector<WallMotion<3>> &motion,
+             SpaceMotion &motion,
              const StepPlan &plan,
              MovingEquations &equations);
 
@@ -35,15 +35,18 @@ private:
   void account_body(Body<3> &body, SpaceState &state);
 
   MovingEquations &moving;
-  double wall_work = 0., taken = 0.; ///< by walls on the bodies, and of all by contact [J]
+  std::vector<double> obstacle_work; ///< on the bodies [J]
+  double taken = 0.;                 ///< of all work by contact [J]
 };
 
 MovingStep::MovingStep(SpaceState &state,
                        const SpaceScene &space,
-                       const std::vector<WallMotion<3>> &motion,
+                       SpaceMotion &motion,
                        const StepPlan &plan,
                        MovingEquations &equations)
-    : SpaceRayStep(state, space, motion, plan, equations), moving(equations)
+    : SpaceRayStep(state, space, motion, plan, equations)
+    , moving(equations)
+    , obstacle_work(motion.obstacles.size(), 0.)
 {
   for (const Body<3> &body : state.bodies)
     scene.own_way.push_back(plan.dt * mpm::largest_way(body, body.velocity));
@@ -62,9 +65,14 @@ void MovingStep::note_contact_work()
   for (unsigned int f = 0; f < frames.size(); ++f)
     if (const ContactFrame<3> &layout = frames[f].layout(); layout.partner == ContactFrame<3>::none)
       for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
-        wall_work += (force[f][k] * frames[f].resultant(k) + frames[f].in_space(k, rubbing[f][k])) *
-                     scene.way_of_wall(layout.wall);
-  taken = wall_work;
+        if (force[f][k] != 0.)
+        {
+          const double work = (force[f][k] * frames[f].resultant(k) + frames[f].in_space(k, rubbing[f][k])) *
+                              way_of_partner(frames[f], k);
+          if (const unsigned int o = obstacle_of(layout); o != none)
+            obstacle_work[o] += work;
+          taken += work;
+        }
   for (unsigned int b = 0; b < way.size(); ++b)
     taken -= contact_forces(b).dot(way[b]);
 }
@@ -120,21 +128,21 @@ void MovingStep::accept(SpaceState &state)
     account_body(body, state);
   state.motion.contact_loss += taken;
   accept_ways(state);
+  for (unsigned int o = 0; o < obstacle_work.size(); ++o)
+    state.obstacles[o].work += obstacle_work[o];
   for (const SpaceContact &contact : state.contacts)
     if (contact.partner == ContactFrame<3>::none)
       state.motion.impulse += plan.dt * contact.force;
 }
 } // namespace
 
-StepOutcome moving_step(SpaceState &state,
-                        const SpaceScene &scene,
-                        const std::vector<WallMotion<3>> &motion,
-                        const double dt)
+StepOutcome
+moving_step(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motion, const double dt)
 {
   const StepPlan plan{dt, false, 0.};
-  MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time,
-                            scene.pairs.frictionless());
-  MovingStep step(state, scene, motion, plan, equations);
+  MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
+  SpaceMotion planned = motion;
+  MovingStep step(state, scene, planned, plan, equations);
   return try_ray_step(step, false, std::numeric_limits<double>::max(), state);
 }
 } // namespace softgrain::mpm

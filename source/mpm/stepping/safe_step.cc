@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/obstacle_solid.h>
 #include <softgrain/mpm/contact/overlap_judge.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/mpm/stepping/step.h>
@@ -7,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace softgrain::mpm
 {
@@ -166,7 +168,7 @@ double safe_from_obstacles(const Problem &problem,
                            const double dt)
 {
   double step = dt;
-  for (Obstacle obstacle : state.obstacles)
+  for (Obstacle<2> obstacle : state.obstacles)
   {
     obstacle.plan(state.time, dt);
     double speed = 0.;
@@ -245,11 +247,26 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
   return step;
 }
 
-double safe_step_in_space(const std::vector<Body<3>> &bodies, const double dt)
+double safe_step_in_space(const std::vector<Body<3>> &bodies,
+                          const std::vector<Obstacle<3>> &obstacles,
+                          const double time,
+                          const double dt)
 {
   std::vector<Flight<3>> flights;
   for (const Body<3> &body : bodies)
     flights.push_back(flight_of(body, dealii::Tensor<1, 3>()));
-  return safe_from_bodies(bodies, 0., flights, std::numeric_limits<double>::max(), dt);
+  double step = safe_from_bodies(bodies, 0., flights, std::numeric_limits<double>::max(), dt);
+  for (const Obstacle<3> &obstacle : obstacles)
+  {
+    const ObstacleSolid solid(obstacle, obstacle.motion(time, dt));
+    const double speed = solid.largest_way() / dt;
+    Flight<3> there;
+    std::tie(there.lower, there.upper) = solid.box();
+    for (const Flight<3> &flight : flights)
+      step =
+          std::min(step, time_of_way(std::max(largest_way_in_widths * flight.width, distance(flight, there)),
+                                     flight.velocity.norm() + flight.spread + speed, 0.));
+  }
+  return step;
 }
 } // namespace softgrain::mpm

@@ -3,29 +3,93 @@
 #include <softgrain/mpm/stepping/space_ray_step.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace softgrain::mpm
 {
+namespace
+{
+/// Where a ray presses: on a wall or an obstacle, and in the middle between two bodies. Dents that the grid
+/// misses let surfaces come nearer than to each other.
+double at_height(const FrameState<3> &frame, const unsigned int k)
+{
+  const double share = frame.body(0) == FrameState<3>::none ? 1. : 0.5;
+  return frame.ray(k).side[1].height - share * frame.ray(k).gap;
+}
+} // namespace
+
 SpaceRayStep::SpaceRayStep(SpaceState &state,
                            const SpaceScene &space,
-                           const std::vector<WallMotion<3>> &motion,
+                           SpaceMotion &motion,
                            const StepPlan &plan,
                            BodyEquations<3> &equations)
-    : RayNewton<3>({state.bodies, state.surfaces, state.frames, motion, space.settings,
+    : RayNewton<3>({state.bodies, state.surfaces, state.frames, motion.walls, space.settings,
                     space.settings.cell_size, space.subgrid, space.work.share, space.work.matrices,
                     space.work.solvers, *space.work.timer},
                    plan,
                    equations)
+    , motion(motion)
     , wall_names(space.wall_names)
+    , obstacles(state.obstacles)
+    , wall_force(state.wall_force)
 {
+  for (unsigned int o = 0; o < obstacles.size(); ++o)
+    solids.emplace_back(obstacles[o], motion.obstacles[o]);
   scene.pairs = &space.pairs;
+  scene.lines = &solids;
+  scene.reach += 2. * other_way();
+}
+
+// As in the plane, where they may also slide.
+void SpaceRayStep::find_free_walls()
+{
+  double softest = std::numeric_limits<double>::max();
+  for (const Body<3> &body : world.bodies)
+    softest = std::min(softest, body.law->young_modulus());
+  const std::vector<WallMotion<3>> end = motion.at_end(plan.dt).walls;
+  for (unsigned int w = 0; w < motion.walls.size(); ++w)
+    if (motion.pressure[w])
+    {
+      FreeWall<3> free;
+      free.wall = w;
+      free.normal = free.way = motion.walls[w].normal;
+      const double area = pressed_area(end, w), load = *motion.pressure[w] * area,
+                   net = load - wall_force[w] * free.normal;
+      system.ways.emplace_back(free, none, nullptr, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
+                               world.settings.wall_motion * h,
+                               10. * world.settings.regularisation * softest * std::sqrt(area));
+      pressed.push_back(w);
+    }
+}
+
+void SpaceRayStep::move_free_walls()
+{
+  for (unsigned int i = 0; i < pressed.size(); ++i)
+    motion.walls[pressed[i]].velocity = system.ways[i].at / plan.dt;
+}
+
+double SpaceRayStep::other_way() const
+{
+  double way = 0.;
+  for (const ObstacleSolid &solid : solids)
+    way = std::max(way, solid.largest_way());
+  return way;
+}
+
+dealii::Tensor<1, 3> SpaceRayStep::way_of_partner(const FrameState<3> &frame, const unsigned int k) const
+{
+  return frame.obstacle() != nullptr ? frame.obstacle()->way_of(frame.ray(k).side[0].place)
+                                     : scene.way_of_wall(frame.layout().wall);
 }
 
 std::string SpaceRayStep::partner_of(const ContactFrame<3> &frame) const
 {
-  return frame.partner != none ? "body '" + world.bodies[frame.partner].name
-                               : "wall '" + wall_names[frame.wall];
+  if (frame.partner != none)
+    return "body '" + world.bodies[frame.partner].name;
+  const unsigned int o = obstacle_of(frame);
+  return o != none ? "obstacle '" + obstacles[o].description.name : "wall '" + wall_names[frame.wall];
 }
 
 void SpaceRayStep::add_contacts(const unsigned int f, SpaceState &state) const
@@ -39,10 +103,12 @@ void SpaceRayStep::add_contacts(const unsigned int f, SpaceState &state) const
       SpaceContact contact{layout.body, layout.partner, layout.wall, layout.origin, {}, {}, frame.ray(k).gap};
       const dealii::Tensor<1, 2> offset = layout.offset(layout.rays[k].index) + frame.motion();
       contact.place += offset[0] * layout.across[0] + offset[1] * layout.across[1] +
-                       frame.ray(k).side[1].height * layout.direction;
+                       at_height(frame, k) * layout.direction;
       contact.normal = frame.resultant(k) / frame.resultant(k).norm();
       contact.force = of_rays[k] * frame.resultant(k) + frame.in_space(k, rubbing[f][k]);
-      if (layout.partner == none)
+      if (const unsigned int o = obstacle_of(layout); o != none)
+        state.obstacles[o].give(plan.dt * contact.force, contact.place, plan.dt);
+      else if (layout.partner == none)
         state.wall_force[layout.wall] += contact.force;
       state.contacts.push_back(contact);
     }
@@ -53,6 +119,11 @@ void SpaceRayStep::accept_ways(SpaceState &state)
   for (const Eigen::VectorXd &of_body : way)
     outcome.largest_move = std::max(outcome.largest_move, of_body.lpNorm<Eigen::Infinity>());
   std::vector<ContactFrame<3>> kept;
+  for (unsigned int o = 0; o < state.obstacles.size(); ++o)
+  {
+    state.obstacles[o].way = motion.obstacles[o];
+    state.obstacles[o].arrive();
+  }
   state.contacts.clear();
   state.wall_force.assign(world.motion.size(), dealii::Tensor<1, 3>());
   for (unsigned int f = 0; f < frames.size(); ++f)

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/space_ray_step.h>
 #include <softgrain/mpm/stepping/space_step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace softgrain::mpm
 {
 namespace
 {
+constexpr double least_load = 1e-6; ///< that is asked for, over Young's modulus times the side of a cell
+
 class StepAtRest : public SpaceRayStep
 {
 public:
   StepAtRest(SpaceState &state,
              const SpaceScene &space,
-             const std::vector<WallMotion<3>> &motion,
+             SpaceMotion &motion,
              const StepPlan &plan,
              SpaceEquations &equations)
       : SpaceRayStep(state, space, motion, plan, equations), of_space(equations)
@@ -49,26 +57,67 @@ void StepAtRest::accept(SpaceState &state)
   state.kinks = ContactKinks();
   for (unsigned int f = 0; f < frames.size(); ++f)
     account_frame(f, state);
+  const std::vector<dealii::Tensor<1, 3>> before = state.wall_force;
   accept_ways(state);
+  for (unsigned int i = 0; i < pressed.size(); ++i)
+  {
+    const unsigned int w = pressed[i];
+    const double gone = system.ways[i].at;
+    state.loaded[w].way += gone;
+    state.loaded[w].work += 0.5 * gone * ((before[w] + state.wall_force[w]) * motion.walls[w].normal);
+  }
 }
 } // namespace
 
 StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const double most_resistance)
 {
-  std::vector<WallMotion<3>> walls = motion;
-  for (WallMotion<3> &wall : walls)
-    if (plan.held)
-    {
-      wall.point += plan.dt * wall.velocity * wall.normal;
-      wall.velocity = wall.slide = 0.;
-    }
-  SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, scene.pairs.frictionless());
-  StepAtRest step(state, scene, walls, plan, equations);
+  stands = motion.at_end(plan.dt);
+  SpaceMotion now = plan.held ? stands : motion;
+  now.walls = walls_now(now, state.loaded);
+  SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, scene.frictionless);
+  StepAtRest step(state, scene, now, plan, equations);
   return try_ray_step(step, careful, most_resistance, state);
 }
 
 double SpaceAtRest::unbalanced()
 {
-  return unbalanced_rays(state.bodies, state.frames, state.held_back, scene.settings.cell_size);
+  return std::max(unbalanced_rays(state.bodies, state.frames, state.held_back, scene.settings.cell_size),
+                  unbalanced_wall().share);
+}
+
+WallImbalance SpaceAtRest::unbalanced_wall() const
+{
+  double softest = std::numeric_limits<double>::max();
+  for (const Body<3> &body : state.bodies)
+    softest = std::min(softest, body.law->young_modulus());
+  const double h = scene.settings.cell_size;
+  return least_balanced_wall(stands, state.loaded, state.wall_force, least_load * softest * h * h);
+}
+
+bool SpaceAtRest::walls_yield() const
+{
+  return std::any_of(motion.pressure.begin(), motion.pressure.end(),
+                     [](const std::optional<double> &pressure) { return pressure.has_value(); });
+}
+
+void SpaceAtRest::held(StepOutcome & /*sum*/)
+{
+  const double room = scene.settings.space_lower.distance(scene.settings.space_upper);
+  for (unsigned int w = 0; w < state.loaded.size(); ++w)
+    if (motion.pressure[w] && std::abs(state.loaded[w].way) > room)
+      throw ComputationError("at time " + short_number(state.time) +
+                             " s nothing bears the pressure of wall '" + scene.wall_names[w] +
+                             "': it has gone " + short_number(state.loaded[w].way) + " m");
+}
+
+std::string SpaceAtRest::least_balanced() const
+{
+  const WallImbalance worst = unbalanced_wall();
+  if (worst.share <= scene.settings.unbalanced_force)
+    return least_balanced_body(state.bodies, state.held_back);
+  const std::string wall = "the pressure of wall '" + scene.wall_names[worst.wall] + "'";
+  return worst.force == 0. ? "nothing bears " + wall
+                           : short_number(worst.force) + " N act against " + wall + ", which is " +
+                                 short_number(worst.load) + " N";
 }
 } // namespace softgrain::mpm

@@ -137,7 +137,7 @@ private:
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
   std::vector<Wall> moving_walls;
-  std::vector<Obstacle> moving_obstacles;
+  std::vector<Obstacle<2>> moving_obstacles;
   std::vector<std::uint32_t> first_of_body;
   std::vector<bool> fixed;
   std::vector<double> density; ///< of every body

@@ -75,7 +75,7 @@ public:
                       const std::vector<std::vector<std::array<double, 2>>> &of_loads = {});
 
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
-  void set_obstacles(std::vector<Obstacle> *list);
+  void set_obstacles(std::vector<Obstacle<2>> *list);
 
   /// Ranks that all have the same primaries, and share the contact solve; null: none. They have to stay.
   void set_ranks(const Ranks *list) { ranks = list; }
@@ -327,7 +327,7 @@ private:
     double slip = 0;                 ///< its velocity along t in the step [m/s]
   };
   std::vector<ObstacleRow> obstacle_rows;
-  std::vector<Obstacle> *obstacles = nullptr;
+  std::vector<Obstacle<2>> *obstacles = nullptr;
   std::optional<ObstacleFeet> feet; ///< where they are touched
   double stored_energy = 0, deepest = 0;
   std::size_t n_lists = 0;

@@ -29,7 +29,7 @@ void load_frames(const StateReader &in,
                  const std::string &name,
                  const std::vector<Body<2>> &bodies,
                  unsigned int n_walls,
-                 const std::vector<Obstacle> &obstacles,
+                 const std::vector<Obstacle<2>> &obstacles,
                  std::vector<ContactFrame<2>> &frames);
 
 /// Lays the outlines of bodies whose grid is another one than before, and puts the places of @p frames on

@@ -12,6 +12,7 @@
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/hertz_compliance.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
+#include <softgrain/mpm/contact/obstacle_solid.h>
 #include <softgrain/mpm/contact/ray.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -24,6 +25,10 @@ namespace softgrain::mpm
 /// What rays meet of a body.
 template <int dim>
 using BodySurface = std::conditional_t<dim == 2, OutlineSurface, SolidSurface>;
+
+/// What rays meet of an obstacle.
+template <int dim>
+using ObstacleRays = std::conditional_t<dim == 2, ObstacleLine, ObstacleSolid>;
 
 /// The law of dents that a grid misses.
 template <int dim>
@@ -52,8 +57,8 @@ struct FrameScene
   /// How far the outline of every body would go in the step at its present velocity; empty: without
   /// inertia [m].
   std::vector<double> own_way = {};
-  const std::vector<ObstacleLine> *lines = nullptr; ///< of the obstacles; null: there are none
-  const Adhesion *adhesion = nullptr;               ///< null: nothing adheres
+  const std::vector<ObstacleRays<dim>> *lines = nullptr; ///< of the obstacles; null: there are none
+  const Adhesion *adhesion = nullptr;                    ///< null: nothing adheres
   const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].
@@ -63,7 +68,7 @@ struct FrameScene
            (frame.partner == ContactFrame<dim>::none ? 0. : way_of(frame.partner));
   }
   /// The obstacle that a frame belongs to; null: none.
-  const ObstacleLine *line_of(const ContactFrame<dim> &frame) const
+  const ObstacleRays<dim> *line_of(const ContactFrame<dim> &frame) const
   {
     const bool at_line =
         lines != nullptr && frame.partner == ContactFrame<dim>::none && frame.wall >= walls.size();
@@ -72,9 +77,8 @@ struct FrameScene
   /// The surface of a side, 0 the partner, which is no wall, and 1 the body.
   const RestSurface<dim> &surface_of(const ContactFrame<dim> &frame, const unsigned int side) const
   {
-    if constexpr (dim == 2)
-      if (side == 0 && frame.partner == ContactFrame<dim>::none)
-        return line_of(frame)->surface;
+    if (side == 0 && frame.partner == ContactFrame<dim>::none)
+      return line_of(frame)->surface;
     return outlines[side == 0 ? frame.partner : frame.body];
   }
   bool inertia() const { return met_at < 1.; }

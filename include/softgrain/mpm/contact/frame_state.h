@@ -140,7 +140,7 @@ public:
   unsigned int n_rays() const { return rays.size(); }
   const RayHere &ray(const unsigned int k) const { return rays[k]; }
   /// The obstacle that is its partner; null: none.
-  const ObstacleLine *obstacle() const { return line; }
+  const ObstacleRays<dim> *obstacle() const { return line; }
   /// The body of a side, 0 the partner and 1 the body; none for a wall.
   unsigned int body(const unsigned int side) const { return side == 0 ? frame.partner : frame.body; }
   /// The body of a side if its nodes are unknown; none for a body that is driven.
@@ -291,9 +291,8 @@ private:
   /// Way over the step of a place of a partner that is a wall or an obstacle; of a body 0 [m].
   Vector way_of_partner(const Vector &wall_way, const SurfacePlace<dim> &place) const
   {
-    if constexpr (dim == 2)
-      if (line != nullptr)
-        return line->way_of(place);
+    if (line != nullptr)
+      return line->way_of(place);
     return frame.partner == none ? wall_way : Vector();
   }
   void note_gap_at_start(const Vector &wall_way, unsigned int k);
@@ -371,8 +370,9 @@ private:
   std::array<Vector, 2> carried;
   void carry(const FrameScene<dim> &scene);
   void find_pair(const FrameScene<dim> &scene);
+  bool meets_bent_obstacle(const FrameScene<dim> &scene) const;
   bool partner_is_driven = false;
-  const ObstacleLine *line = nullptr;
+  const ObstacleRays<dim> *line = nullptr;
   double met_at = 1., theta = 1.;
   bool begun = false, begins = false; ///< rays were looked at in this step, and are for the first time
   double looks_within = 0.;           ///< gap up to which more is asked of rays than their gaps [m]

@@ -188,8 +188,9 @@ private:
   bool take_unknowns(const Eigen::VectorXd &x);
   bool factorize_active();
   void add_entry(unsigned int i, unsigned int j, double value);
+  void add_slip(unsigned int i, unsigned int j, double value);
   void add_body(unsigned int b);
-  /// Where a column stands in a list of them in space, where there are no walls under loads.
+  /// Where a column stands in a list of them in space, where walls under loads are planes.
   static int place_in(const std::vector<unsigned int> &list, const unsigned int column)
   {
     return std::lower_bound(list.begin(), list.end(), column) - list.begin();
@@ -287,6 +288,8 @@ template <>
 bool FrameSystem<3>::factorize_active();
 template <>
 void FrameSystem<3>::add_entry(unsigned int i, unsigned int j, double value);
+template <>
+void FrameSystem<3>::add_slip(unsigned int i, unsigned int j, double value);
 template <>
 void FrameSystem<3>::add_body(unsigned int b);
 } // namespace softgrain::mpm

@@ -13,7 +13,7 @@ namespace softgrain::mpm
 class ObstacleLine
 {
 public:
-  explicit ObstacleLine(const Obstacle &obstacle);
+  explicit ObstacleLine(const Obstacle<2> &obstacle);
 
   /// Both sides, where they are at the start of the step. @param spacing of the samples, at most [m]
   SampledSurface<2> samples(double spacing) const;
@@ -26,19 +26,16 @@ public:
     return way.at(share).placed(place.position);
   }
   /// Way of a place over the step [m].
-  dealii::Tensor<1, 2> way_of(const SurfacePlace<2> &place) const
-  {
-    return way.end.placed(place.position) - way.start.placed(place.position);
-  }
+  dealii::Tensor<1, 2> way_of(const SurfacePlace<2> &place) const { return way.way_of(place.position); }
   double largest_way() const; ///< [m]
 
   const double friction;
   const LineSurface surface;
-  const ObstacleMotion way;
+  const ObstacleMotion<2> way;
 };
 
 /// A line's surface as it is drawn.
-LineSurface surface_of(const Obstacle &obstacle);
+LineSurface surface_of(const Obstacle<2> &obstacle);
 } // namespace softgrain::mpm
 
 #endif

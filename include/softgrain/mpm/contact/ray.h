@@ -118,6 +118,10 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const Eigen::VectorXd &nodal,
                   const SurfacePlace<dim> &guess);
 
+/// The side of a rigid surface at a place that lies on the ray; not met where the surface stands along it.
+template <int dim>
+RaySide<dim> side_at(const Ray<dim> &ray, const SurfacePlace<dim> &place);
+
 /// The place where the ray meets a rigid surface, as it is.
 template <int dim>
 RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess);

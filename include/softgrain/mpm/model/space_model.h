@@ -7,6 +7,7 @@
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/field/lattice.h>
 #include <softgrain/mpm/field/shape_function.h>
+#include <softgrain/mpm/stepping/driven_work.h>
 #include <softgrain/mpm/stepping/space_ray_step.h>
 #include <softgrain/scene/scene.h>
 
@@ -14,6 +15,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,8 @@ namespace softgrain::mpm
 {
 /**
  * @brief The material point model of a scene in space, as far as it goes: elastic balls, at rest or moving,
- * between flat walls that are told how to move, with Coulomb's friction. Contacts are met by rays, as in the
- * plane.
+ * between flat walls and obstacles that are told how to move, with Coulomb's friction. Contacts are met by
+ * rays, as in the plane.
  *
  * At rest works of walls are those of the mean of their forces at both ends of a step, and of what kinks of
  * contacts add; with inertia those of the force in the step.
@@ -44,6 +46,7 @@ public:
   std::size_t step() const override { return steps; }
   Snapshot<3> snapshot() const override;
   std::vector<WallState<3>> walls() const override;
+  std::vector<ObstacleState<3>> obstacles() const override { return states_of(state.obstacles); }
   Energies energies() const override;
   double energy_of_rounding() const override;
   double solid_area() const override;
@@ -74,8 +77,10 @@ private:
     double drive_begin = 0., travel_before = 0.; ///< when it was last driven otherwise, and how far it was
 
     dealii::Point<3> point() const { return description.point + travel * description.normal; }
-    /// Mean over a step from @p time on.
+    /// Mean over a step from @p time on; of a wall under a load where it began.
     WallMotion<3> motion(double time, double dt) const;
+    /// The pressure on a wall under a load at the end of a step [Pa].
+    std::optional<double> pressure(double time, double dt) const;
     WallState<3> state() const;
   };
   /// What the points of a body stand on: a lattice of its own, whose cells are those of the mesh.
@@ -97,13 +102,20 @@ private:
   void start(const BodyDescription<3> &description, Body<3> &body) const;
   double cfl_step() const; ///< in which a wave goes through a cell [s]
   double wanted_step() const;
-  SpaceScene scene() { return {work, settings, subgrid, pairs, wall_names}; }
+  SpaceScene scene() { return {work, settings, subgrid, pairs, wall_names, frictionless}; }
   /// One step. @return why it is no good
   Attempt try_step(double dt, double wanted, StepReport &report);
-  std::vector<WallMotion<3>> motion() const;
+  /// What all does in a step of @p dt; 0: it stands [s].
+  SpaceMotion motion(double dt) const;
   void note(const StepOutcome &outcome, StepReport &report) const;
-  /// Books what walls did in a step that has been accepted.
-  void book_walls(const std::vector<WallMotion<3>> &walls, double dt);
+  /// Books what walls and obstacles did in a step that has been accepted.
+  void book(const SpaceMotion &motion, double dt);
+  void book_wall(std::size_t w, const SpaceMotion &motion, double dt, std::vector<DrivenWork> &works);
+  /// Takes over how far loads have moved walls, and what they have done.
+  void follow_loads();
+  void book_obstacles(const SpaceMotion &motion, std::vector<DrivenWork> &works);
+  /// The fastest of obstacles in a step from now on [m/s].
+  double fastest_obstacle(double dt) const;
   dealii::Tensor<1, 3> momentum() const;
   BodyState<3> body_state(const Body<3> &body) const;
   void add_points(const Body<3> &body, BodyState<3> &of_body, PointStates<3> &points) const;
@@ -128,6 +140,7 @@ private:
   const HertzCompliance subgrid;
   const ContactPairs pairs;
   const Loads<3> loads;
+  const bool frictionless; ///< nothing rubs, obstacles counted in
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;

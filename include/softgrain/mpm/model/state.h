@@ -54,7 +54,7 @@ struct State
   std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
   std::vector<Wall> walls;
-  std::vector<Obstacle> obstacles;
+  std::vector<Obstacle<2>> obstacles;
   ContactMemory<2> memory;             ///< impulses of the last step
   std::vector<ContactFrame<2>> frames; ///< of the last step, where contact is found by rays
   /// `quasi_static`: what resisted the motion of each body at the end of the last step [N/m].

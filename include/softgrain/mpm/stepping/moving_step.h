@@ -9,9 +9,8 @@
 namespace softgrain::mpm
 {
 /// One step of `moreau_jean` in space, as ray_step() makes it in the plane; @p state goes on only if it is
-/// accepted. @param motion of the walls
-StepOutcome
-moving_step(SpaceState &state, const SpaceScene &scene, const std::vector<WallMotion<3>> &motion, double dt);
+/// accepted.
+StepOutcome moving_step(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motion, double dt);
 } // namespace softgrain::mpm
 
 #endif

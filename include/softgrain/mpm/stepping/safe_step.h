@@ -22,7 +22,10 @@ struct Workspace;
 double safe_step(const Problem &problem, const State &state, const Workspace &work, double dt);
 
 /// Longest such step in space, where rays see walls and nothing is driven [s].
-double safe_step_in_space(const std::vector<Body<3>> &bodies, double dt);
+double safe_step_in_space(const std::vector<Body<3>> &bodies,
+                          const std::vector<Obstacle<3>> &obstacles,
+                          double time,
+                          double dt);
 } // namespace softgrain::mpm
 
 #endif

@@ -16,7 +16,7 @@ class SpaceRayStep : private RayNewton<3>
 public:
   SpaceRayStep(SpaceState &state,
                const SpaceScene &space,
-               const std::vector<WallMotion<3>> &motion,
+               SpaceMotion &motion,
                const StepPlan &plan,
                BodyEquations<3> &equations);
 
@@ -33,19 +33,40 @@ protected:
   using RayNewton<3>::plan;
   using RayNewton<3>::rubbing;
   using RayNewton<3>::scene;
+  using RayNewton<3>::system;
   using RayNewton<3>::trial;
   using RayNewton<3>::Vectors;
   using RayNewton<3>::way;
   using RayNewton<3>::world;
 
+  SpaceMotion &motion; ///< walls under loads learn here how far they go
+
+  std::vector<unsigned int> pressed; ///< walls under loads, in the order of their unknowns
+
+  /// The obstacle that is the partner of a frame; none: it has another one.
+  static constexpr unsigned int none = ContactFrame<3>::none;
+  unsigned int obstacle_of(const ContactFrame<3> &frame) const
+  {
+    return frame.partner == none && frame.wall >= motion.walls.size() ? frame.wall - motion.walls.size()
+                                                                      : none;
+  }
+  /// Way over the step of the place of a wall or an obstacle that a ray has met [m].
+  dealii::Tensor<1, 3> way_of_partner(const FrameState<3> &frame, unsigned int k) const;
+
   /// Writes contacts, frames and forces on walls into the state, and moves the bodies.
   void accept_ways(SpaceState &state);
 
 private:
+  void find_free_walls() override;
+  void move_free_walls() override;
+  double other_way() const override;
   std::string partner_of(const ContactFrame<3> &frame) const override;
   void add_contacts(unsigned int f, SpaceState &state) const;
 
   const std::vector<std::string> &wall_names;
+  const std::vector<Obstacle<3>> &obstacles;           ///< as the step begins
+  const std::vector<dealii::Tensor<1, 3>> &wall_force; ///< likewise
+  std::vector<ObstacleSolid> solids;
 };
 } // namespace softgrain::mpm
 

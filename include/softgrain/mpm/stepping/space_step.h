@@ -5,6 +5,7 @@
 #include <softgrain/driving/named_sums.h>
 #include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/stepping/loaded_walls.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 #include <softgrain/scene/contact_pairs.h>
@@ -38,9 +39,11 @@ struct MotionBalance
 struct SpaceProgress
 {
   std::vector<ContactFrame<3>> frames;          ///< of the last step
+  std::vector<Obstacle<3>> obstacles;           ///< where they are, and what they have felt in the last step
   std::vector<SpaceContact> contacts;           ///< of the last step
   std::vector<double> held_back;                ///< see State::held_back [N]
   std::vector<dealii::Tensor<1, 3>> wall_force; ///< of walls on the bodies [N]
+  std::vector<LoadedWall> loaded;               ///< of all walls; those that are told how to move have none
   double regularisation_work = 0;               ///< taken by what resists, since the start [J]
   double released_energy = 0;                   ///< lost in held steps beside that, see loss::released [J]
   double dent_energy = 0;                       ///< in the dents that the grid misses, now [J]
@@ -65,15 +68,16 @@ struct SpaceScene
   const HertzCompliance &subgrid;
   const ContactPairs &pairs;
   const std::vector<std::string> &wall_names;
+  const bool frictionless; ///< nothing rubs
 };
 
 /// Steps at rest in space.
 class SpaceAtRest final : public RaysAtRest
 {
 public:
-  /// @param motion of the walls; in held steps they stand still
-  SpaceAtRest(SpaceState &state, const SpaceScene &scene, const std::vector<WallMotion<3>> &motion)
-      : RaysAtRest(scene.settings), state(state), scene(scene), motion(motion)
+  /// @param motion in held steps all stands still but for walls under loads
+  SpaceAtRest(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motion)
+      : RaysAtRest(scene.settings), state(state), scene(scene), motion(motion), stands(motion)
   {
   }
 
@@ -81,12 +85,17 @@ protected:
   StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) override;
   double unbalanced() override;
   double time() const override { return state.time; }
-  std::string least_balanced() const override { return least_balanced_body(state.bodies, state.held_back); }
+  void held(StepOutcome &sum) override;
+  bool walls_yield() const override;
+  std::string least_balanced() const override;
 
 private:
+  WallImbalance unbalanced_wall() const;
+
   SpaceState &state;
   const SpaceScene scene;
-  const std::vector<WallMotion<3>> motion;
+  const SpaceMotion motion;
+  SpaceMotion stands; ///< where the last step has ended
 };
 } // namespace softgrain::mpm
 

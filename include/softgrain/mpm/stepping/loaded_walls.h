@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef softgrain_mpm_stepping_loaded_walls_h
+#define softgrain_mpm_stepping_loaded_walls_h
+
+#include <softgrain/driving/obstacle.h>
+#include <softgrain/driving/wall_step.h>
+#include <softgrain/mpm/contact/contact_rows.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softgrain::mpm
+{
+/// What is told how to move in a step in space, and which walls are under loads.
+struct SpaceMotion
+{
+  std::vector<WallMotion<3>> walls; ///< those under loads where they began, at rest
+  std::vector<ObstacleMotion<3>> obstacles;
+  std::vector<std::optional<double>> pressure; ///< of walls under loads, towards the bodies [Pa]
+
+  /// All stands where a step of @p dt ends, but for walls under loads.
+  SpaceMotion at_end(double dt) const;
+};
+
+/// How far a wall under a load in space has come.
+struct LoadedWall
+{
+  double way = 0.;  ///< along its normal since the start [m]
+  double work = 0.; ///< of its load since the start [J]
+};
+
+/// A wall that is least in balance with its load, and what it bears of it.
+struct WallImbalance
+{
+  double share = 0.; ///< of the load that is not borne
+  std::size_t wall = 0;
+  double force = 0., load = 0.; ///< [N]
+};
+
+/// Area on which a pressure on wall @p w acts: between the walls beside it, which look along the two other
+/// axes, where they are; 0 without them [m^2].
+double pressed_area(const std::vector<WallMotion<3>> &walls, std::size_t w);
+
+/// Walls under loads where they have come to.
+std::vector<WallMotion<3>> walls_now(const SpaceMotion &motion, const std::vector<LoadedWall> &loaded);
+
+/// @param force of walls on the bodies [N]
+/// @param floor of loads, below which nothing is asked [N]
+WallImbalance least_balanced_wall(const SpaceMotion &motion,
+                                  const std::vector<LoadedWall> &loaded,
+                                  const std::vector<dealii::Tensor<1, 3>> &force,
+                                  double floor);
+} // namespace softgrain::mpm
+
+#endif

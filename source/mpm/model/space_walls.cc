@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How walls and obstacles in space move, and what they do.
+#include <softgrain/mpm/model/space_model.h>
+#include <softgrain/scene/wall_drive.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgrain::mpm
+{
+WallMotion<3> SpaceModel::DrivenWall::motion(const double time, const double dt) const
+{
+  if (!description.drive->prescribed())
+    return {description.point, description.normal, 0.};
+  const WallStep step{time - drive_begin, dt, travel - travel_before};
+  if (dt == 0.)
+    return {point(), description.normal, 0.};
+  WallMotion<3> motion{point(), description.normal, description.drive->demand(step).velocity};
+  motion.slide = description.drive->slide_velocity(step);
+  return motion;
+}
+
+std::optional<double> SpaceModel::DrivenWall::pressure(const double time, const double dt) const
+{
+  if (description.drive->prescribed())
+    return std::nullopt;
+  return description.drive->demand({time + dt - drive_begin, 0., travel - travel_before}).pressure;
+}
+
+void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
+{
+  for (std::size_t w = 0; w < driven.size(); ++w)
+    if (drives[w])
+    {
+      driven[w].description.drive = drives[w];
+      driven[w].drive_begin = state.time;
+      driven[w].travel_before = driven[w].travel;
+      state.loaded[w].way = driven[w].travel;
+    }
+}
+
+double SpaceModel::fastest_obstacle(const double dt) const
+{
+  double speed = 0.;
+  for (const Obstacle<3> &obstacle : state.obstacles)
+    speed = std::max(speed, ObstacleSolid(obstacle, obstacle.motion(state.time, dt)).largest_way() / dt);
+  return speed;
+}
+
+SpaceMotion SpaceModel::motion(const double dt) const
+{
+  SpaceMotion motion;
+  for (const DrivenWall &wall : driven)
+  {
+    motion.walls.push_back(wall.motion(state.time, dt));
+    motion.pressure.push_back(wall.pressure(state.time, dt));
+  }
+  for (const Obstacle<3> &obstacle : state.obstacles)
+    motion.obstacles.push_back(obstacle.motion(state.time, dt));
+  return motion;
+}
+
+void SpaceModel::book_wall(const std::size_t w,
+                           const SpaceMotion &motion,
+                           const double dt,
+                           std::vector<DrivenWork> &works)
+{
+  DrivenWall &wall = driven[w];
+  const WallMotion<3> &moves = motion.walls[w];
+  const dealii::Tensor<1, 3> before = settings.scheme.inertia ? state.wall_force[w] : wall.force;
+  const bool loaded = motion.pressure[w].has_value();
+  wall.speed = loaded ? (state.loaded[w].way - wall.travel) / dt : moves.velocity;
+  wall.slide = moves.slide;
+  const dealii::Tensor<1, 3> way = dt * (wall.speed * moves.normal + wall.slide * moves.tangent());
+  if (!loaded)
+  {
+    wall.travel += dt * wall.speed;
+    wall.work += 0.5 * (before + state.wall_force[w]) * way;
+  }
+  works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
+  wall.force = state.wall_force[w];
+}
+
+void SpaceModel::follow_loads()
+{
+  for (std::size_t w = 0; w < driven.size(); ++w)
+    if (!driven[w].description.drive->prescribed())
+    {
+      driven[w].travel = state.loaded[w].way;
+      driven[w].work += state.loaded[w].work;
+      state.loaded[w].work = 0.;
+    }
+}
+
+void SpaceModel::book(const SpaceMotion &motion, const double dt)
+{
+  std::vector<DrivenWork> works;
+  for (std::size_t w = 0; w < driven.size(); ++w)
+    book_wall(w, motion, dt, works);
+  follow_loads();
+  if (settings.scheme.inertia)
+    return;
+  book_obstacles(motion, works);
+  state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
+}
+
+// From balance to balance; with inertia the step has told their work.
+void SpaceModel::book_obstacles(const SpaceMotion &motion, std::vector<DrivenWork> &works)
+{
+  for (unsigned int o = 0; o < state.obstacles.size(); ++o)
+  {
+    Obstacle<3> &obstacle = state.obstacles[o];
+    const Obstacle<3> &before = before_step.progress.obstacles[o];
+    obstacle.way = motion.obstacles[o];
+    const dealii::Tensor<1, 3> shift = obstacle.way.end.shift - obstacle.way.start.shift;
+    const double angle = obstacle.way.end.angle - obstacle.way.start.angle;
+    obstacle.work -=
+        0.5 * (before.force + obstacle.force) * shift + 0.5 * (before.torque + obstacle.torque) * angle;
+    works.push_back({&obstacle.work, 0.5 * std::abs((obstacle.force - before.force) * shift +
+                                                    (obstacle.torque - before.torque) * angle)});
+  }
+}
+} // namespace softgrain::mpm
