@@ -54,12 +54,7 @@ void check_unused(const dealii::ParameterHandler &prm,
                   const std::string &where,
                   const std::vector<std::string> &others)
 {
-  dealii::ParameterHandler fresh;
-  declare(fresh);
-  for (const std::string &name : others)
-    if (prm.get(name) != fresh.get(name))
-      throw InputError("'" + where + "/" + name + "' = '" + prm.get(name) +
-                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+  check_unused_by_shape(prm, where, others, declare);
 }
 
 std::vector<Curve> segments(const dealii::ParameterHandler &prm, const std::string &where)
@@ -119,6 +114,19 @@ ObstacleDescription<2> parse_line(const dealii::ParameterHandler &prm, const std
   return obstacle;
 }
 } // namespace
+
+void check_unused_by_shape(const dealii::ParameterHandler &prm,
+                           const std::string &where,
+                           const std::vector<std::string> &others,
+                           void (*declare)(dealii::ParameterHandler &))
+{
+  dealii::ParameterHandler fresh;
+  declare(fresh);
+  for (const std::string &name : others)
+    if (prm.get(name) != fresh.get(name))
+      throw InputError("'" + where + "/" + name + "' = '" + prm.get(name) +
+                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+}
 
 ObstacleParameters::ObstacleParameters(const std::vector<std::string> &names, const unsigned int dimension)
     : names(names), dimension(dimension)

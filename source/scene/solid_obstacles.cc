@@ -24,12 +24,7 @@ void check_unused(const dealii::ParameterHandler &prm,
                   const std::string &where,
                   const std::vector<std::string> &others)
 {
-  dealii::ParameterHandler fresh;
-  declare_solid_obstacle(fresh);
-  for (const std::string &name : others)
-    if (prm.get(name) != fresh.get(name))
-      throw InputError("'" + where + "/" + name + "' = '" + prm.get(name) +
-                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+  check_unused_by_shape(prm, where, others, declare_solid_obstacle);
 }
 
 dealii::Tensor<1, 3>

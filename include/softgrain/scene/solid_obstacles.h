@@ -5,6 +5,7 @@
 #include <softgrain/scene/scene.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -13,6 +14,13 @@ class ParameterHandler;
 
 namespace softgrain
 {
+/// Refuses values of parameters that only another `Shape` of an obstacle has. @param declare all parameters
+/// of the section. @throw InputError
+void check_unused_by_shape(const dealii::ParameterHandler &prm,
+                           const std::string &where,
+                           const std::vector<std::string> &others,
+                           void (*declare)(dealii::ParameterHandler &));
+
 /// Declares what an obstacle in space has, in its own section.
 void declare_solid_obstacle(dealii::ParameterHandler &prm);
 

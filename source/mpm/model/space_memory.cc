@@ -204,7 +204,7 @@ void SpaceModel::save(StateWriter &out) const
                                 state.released_energy, state.dent_energy, state.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> walls;
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
     walls.insert(walls.end(), {wall.travel, wall.speed, wall.slide, wall.work, wall.force[0], wall.force[1],
                                wall.force[2], wall.drive_begin, wall.travel_before});
   out.write("space/displacement", nodal(state, &Body<3>::displacement));

@@ -73,10 +73,11 @@ void check_thickness(const ObstacleDescription<3> &obstacle, const double cell_s
   throw InputError(text.str());
 }
 
-/// [m/s]
-double fastest_of(const WallMotion<3> &wall)
+/// In a step of @p dt from @p time on, along the normal or the tangent [m/s].
+double fastest_of(SpaceWall wall, const double time, const double dt)
 {
-  return std::max(std::abs(wall.velocity), std::abs(wall.slide));
+  wall.plan(time, dt);
+  return std::max(std::abs(wall.speed), std::abs(wall.slide));
 }
 } // namespace
 
@@ -95,12 +96,9 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     add_body(description, laws[description.material], scene.materials[description.material].density);
   work.timer = timer.get();
   work.reinit(state.bodies, settings.linear_solver);
+  driven = make_walls(scene);
   for (const WallDescription<3> &wall : scene.walls)
-  {
-    driven.emplace_back();
-    driven.back().description = wall;
     wall_names.push_back(wall.name);
-  }
   state.wall_force.resize(driven.size());
   state.loaded.resize(driven.size());
   state.obstacles = make_obstacles(scene);
@@ -172,11 +170,11 @@ double SpaceModel::wanted_step() const
   const double told = settings.step.wanted(longest);
   double by_walls = longest;
   if (settings.wall_way > 0.)
-    for (const DrivenWall &wall : driven)
+    for (const SpaceWall &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
       const double dt = std::min(told, settings.scheme.inertia ? cfl_step() : 1e3 * settings.cell_size),
-                   speed = fastest_of(wall.motion(state.time, dt));
+                   speed = fastest_of(wall, state.time, dt);
       if (speed > 0.)
         by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What SpaceModel tells of itself: walls, sums, energies, sizes, times.
-#include <softgrain/analysis/wall_position.h>
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -12,24 +11,10 @@
 
 namespace softgrain::mpm
 {
-WallState<3> SpaceModel::DrivenWall::state() const
-{
-  WallState<3> state;
-  state.name = description.name;
-  state.point = point();
-  state.normal = description.normal;
-  state.position = wall_position(state.point, state.normal);
-  state.velocity = speed;
-  state.slide_velocity = slide;
-  state.normal_force = force * state.normal;
-  state.tangential_force = 0. - force * WallMotion<3>{state.point, state.normal, 0.}.tangent();
-  return state;
-}
-
 std::vector<WallState<3>> SpaceModel::walls() const
 {
   std::vector<WallState<3>> states;
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
     states.push_back(wall.state());
   return states;
 }
@@ -48,7 +33,7 @@ Energies SpaceModel::energies() const
   energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss;
   energies.external_work = state.motion.load_work.sum();
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
     energies.external_work += wall.work;
   for (const Obstacle<3> &obstacle : state.obstacles)
     energies.external_work += obstacle.work;
@@ -137,7 +122,7 @@ SizeReport SpaceModel::size_report() const
 std::vector<std::pair<std::string, double>> SpaceModel::works() const
 {
   std::vector<std::pair<std::string, double>> columns;
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
     columns.emplace_back(wall.description.name + "_work_J", wall.work);
   for (const Obstacle<3> &obstacle : state.obstacles)
     columns.emplace_back(obstacle.description.name + "_work_J", obstacle.work);
@@ -149,7 +134,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
 std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
 {
   std::vector<std::pair<std::string, double>> columns;
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
     if (wall.description.drive->slides())
       columns.emplace_back(wall.description.name + "_tangential_force_N", wall.state().tangential_force);
   if (!settings.scheme.inertia)

@@ -8,35 +8,37 @@
 
 namespace softgrain::mpm
 {
-WallMotion<3> SpaceModel::DrivenWall::motion(const double time, const double dt) const
+namespace
 {
-  if (!description.drive->prescribed())
-    return {description.point, description.normal, 0.};
-  const WallStep step{time - drive_begin, dt, travel - travel_before};
+/// Mean over a step from @p time on; of a wall under a load where it began.
+WallMotion<3> motion_of(SpaceWall wall, const double time, const double dt)
+{
+  if (!wall.description.drive->prescribed())
+    return {wall.description.point, wall.normal(), 0.};
   if (dt == 0.)
-    return {point(), description.normal, 0.};
-  WallMotion<3> motion{point(), description.normal, description.drive->demand(step).velocity};
-  motion.slide = description.drive->slide_velocity(step);
+    return {wall.point(), wall.normal(), 0.};
+  wall.plan(time, dt);
+  WallMotion<3> motion{wall.point(), wall.normal(), wall.speed};
+  motion.slide = wall.slide;
   return motion;
 }
 
-std::optional<double> SpaceModel::DrivenWall::pressure(const double time, const double dt) const
+/// The pressure on a wall under a load at the end of a step [Pa].
+std::optional<double> pressure_on(const SpaceWall &wall, const double time, const double dt)
 {
-  if (description.drive->prescribed())
+  const WallDrive &drive = *wall.description.drive;
+  if (drive.prescribed())
     return std::nullopt;
-  return description.drive->demand({time + dt - drive_begin, 0., travel - travel_before}).pressure;
+  return drive.demand({time + dt - wall.drive_begin, 0., wall.travel - wall.travel_before}).pressure;
 }
+} // namespace
 
 void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
+  softgrain::take_drives(driven, drives, state.time);
   for (std::size_t w = 0; w < driven.size(); ++w)
     if (drives[w])
-    {
-      driven[w].description.drive = drives[w];
-      driven[w].drive_begin = state.time;
-      driven[w].travel_before = driven[w].travel;
       state.loaded[w].way = driven[w].travel;
-    }
 }
 
 double SpaceModel::fastest_obstacle(const double dt) const
@@ -50,10 +52,10 @@ double SpaceModel::fastest_obstacle(const double dt) const
 SpaceMotion SpaceModel::motion(const double dt) const
 {
   SpaceMotion motion;
-  for (const DrivenWall &wall : driven)
+  for (const SpaceWall &wall : driven)
   {
-    motion.walls.push_back(wall.motion(state.time, dt));
-    motion.pressure.push_back(wall.pressure(state.time, dt));
+    motion.walls.push_back(motion_of(wall, state.time, dt));
+    motion.pressure.push_back(pressure_on(wall, state.time, dt));
   }
   for (const Obstacle<3> &obstacle : state.obstacles)
     motion.obstacles.push_back(obstacle.motion(state.time, dt));
@@ -65,7 +67,7 @@ void SpaceModel::book_wall(const std::size_t w,
                            const double dt,
                            std::vector<DrivenWork> &works)
 {
-  DrivenWall &wall = driven[w];
+  SpaceWall &wall = driven[w];
   const WallMotion<3> &moves = motion.walls[w];
   const dealii::Tensor<1, 3> before = settings.scheme.inertia ? state.wall_force[w] : wall.force;
   const bool loaded = motion.pressure[w].has_value();

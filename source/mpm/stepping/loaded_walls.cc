@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace softgrain::mpm
 {
@@ -34,6 +35,14 @@ SpaceMotion SpaceMotion::at_end(const double dt) const
   for (ObstacleMotion<3> &obstacle : end.obstacles)
     obstacle = obstacle.at_end();
   return end;
+}
+
+double softest(const std::vector<Body<3>> &bodies)
+{
+  double modulus = std::numeric_limits<double>::max();
+  for (const Body<3> &body : bodies)
+    modulus = std::min(modulus, body.law->young_modulus());
+  return modulus;
 }
 
 double pressed_area(const std::vector<WallMotion<3>> &walls, const std::size_t w)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace softgrain::mpm
@@ -36,18 +35,19 @@ SpaceRayStep::SpaceRayStep(SpaceState &state,
     , wall_force(state.wall_force)
 {
   for (unsigned int o = 0; o < obstacles.size(); ++o)
+  {
     solids.emplace_back(obstacles[o], motion.obstacles[o]);
+    way_of_obstacles = std::max(way_of_obstacles, solids.back().largest_way());
+  }
   scene.pairs = &space.pairs;
   scene.lines = &solids;
-  scene.reach += 2. * other_way();
+  scene.reach += 2. * way_of_obstacles;
 }
 
 // As in the plane, where they may also slide.
 void SpaceRayStep::find_free_walls()
 {
-  double softest = std::numeric_limits<double>::max();
-  for (const Body<3> &body : world.bodies)
-    softest = std::min(softest, body.law->young_modulus());
+  const double young = softest(world.bodies);
   const std::vector<WallMotion<3>> end = motion.at_end(plan.dt).walls;
   for (unsigned int w = 0; w < motion.walls.size(); ++w)
     if (motion.pressure[w])
@@ -59,7 +59,7 @@ void SpaceRayStep::find_free_walls()
                    net = load - wall_force[w] * free.normal;
       system.ways.emplace_back(free, none, nullptr, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
                                world.settings.wall_motion * h,
-                               10. * world.settings.regularisation * softest * std::sqrt(area));
+                               10. * world.settings.regularisation * young * std::sqrt(area));
       pressed.push_back(w);
     }
 }
@@ -68,14 +68,6 @@ void SpaceRayStep::move_free_walls()
 {
   for (unsigned int i = 0; i < pressed.size(); ++i)
     motion.walls[pressed[i]].velocity = system.ways[i].at / plan.dt;
-}
-
-double SpaceRayStep::other_way() const
-{
-  double way = 0.;
-  for (const ObstacleSolid &solid : solids)
-    way = std::max(way, solid.largest_way());
-  return way;
 }
 
 dealii::Tensor<1, 3> SpaceRayStep::way_of_partner(const FrameState<3> &frame, const unsigned int k) const

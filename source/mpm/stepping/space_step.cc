@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace softgrain::mpm
 {
@@ -87,11 +86,9 @@ double SpaceAtRest::unbalanced()
 
 WallImbalance SpaceAtRest::unbalanced_wall() const
 {
-  double softest = std::numeric_limits<double>::max();
-  for (const Body<3> &body : state.bodies)
-    softest = std::min(softest, body.law->young_modulus());
   const double h = scene.settings.cell_size;
-  return least_balanced_wall(stands, state.loaded, state.wall_force, least_load * softest * h * h);
+  return least_balanced_wall(stands, state.loaded, state.wall_force,
+                             least_load * softest(state.bodies) * h * h);
 }
 
 bool SpaceAtRest::walls_yield() const

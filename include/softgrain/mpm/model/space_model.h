@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_model_space_model_h
 #define softgrain_mpm_model_space_model_h
 
+#include <softgrain/driving/space_wall.h>
 #include <softgrain/driving/step_control.h>
 #include <softgrain/model/model.h>
 #include <softgrain/mpm/body/point_store.h>
@@ -15,7 +16,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,24 +65,6 @@ public:
   const SpaceState &space() const { return state; }
 
 private:
-  /// A wall on its way.
-  struct DrivenWall
-  {
-    WallDescription<3> description;
-    double travel = 0.;                          ///< along the normal since the start [m]
-    double speed = 0.;                           ///< along it, mean over the last step [m/s]
-    double slide = 0.;                           ///< along its tangent, likewise [m/s]
-    double work = 0.;                            ///< done on the bodies since the start [J]
-    dealii::Tensor<1, 3> force;                  ///< on the bodies [N]
-    double drive_begin = 0., travel_before = 0.; ///< when it was last driven otherwise, and how far it was
-
-    dealii::Point<3> point() const { return description.point + travel * description.normal; }
-    /// Mean over a step from @p time on; of a wall under a load where it began.
-    WallMotion<3> motion(double time, double dt) const;
-    /// The pressure on a wall under a load at the end of a step [Pa].
-    std::optional<double> pressure(double time, double dt) const;
-    WallState<3> state() const;
-  };
   /// What the points of a body stand on: a lattice of its own, whose cells are those of the mesh.
   struct Ground
   {
@@ -128,7 +110,7 @@ private:
     std::vector<Eigen::VectorXd> displacement;
     SpaceProgress progress;
     double last_dt;
-    std::vector<DrivenWall> driven;
+    std::vector<SpaceWall> driven;
     std::size_t steps;
   };
   void keep_before();
@@ -144,7 +126,7 @@ private:
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;
-  std::vector<DrivenWall> driven;
+  std::vector<SpaceWall> driven;
   std::vector<std::string> wall_names;
   StepControl step_control{1.5};
   double last_dt = 0.; ///< [s]

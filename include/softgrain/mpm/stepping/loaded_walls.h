@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall_step.h>
+#include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 
 #include <optional>
@@ -37,6 +38,9 @@ struct WallImbalance
   std::size_t wall = 0;
   double force = 0., load = 0.; ///< [N]
 };
+
+/// Young's modulus of the softest body [Pa].
+double softest(const std::vector<Body<3>> &bodies);
 
 /// Area on which a pressure on wall @p w acts: between the walls beside it, which look along the two other
 /// axes, where they are; 0 without them [m^2].

@@ -59,7 +59,7 @@ protected:
 private:
   void find_free_walls() override;
   void move_free_walls() override;
-  double other_way() const override;
+  double other_way() const override { return way_of_obstacles; }
   std::string partner_of(const ContactFrame<3> &frame) const override;
   void add_contacts(unsigned int f, SpaceState &state) const;
 
@@ -67,6 +67,7 @@ private:
   const std::vector<Obstacle<3>> &obstacles;           ///< as the step begins
   const std::vector<dealii::Tensor<1, 3>> &wall_force; ///< likewise
   std::vector<ObstacleSolid> solids;
+  double way_of_obstacles = 0.; ///< the farthest in the step [m]
 };
 } // namespace softgrain::mpm
 
