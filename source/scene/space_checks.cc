@@ -123,7 +123,7 @@ const std::vector<std::string> unknown_to_bonded_particles = {"Obstacles/", "Wal
                                                               "Stages/*/*/Pressure", "Quasi-static/"};
 
 /// What a scheme does not know in space, beside what none does.
-const std::vector<std::string> unknown_at_rest = {"Loads/", "Time/Theta", "Time/CFL multiple"},
+const std::vector<std::string> unknown_at_rest = {"Time/Theta", "Time/CFL multiple"},
                                unknown_to_inertia = {"Quasi-static/"};
 
 bool matches(const std::vector<std::string> &path, const std::string &pattern)

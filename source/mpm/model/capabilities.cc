@@ -136,21 +136,22 @@ std::string walls_along_bodies(const Scene<2> &scene, const Settings &)
   return "";
 }
 
+constexpr const char *no_velocity =
+    " is not allowed with 'Time/Scheme' = 'SCHEME', where velocities have no meaning: leave it at 0, or give "
+    "a 'Body force'";
 constexpr const char *no_motion =
     " has no effect with 'Time/Scheme' = 'SCHEME', where nothing has inertia: leave it at 0";
 
 const std::vector<Capability<2>> in_the_plane = {
     {inertia_of_walls, has_inertia, " has no effect with 'Time/Scheme' = 'SCHEME': leave it at automatic"},
     {pressed_walls, looks_for_balance, ", which is found in held steps: it must be greater than 0"},
-    {loads_of_velocity<2>, has_inertia,
-     " is not allowed with 'Time/Scheme' = 'SCHEME', where velocities have no meaning: leave it at 0, or "
-     "give a "
-     "'Body force'"},
+    {loads_of_velocity<2>, has_inertia, no_velocity},
     {motion_at_start<2>, has_inertia, no_motion},
     {obstacles, meets_by_rays, ": it sees planes only"},
     {walls_along_bodies, sees_cells, " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'"}};
 
-const std::vector<Capability<3>> in_space = {{motion_at_start<3>, has_inertia, no_motion}};
+const std::vector<Capability<3>> in_space = {{loads_of_velocity<3>, has_inertia, no_velocity},
+                                             {motion_at_start<3>, has_inertia, no_motion}};
 
 template <int dim>
 void check(const std::vector<Capability<dim>> &table, const Scene<dim> &scene, const Settings &settings)

@@ -132,10 +132,6 @@ private:
     for (const MaterialDescription &material : scene.materials)
     {
       laws.push_back(law_of<3>(material, prm));
-      if (laws.back()->n_history() > 0)
-        throw InputError(
-            "'Materials/" + material.name + "/Law' = '" + material.law +
-            "' is not allowed with 'Dimension' = '3': it must be an elastic law, which keeps no history");
       if (!laws.back()->symmetric_tangent())
         throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
                          "' is not allowed with 'Dimension' = '3': its tangent must be symmetric");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The points in a snapshot of MpmModel: every rank tells of its own, the first one gets all.
 #include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/model/point_history.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
@@ -84,37 +85,6 @@ void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &po
   }
 }
 
-/// What the history of a law is called, as far as it has names.
-std::vector<std::string> named_history(const constitutive::Law<2> &law)
-{
-  std::vector<std::string> names = law.history_names();
-  names.resize(std::min<std::size_t>(names.size(), law.n_history()));
-  return names;
-}
-
-/// Fields for the history of laws under the names that they give; zero where the law of a point has no such
-/// name.
-void add_history_fields(const std::vector<Section> &sections, PointStates<2> &points)
-{
-  for (const Section &section : sections)
-    for (const std::string &name : named_history(*section.body->law))
-      if (std::none_of(points.extra.begin(), points.extra.end(),
-                       [&](const NamedField &other) { return other.name == name; }))
-        points.extra.push_back(NamedField{name, std::vector<double>(points.position.size())});
-}
-
-void put_history(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
-{
-  const std::vector<std::string> names = named_history(*body.law);
-  for (unsigned int i = 0; i < names.size(); ++i)
-  {
-    const auto field = std::find_if(points.extra.begin(), points.extra.end(),
-                                    [&](const NamedField &other) { return other.name == names[i]; });
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-      field->values[begin + body.points.number(p)] = body.points[p].history()[i];
-  }
-}
-
 /// All numbers of the points as pieces of their owners, for Ranks::bring().
 std::vector<Ranks::Piece>
 pieces_of(const std::vector<Section> &sections, const Ranks &ranks, PointStates<2> &points)
@@ -156,12 +126,15 @@ PointStates<2> MpmModel::point_states() const
         std::size_t room = 0;
         sections = sections_of(state, share, room);
         resize(points, room);
-        add_history_fields(sections, points);
+        for (const Section &section : sections)
+          add_history_fields(*section.body->law, points);
         for (const Section &section : sections)
           if (share.mine(section.body->index))
           {
             put_points(*section.body, section.begin, points);
-            put_history(*section.body, section.begin, points);
+            const Body<2> &body = *section.body;
+            put_history(
+                body, [&](const unsigned int p) { return section.begin + body.points.number(p); }, points);
           }
       });
   share.ranks.bring(pieces_of(sections, share.ranks, points));

@@ -3,6 +3,7 @@
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/model/space_points.h>
 
 namespace softgrain::mpm
 {
@@ -179,7 +180,6 @@ void save_motion(const SpaceState &state, StateWriter &out)
   std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.largest_momentum};
   add(balance.impulse, sums);
   out.write("space/motion", sums);
-  balance.load_work.save(out, "space/loads");
 }
 
 void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &state)
@@ -193,7 +193,26 @@ void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &st
   balance.largest_momentum = sums[2];
   const double *at = &sums[3];
   take(at, balance.impulse);
-  balance.load_work.load(in, "space/loads");
+}
+
+void save_laws(const SpaceState &state, StateWriter &out)
+{
+  if (!remember(state.bodies))
+    return;
+  out.write("space/points", remembered_by_points(state.bodies));
+  out.write("space/laws", std::vector<double>{state.laws.loss, state.laws.supply});
+  out.write("space/law_cuts", std::vector<std::uint64_t>{state.law_cuts});
+}
+
+void load_laws(const StateReader &in, SpaceState &state)
+{
+  if (!remember(state.bodies))
+    return;
+  take_points(in.read_doubles("space/points", remembered_by_points(state.bodies).size()), state.bodies);
+  const std::vector<double> sums = in.read_doubles("space/laws", 2);
+  state.laws.loss = sums[0];
+  state.laws.supply = sums[1];
+  state.law_cuts = in.read_integers("space/law_cuts", 1)[0];
 }
 } // namespace
 
@@ -213,6 +232,9 @@ void SpaceModel::save(StateWriter &out) const
   save_obstacles(out, "space/obstacles", state.obstacles);
   save_frames(state.frames, out);
   save_contacts(state.contacts, out);
+  save_laws(state, out);
+  if (!loads.empty())
+    state.load_work.save(out, "space/loads");
   if (settings.scheme.inertia)
     save_motion(state, out);
 }
@@ -254,6 +276,9 @@ void SpaceModel::load(StateReader &in)
   load_obstacles(in, "space/obstacles", state.time, state.obstacles);
   load_frames(in, state, driven.size());
   load_contacts(in, state);
+  load_laws(in, state);
+  if (!loads.empty())
+    state.load_work.load(in, "space/loads");
   if (settings.scheme.inertia)
     load_motion(in, n_dofs, state);
 }

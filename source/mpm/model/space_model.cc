@@ -6,6 +6,7 @@
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/model/space_points.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/scene/wall_drive.h>
@@ -28,6 +29,7 @@ PointNeeds needs_of(const constitutive::Law<3> &law)
   PointNeeds needs;
   needs.velocity = false;
   needs.volume = law.kinematics() == constitutive::Kinematics::small_strain;
+  needs.n_history = law.n_history();
   return needs;
 }
 
@@ -134,6 +136,10 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
                             markers, ground.store);
   body.index = state.bodies.size();
   body.loads = loads;
+  if (loads.look_at_points())
+    body.rest_position.resize(body.points.size());
+  for (std::size_t p = 0; p < body.rest_position.size(); ++p)
+    body.rest_position[body.points.number(p)] = body.points[p].position();
   body.boundary.grid_position = body.boundary.position = surface.vertices;
   body.boundary.circular = shape.round();
   start(description, body);
@@ -197,16 +203,19 @@ void SpaceModel::note(const StepOutcome &outcome, StepReport &report) const
   report.max_penetration = outcome.max_penetration;
 }
 
-Attempt SpaceModel::try_step(const double dt, const double wanted, StepReport &report)
+Attempt
+SpaceModel::try_step(const double dt, const double wanted, const std::size_t cuts_before, StepReport &report)
 {
   const SpaceMotion planned = motion(dt);
   const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), planned, dt)
                                                       : SpaceAtRest(state, scene(), planned).go(dt, wanted);
   note(outcome, report);
+  state.law_cuts += outcome.law_asks;
   if (!outcome.accepted)
     return {false, outcome.reason, true, outcome.share};
   book(planned, dt);
-  return {true, "", outcome.newton_iterations <= settings.max_newton / 2};
+  // A law that has asked for this length in this step would refuse a longer one.
+  return {true, "", cuts_before == state.law_cuts && outcome.newton_iterations <= settings.max_newton / 2};
 }
 
 void SpaceModel::keep_before()
@@ -214,6 +223,7 @@ void SpaceModel::keep_before()
   before_step = {{}, state, last_dt, driven, steps};
   for (const Body<3> &body : state.bodies)
     before_step.displacement.push_back(body.displacement);
+  before_step.points = remembered_by_points(state.bodies);
 }
 
 void SpaceModel::go_back()
@@ -223,6 +233,7 @@ void SpaceModel::go_back()
     body.displacement = before_step.displacement[body.index];
     move_boundary(body);
   }
+  take_points(before_step.points, state.bodies);
   static_cast<SpaceProgress &>(state) = before_step.progress;
   last_dt = before_step.last_dt;
   driven = before_step.driven;
@@ -233,6 +244,7 @@ StepReport SpaceModel::advance(const double dt_limit)
 {
   StepReport report;
   const double wanted = std::min(wanted_step(), dt_limit);
+  const std::size_t law_cuts = state.law_cuts;
   SafeStep safe;
   if (!settings.scheme.inertia)
     keep_before();
@@ -248,7 +260,7 @@ StepReport SpaceModel::advance(const double dt_limit)
       [&](const double dt)
       {
         stop_if_interrupted();
-        return try_step(dt, wanted, report);
+        return try_step(dt, wanted, law_cuts, report);
       },
       safe);
   report.dt = last_dt = taken.dt;

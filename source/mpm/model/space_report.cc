@@ -31,8 +31,8 @@ Energies SpaceModel::energies() const
       energies.kinetic += body.kinetic_energy();
   }
   energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
-                        state.motion.scheme_damping + state.motion.contact_loss;
-  energies.external_work = state.motion.load_work.sum();
+                        state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
+  energies.external_work = state.load_work.sum() + state.laws.supply;
   for (const SpaceWall &wall : driven)
     energies.external_work += wall.work;
   for (const Obstacle<3> &obstacle : state.obstacles)
@@ -127,7 +127,10 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
   for (const Obstacle<3> &obstacle : state.obstacles)
     columns.emplace_back(obstacle.description.name + "_work_J", obstacle.work);
   for (const std::string &load : loads.names())
-    columns.emplace_back(load + "_work_J", state.motion.load_work.of(load));
+    columns.emplace_back(load + "_work_J", state.load_work.of(load));
+  if (std::any_of(state.bodies.begin(), state.bodies.end(),
+                  [](const Body<3> &body) { return body.law->is_active(); }))
+    columns.emplace_back("growth_work_J", state.laws.supply);
   return columns;
 }
 
@@ -137,6 +140,9 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
   for (const SpaceWall &wall : driven)
     if (wall.description.drive->slides())
       columns.emplace_back(wall.description.name + "_tangential_force_N", wall.state().tangential_force);
+  if (std::any_of(state.bodies.begin(), state.bodies.end(),
+                  [](const Body<3> &body) { return body.law->limits_step(); }))
+    columns.emplace_back("law_cuts", state.law_cuts);
   if (!settings.scheme.inertia)
     return columns;
   double rotational = 0.;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What pictures and measures are told of a scene in space.
+#include <softgrain/mpm/model/point_history.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/model/space_points.h>
 
 namespace softgrain::mpm
 {
@@ -36,7 +38,8 @@ void SpaceModel::add_points(const Body<3> &body, BodyState<3> &of_body, PointSta
       }
     const double J = determinant(here.gradient[p]), volume = J * body.points[p].rest_volume();
     // Laws of finite strain tell Kirchhoff's stress.
-    const dealii::SymmetricTensor<2, 3> stress = here.stress[p] / (body.small_strain() ? 1. : J);
+    const dealii::SymmetricTensor<2, 3> stress =
+        (remembers(body) ? body.points[p].stress() : here.stress[p]) / (body.small_strain() ? 1. : J);
     points.position.push_back(x);
     points.body.push_back(body.index);
     points.size.push_back(volume);
@@ -62,6 +65,15 @@ Snapshot<3> SpaceModel::snapshot() const
     BodyState<3> of_body = body_state(body);
     add_points(body, of_body, result.points);
     result.bodies.push_back(of_body);
+  }
+  for (const Body<3> &body : state.bodies)
+    add_history_fields(*body.law, result.points);
+  std::size_t begin = 0;
+  for (const Body<3> &body : state.bodies)
+  {
+    put_history(
+        body, [begin](const unsigned int p) { return begin + p; }, result.points);
+    begin += body.points.size();
   }
   for (const SpaceContact &of_ray : state.contacts)
   {

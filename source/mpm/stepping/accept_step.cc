@@ -3,6 +3,7 @@
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/account_contacts.h>
 #include <softgrain/mpm/stepping/account_loads.h>
+#include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 
 #include <algorithm>
@@ -50,19 +51,6 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
         body.velocity[2 * i + d] += change[d];
     state.balance.body_force_impulse += mass * change;
     state.balance.cell_work += (momentum + 0.5 * mass * change) * change;
-  }
-}
-
-/// Gives the points what the step has come to.
-void keep_stress(const StepState<2> &trial, Body<2> &body)
-{
-  const unsigned int n_history = body.law->n_history();
-  for (std::size_t p = 0; p < body.points.size(); ++p)
-  {
-    auto point = body.points[p];
-    point.stress() = trial.stress[p];
-    if (n_history > 0)
-      std::copy_n(&trial.history[p * n_history], n_history, point.history());
   }
 }
 } // namespace
@@ -113,13 +101,9 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       state.bodies,
       [&](Body<2> &body)
       {
-        const StepState<2> &trial = work.trial[body.index];
-        keep_stress(trial, body);
-        if (body.law->n_history() > 0)
-          for (unsigned int p = 0; p < body.points.size(); ++p)
-            law_loss[body.index] += trial.dissipation[p] * trial.volume[p];
-        for (unsigned int p = 0; p < trial.supply.size(); ++p)
-          law_supply[body.index] += trial.supply[p] * trial.volume[p];
+        const WorkOfLaw of_law = keep_points(work.trial[body.index], body);
+        law_loss[body.index] = of_law.loss;
+        law_supply[body.index] = of_law.supply;
       },
       [&](BodyShare::Message &message)
       {

@@ -12,16 +12,12 @@ MovingEquations::MovingEquations(const std::vector<Body<3>> &bodies,
                                  const StepPlan &plan,
                                  const double time,
                                  const bool slippery)
-    : SpaceEquations(bodies, settings, work, plan, false)
-    , loads{time + 0.5 * plan.dt, time, plan.dt, false}
-    , inertia(bodies.size())
+    : SpaceEquations(bodies, settings, work, plan, time, false), inertia(bodies.size())
 {
   work.share.for_mine(bodies,
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        if (!external_force(body, loads, external[b]))
-                          external[b].resize(0);
                         inertia[b].begin(body, settings.scheme, plan.dt, slippery && body.boundary.circular,
                                          external[b]);
                       });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
-#include <softgrain/mpm/stepping/account_loads.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/moving_equations.h>
 #include <softgrain/mpm/stepping/moving_step.h>
@@ -56,6 +55,9 @@ std::string MovingStep::find()
 {
   if (std::string trouble = SpaceRayStep::find(); !trouble.empty())
     return trouble;
+  heed_laws(world.bodies, moving.stress_outcome(), outcome);
+  if (outcome.law_asks)
+    return outcome.reason;
   note_contact_work();
   return why_contact_gives();
 }
@@ -102,14 +104,7 @@ void MovingStep::account_body(Body<3> &body, SpaceState &state)
   state.regularisation_work += moving.held_work(b);
   if (const Eigen::VectorXd &load = moving.external[b]; load.size() > 0)
   {
-    double left = load.dot(way[b]);
-    auto name = body.loads.begin();
-    for (const double work : powers_of_loads(body, moving.load_times(), moving.increment[b], way[b]))
-    {
-      balance.load_work.add((*name++)->name, work);
-      left -= work;
-    }
-    balance.load_work.add((*name)->name, left);
+    account_load(body, load, moving.load_times(), state);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         balance.impulse[d] += plan.dt * load[3 * i + d];

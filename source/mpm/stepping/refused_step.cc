@@ -59,7 +59,8 @@ void SharedOutcomes::take()
   }
 }
 
-void heed_laws(const std::vector<Body<2>> &bodies,
+template <int dim>
+void heed_laws(const std::vector<Body<dim>> &bodies,
                const std::vector<StressOutcome> &stress,
                StepOutcome &outcome)
 {
@@ -78,4 +79,7 @@ void heed_laws(const std::vector<Body<2>> &bodies,
        << "', allows no more than " << stress[first].share << " of this step";
   outcome.reason = text.str();
 }
+
+template void heed_laws(const std::vector<Body<2>> &, const std::vector<StressOutcome> &, StepOutcome &);
+template void heed_laws(const std::vector<Body<3>> &, const std::vector<StressOutcome> &, StepOutcome &);
 } // namespace softgrain::mpm

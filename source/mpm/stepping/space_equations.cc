@@ -38,15 +38,18 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                                const Settings &settings,
                                SpaceWorkspace &work,
                                const StepPlan &plan,
+                               const double time,
                                const bool frictionless)
     : bodies(bodies)
     , settings(settings)
     , work(work)
     , plan(plan)
+    , loads{time + (plan.held ? 0. : settings.scheme.loads_at()) * plan.dt, time, plan.dt, false}
     , missing_impulse(bodies.size())
     , shift(bodies.size())
     , rotations(bodies.size())
     , rotation_weight(bodies.size())
+    , end(time + plan.law_dt())
 {
   increment.resize(bodies.size());
   internal.resize(bodies.size());
@@ -55,6 +58,8 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
+                        if (!external_force(body, loads, external[b]))
+                          external[b].resize(0);
                         const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
                         shift[b] =
                             plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
@@ -77,6 +82,8 @@ bool SpaceEquations::evaluate(const Vectors &v)
                         Trial asked;
                         asked.tangent = true;
                         asked.max_strain = settings.max_strain;
+                        asked.dt = plan.law_dt();
+                        asked.time = end;
                         stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]),
                                                     increment[b], asked, work.trial[b]);
                         if (!stress[b].good())
@@ -99,6 +106,8 @@ void SpaceEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
 {
   const unsigned int b = body.index;
   missing_impulse[b] = plan.dt * internal[b];
+  if (external[b].size() > 0)
+    missing_impulse[b] += plan.dt * external[b];
   for (unsigned int i = 0; i < body.mass.size(); ++i)
     missing_impulse[b].segment<3>(3 * i) -= shift[b] * std::abs(body.mass[i]) * v.segment<3>(3 * i);
   missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/stepping/account_loads.h>
 #include <softgrain/mpm/stepping/space_ray_step.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ SpaceRayStep::SpaceRayStep(SpaceState &state,
                    plan,
                    equations)
     , motion(motion)
+    , of_points(space.work.trial)
     , wall_names(space.wall_names)
     , obstacles(state.obstacles)
     , wall_force(state.wall_force)
@@ -106,6 +108,22 @@ void SpaceRayStep::add_contacts(const unsigned int f, SpaceState &state) const
     }
 }
 
+void SpaceRayStep::account_load(const Body<3> &body,
+                                const Eigen::VectorXd &load,
+                                const LoadTimes &times,
+                                SpaceState &state) const
+{
+  const unsigned int b = body.index;
+  double left = load.dot(way[b]);
+  auto name = body.loads.begin();
+  for (const double work : powers_of_loads(body, times, way[b], way[b]))
+  {
+    state.load_work.add((*name++)->name, work);
+    left -= work;
+  }
+  state.load_work.add((*name)->name, left);
+}
+
 void SpaceRayStep::accept_ways(SpaceState &state)
 {
   for (const Eigen::VectorXd &of_body : way)
@@ -125,11 +143,19 @@ void SpaceRayStep::accept_ways(SpaceState &state)
   }
   state.frames = std::move(kept);
   const Vectors &ways = way;
+  std::vector<WorkOfLaw> of_laws(state.bodies.size());
   world.share.for_mine(state.bodies,
                        [&](Body<3> &body)
                        {
-                         body.displacement += ways[body.index];
+                         const unsigned int b = body.index;
+                         body.displacement += ways[b];
                          move_boundary(body);
+                         of_laws[b] = keep_points(of_points[b], body);
                        });
+  for (const WorkOfLaw &of_body : of_laws)
+  {
+    state.laws.loss += of_body.loss;
+    state.laws.supply += of_body.supply;
+  }
 }
 } // namespace softgrain::mpm

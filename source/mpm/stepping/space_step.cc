@@ -25,13 +25,36 @@ public:
   {
   }
 
+  std::string find();
   void accept(SpaceState &state);
 
 private:
   void account_frame(unsigned int f, SpaceState &state) const;
+  void account_loads(const Body<3> &body, SpaceState &state) const;
 
   SpaceEquations &of_space;
 };
+
+std::string StepAtRest::find()
+{
+  if (std::string trouble = SpaceRayStep::find(); !trouble.empty())
+    return trouble;
+  heed_laws(world.bodies, of_space.stress_outcome(), outcome);
+  return outcome.law_asks ? outcome.reason : "";
+}
+
+/// Loads at the middle of a step do more exact work than those at its end.
+void StepAtRest::account_loads(const Body<3> &body, SpaceState &state) const
+{
+  if (of_space.external[body.index].size() == 0)
+    return;
+  LoadTimes times = of_space.load_times();
+  if (!plan.held)
+    times.at = times.begin + 0.5 * plan.dt;
+  Eigen::VectorXd load;
+  external_force(body, times, load);
+  account_load(body, load, times, state);
+}
 
 // From balance to balance friction does the work of the mean of both ends, but for what kinks tell.
 void StepAtRest::account_frame(const unsigned int f, SpaceState &state) const
@@ -51,6 +74,7 @@ void StepAtRest::accept(SpaceState &state)
   {
     state.held_back[b] = of_space.held_back(b);
     state.regularisation_work += of_space.regularisation_work(b);
+    account_loads(state.bodies[b], state);
   }
   state.dent_energy = 0.;
   state.kinks = ContactKinks();
@@ -73,7 +97,7 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const do
   stands = motion.at_end(plan.dt);
   SpaceMotion now = plan.held ? stands : motion;
   now.walls = walls_now(now, state.loaded);
-  SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, scene.frictionless);
+  SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   StepAtRest step(state, scene, now, plan, equations);
   return try_ray_step(step, careful, most_resistance, state);
 }

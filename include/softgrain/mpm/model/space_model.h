@@ -22,9 +22,9 @@
 namespace softgrain::mpm
 {
 /**
- * @brief The material point model of a scene in space, as far as it goes: elastic balls, at rest or moving,
- * between flat walls and obstacles that are told how to move, with Coulomb's friction. Contacts are met by
- * rays, as in the plane.
+ * @brief The material point model of a scene in space, as far as it goes: bodies of any law, at rest or
+ * moving, between flat walls and obstacles that are told how to move, with Coulomb's friction. Contacts are
+ * met by rays, as in the plane.
  *
  * At rest works of walls are those of the mean of their forces at both ends of a step, and of what kinks of
  * contacts add; with inertia those of the force in the step.
@@ -85,8 +85,8 @@ private:
   double cfl_step() const; ///< in which a wave goes through a cell [s]
   double wanted_step() const;
   SpaceScene scene() { return {work, settings, subgrid, pairs, wall_names, frictionless}; }
-  /// One step. @return why it is no good
-  Attempt try_step(double dt, double wanted, StepReport &report);
+  /// One step. @param cuts_before by laws, since the start, when it was tried first @return why it is no good
+  Attempt try_step(double dt, double wanted, std::size_t cuts_before, StepReport &report);
   /// What all does in a step of @p dt; 0: it stands [s].
   SpaceMotion motion(double dt) const;
   void note(const StepOutcome &outcome, StepReport &report) const;
@@ -112,6 +112,7 @@ private:
     double last_dt;
     std::vector<SpaceWall> driven;
     std::size_t steps;
+    std::vector<double> points; ///< see remembered_by_points()
   };
   void keep_before();
   void go_back();

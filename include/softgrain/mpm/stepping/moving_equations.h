@@ -3,7 +3,6 @@
 #define softgrain_mpm_stepping_moving_equations_h
 
 #include <softgrain/mpm/stepping/body_inertia.h>
-#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 
 #include <vector>
@@ -25,8 +24,6 @@ public:
 
   double rounding(const Body<3> &body, double contact) const override;
   void assemble_exact(const Body<3> &body) override;
-  /// When external was taken.
-  const LoadTimes &load_times() const { return loads; }
   /// What the scheme takes from a body in the step as last evaluated [J].
   double damping(unsigned int b, const Eigen::VectorXd &v) const
   {
@@ -42,7 +39,6 @@ private:
   }
   void find_missing(const Body<3> &body, const Eigen::VectorXd &v) override;
 
-  const LoadTimes loads;
   Vectors fixed_external; ///< of external, what does not depend on the trial
   std::vector<BodyInertia<3>> inertia;
 };

@@ -53,7 +53,8 @@ private:
 };
 
 /// Takes back an accepted @p outcome when the law of a body asks for a shorter step.
-void heed_laws(const std::vector<Body<2>> &bodies,
+template <int dim>
+void heed_laws(const std::vector<Body<dim>> &bodies,
                const std::vector<StressOutcome> &stress,
                StepOutcome &outcome);
 } // namespace softgrain::mpm

@@ -8,6 +8,7 @@
 #include <softgrain/mpm/body/step_state.h>
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/mpm/stepping/body_equations.h>
+#include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -42,10 +43,12 @@ struct SpaceWorkspace
 class SpaceEquations : public BodyEquations<3>
 {
 public:
+  /// @param time at the start of the step [s]
   SpaceEquations(const std::vector<Body<3>> &bodies,
                  const Settings &settings,
                  SpaceWorkspace &work,
                  const StepPlan &plan,
+                 double time,
                  bool frictionless);
 
   bool evaluate(const Vectors &v) override;
@@ -60,6 +63,10 @@ public:
   double held_back(unsigned int b) const;
   /// Work that what resists takes from a body in the step as last evaluated [J].
   double regularisation_work(unsigned int b) const;
+  /// How the stress of all bodies came out when it was last evaluated.
+  const std::vector<StressOutcome> &stress_outcome() const { return stress; }
+  /// When external was taken.
+  const LoadTimes &load_times() const { return loads; }
 
 protected:
   /// Displacement over the step for the end velocity @p v [m].
@@ -71,12 +78,14 @@ protected:
   const Settings &settings;
   SpaceWorkspace &work;
   const StepPlan plan;
+  const LoadTimes loads;
   Vectors missing_impulse;
 
 private:
   std::vector<double> shift;              ///< of a body's mass matrix
   std::vector<Eigen::MatrixXd> rotations; ///< at the start of the step
   std::vector<double> rotation_weight;
+  const double end; ///< of the step, as laws see time [s]
   std::vector<StressOutcome> stress;
   unsigned int bad_body = 0;
 };

@@ -53,7 +53,12 @@ protected:
   /// Way over the step of the place of a wall or an obstacle that a ray has met [m].
   dealii::Tensor<1, 3> way_of_partner(const FrameState<3> &frame, unsigned int k) const;
 
-  /// Writes contacts, frames and forces on walls into the state, and moves the bodies.
+  /// Books what loads do on a body over its way. @param load their force, taken at @p times
+  void account_load(const Body<3> &body,
+                    const Eigen::VectorXd &load,
+                    const LoadTimes &times,
+                    SpaceState &state) const;
+  /// Writes contacts, frames and forces on walls into the state, and moves the bodies and their points.
   void accept_ways(SpaceState &state);
 
 private:
@@ -63,6 +68,7 @@ private:
   std::string partner_of(const ContactFrame<3> &frame) const override;
   void add_contacts(unsigned int f, SpaceState &state) const;
 
+  const std::vector<StepState<3>> &of_points; ///< of the trial, body by body
   const std::vector<std::string> &wall_names;
   const std::vector<Obstacle<3>> &obstacles;           ///< as the step begins
   const std::vector<dealii::Tensor<1, 3>> &wall_force; ///< likewise

@@ -5,6 +5,7 @@
 #include <softgrain/driving/named_sums.h>
 #include <softgrain/mpm/contact/contact_kinks.h>
 #include <softgrain/mpm/contact/frame_search.h>
+#include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/loaded_walls.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
 #include <softgrain/mpm/stepping/space_equations.h>
@@ -30,7 +31,6 @@ struct MotionBalance
 {
   double scheme_damping = 0;    ///< see Balance of the plane [J]
   double contact_loss = 0;      ///< taken by impacts and friction [J]
-  NamedSums load_work;          ///< done by loads
   dealii::Tensor<1, 3> impulse; ///< of loads and walls, and the momentum at the start [N s]
   double largest_momentum = 0;  ///< of the nodes of a body [N s]
 };
@@ -48,6 +48,9 @@ struct SpaceProgress
   double released_energy = 0;                   ///< lost in held steps beside that, see loss::released [J]
   double dent_energy = 0;                       ///< in the dents that the grid misses, now [J]
   double rubbed = 0;                            ///< by friction, since the start [J]
+  WorkOfLaw laws;                               ///< what laws did, since the start
+  std::size_t law_cuts = 0;                     ///< steps that a law has asked to be shorter
+  NamedSums load_work;                          ///< done by loads, since the start [J]
   MotionBalance motion;                         ///< with inertia
   ContactKinks kinks;                           ///< of the last step
   double time = 0;                              ///< [s]
