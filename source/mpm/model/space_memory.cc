@@ -11,8 +11,9 @@ namespace
 {
 using Frame = ContactFrame<3>;
 
-constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 9, numbers_of_ray = 11, numbers_of_wall = 9,
-                       counts_of_contact = 3, numbers_of_contact = 10;
+constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 15, numbers_of_place = 19,
+                       numbers_of_ray = 5 + 2 * numbers_of_place, numbers_of_wall = 9, counts_of_contact = 3,
+                       numbers_of_contact = 10;
 
 template <class Tensor>
 void add(const Tensor &tensor, std::vector<double> &list)
@@ -28,6 +29,33 @@ void take(const double *&from, Tensor &tensor)
     tensor[d] = *from++;
 }
 
+/// A place of a surface in all its digits: one that is sought again differs by rounding.
+void add(const SurfacePlace<3> &place, std::vector<double> &list)
+{
+  add(place.position, list);
+  for (const auto &tangent : place.tangent)
+    add(tangent, list);
+  add(place.normal, list);
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      list.push_back(place.bend[i][j]);
+  list.insert(list.end(), {static_cast<double>(place.piece), place.along, place.at_edge ? 1. : 0.});
+}
+
+void take(const double *&from, SurfacePlace<3> &place)
+{
+  take(from, place.position);
+  for (auto &tangent : place.tangent)
+    take(from, tangent);
+  take(from, place.normal);
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      place.bend[i][j] = *from++;
+  place.piece = static_cast<unsigned int>(*from++);
+  place.along = *from++;
+  place.at_edge = *from++ != 0.;
+}
+
 void save_frames(const std::vector<Frame> &frames, StateWriter &out)
 {
   std::vector<std::uint64_t> who;
@@ -37,27 +65,20 @@ void save_frames(const std::vector<Frame> &frames, StateWriter &out)
     who.insert(who.end(), {frame.body, frame.partner, frame.wall, frame.rays.size(), frame.id});
     add(frame.origin, where);
     add(frame.direction, where);
+    for (const auto &across : frame.across)
+      add(across, where);
     where.insert(where.end(), {frame.spacing, frame.log_full_width[0], frame.log_full_width[1]});
     for (const Frame::RayPlace &ray : frame.rays)
     {
       rays.insert(rays.end(), {static_cast<double>(ray.index[0]), static_cast<double>(ray.index[1]),
                                ray.force, ray.friction[0], ray.friction[1]});
-      add(ray.place[0].position, rays);
-      add(ray.place[1].position, rays);
+      for (const SurfacePlace<3> &place : ray.place)
+        add(place, rays);
     }
   }
   out.write("space/frames/who", who);
   out.write("space/frames/where", where);
   out.write("space/frames/rays", rays);
-}
-
-/// A place of an obstacle as it was when it was kept.
-SurfacePlace<3> place_of(const Obstacle<3> &obstacle, const dealii::Point<3> &position)
-{
-  const RigidSurface &surface = *obstacle.description.surface;
-  SurfacePlace<3> place = surface.nearest(position, surface.thickness()).value_or(SurfacePlace<3>());
-  place.position = position;
-  return place;
 }
 
 void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_walls)
@@ -84,10 +105,10 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
     frame.partner = names[1];
     frame.wall = at_wall ? names[2] : Frame::none;
     frame.id = names[4];
-    dealii::Tensor<1, 3> direction;
     take(at, frame.origin);
-    take(at, direction);
-    frame.turn(direction);
+    take(at, frame.direction);
+    for (auto &across : frame.across)
+      take(at, across);
     frame.spacing = *at++;
     frame.log_full_width = {{at[0], at[1]}};
     at += 2;
@@ -99,15 +120,8 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
       ray.friction[0] = of_ray[3];
       ray.friction[1] = of_ray[4];
       of_ray += 5;
-      for (unsigned int side = 0; side < 2; ++side)
-      {
-        dealii::Point<3> position;
-        take(of_ray, position);
-        if (const unsigned int b = side == 0 ? frame.partner : frame.body; b != Frame::none)
-          ray.place[side] = state.surfaces[b].at(position);
-        else if (frame.wall >= n_walls)
-          ray.place[side] = place_of(state.obstacles[frame.wall - n_walls], position);
-      }
+      for (SurfacePlace<3> &place : ray.place)
+        take(of_ray, place);
     }
   }
 }
