@@ -24,6 +24,7 @@ DRAWING = {
     "plastic_block": ["--range", "0", "3e8"],
     "pull_off": ["--frame", "5"],
     "triaxial_spheres": ["--cut", "y=5e-3"],
+    "twelve_plastic_spheres": ["--field", "equivalent_plastic_strain", "--view", "-60", "20"],
     "two_disks": ["--frame", "3"],
 }
 
