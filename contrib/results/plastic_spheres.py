@@ -85,7 +85,7 @@ def draw(picture, curves):
     axes.set_xlim(0.35, 0.8)
     axes.set_ylim(0, 0.8)
     axes.set_xlabel("volume of the balls at rest over that of the box")
-    axes.set_ylabel("mean pressure of the walls over the yield stress")
+    axes.set_ylabel("mean pressure of the walls, yield stresses")
     axes.legend(frameon=False)
     figure.savefig(picture, dpi=110)
 
