@@ -205,8 +205,17 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
                               LinearSolver::Rows &rows) const
 {
   using Vector = typename FrameState<dim>::Vector;
-  std::vector<std::pair<unsigned int, Vector>> entries;
-  const auto add = [&](const unsigned int node, const Vector &value) { entries.emplace_back(node, value); };
+  struct Entry
+  {
+    unsigned int node, number;
+    Vector value;
+  };
+  // One buffer for all columns of a thread, and no stable sort: both would ask for memory for every column.
+  static thread_local std::vector<Entry> entries;
+  entries.clear();
+  const auto add = [&](const unsigned int node, const Vector &value) {
+    entries.push_back({node, static_cast<unsigned int>(entries.size()), value});
+  };
   if (column.kind == Column::wall)
   {
     for (const auto &[f, side] : frames_of[b])
@@ -235,14 +244,15 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
       }
     }
   }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const auto &x, const auto &y) { return x.first < y.first; });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry &x, const Entry &y)
+            { return x.node < y.node || (x.node == y.node && x.number < y.number); });
   for (unsigned int e = 0; e < entries.size();)
   {
-    const unsigned int node = entries[e].first;
+    const unsigned int node = entries[e].node;
     Vector sum;
-    for (; e < entries.size() && entries[e].first == node; ++e)
-      sum += entries[e].second;
+    for (; e < entries.size() && entries[e].node == node; ++e)
+      sum += entries[e].value;
     for (unsigned int d = 0; d < dim; ++d)
       rows.insertBack(dim * node + d, i) = sum[d];
   }

@@ -124,6 +124,7 @@ std::vector<unsigned int> near_box(const SampledSurface<dim> &surface,
                                    const double radius)
 {
   std::vector<unsigned int> near;
+  near.reserve(surface.samples.size());
   for (unsigned int i = 0; i < surface.samples.size(); ++i)
   {
     const dealii::Point<dim> &x = surface.samples[i].position;
@@ -133,9 +134,13 @@ std::vector<unsigned int> near_box(const SampledSurface<dim> &surface,
     if (!far)
       near.push_back(i);
   }
-  std::stable_sort(near.begin(), near.end(),
-                   [&](const unsigned int i, const unsigned int j)
-                   { return surface.samples[i].position[0] < surface.samples[j].position[0]; });
+  // A stable sort would ask for memory.
+  std::sort(near.begin(), near.end(),
+            [&](const unsigned int i, const unsigned int j)
+            {
+              const double left = surface.samples[i].position[0], right = surface.samples[j].position[0];
+              return left < right || (left == right && i < j);
+            });
   return near;
 }
 
