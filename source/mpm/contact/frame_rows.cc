@@ -79,6 +79,7 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
       row.gap = ray.at_start;
       row.work_beyond = force[f][k] * ray.beyond;
+      row.pull_beyond = -ray.pull * ray.beyond;
       if (frame.rubs(k))
       {
         // Friction does its work between the places that it holds together.

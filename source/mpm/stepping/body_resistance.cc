@@ -50,6 +50,20 @@ void BodyResistance::add_mass(const Body<2> &body, SystemMatrix &matrix) const
   matrix.add_mass<2>(body.mass.cwiseAbs(), shift);
 }
 
+void BodyResistance::resist_more(const Body<2> &body,
+                                 const double factor,
+                                 const Eigen::VectorXd &v,
+                                 Eigen::VectorXd &missing,
+                                 SystemMatrix *const matrix)
+{
+  const double more = (factor - 1.) * shift;
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    missing.segment<2>(2 * i) -= more * drag(body, i) * v.segment<2>(2 * i);
+  if (matrix != nullptr)
+    matrix->add_mass<2>(body.mass.cwiseAbs(), more);
+  shift *= factor;
+}
+
 double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const
 {
   // What is out of balance at the start goes over to this step: like walls, the mean of both ends.

@@ -83,8 +83,8 @@ double ContactWork::parting(const unsigned int row, const unsigned int component
 
 double ContactWork::adhesion_work(const unsigned int row) const
 {
-  const double pull = work.contact.contact_rows()[row].pull;
-  return pull > 0. ? -pull * dt * parting(row, 0) : 0.;
+  const ContactRow<2> &of_row = work.contact.contact_rows()[row];
+  return of_row.pull > 0. ? of_row.pull_beyond - of_row.pull * dt * parting(row, 0) : 0.;
 }
 
 ContactWork::Gift ContactWork::gift() const

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace softgrain::mpm
 {
@@ -15,13 +16,23 @@ namespace
 constexpr double gap_tolerance = 1e-5;    ///< cells
 constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
 constexpr unsigned int halvings_with_all_rays = 2;
+constexpr unsigned int most_strained =
+    2;                       ///< iterations in a row that are halved as they deform bodies too much
 constexpr double rise = 10.; ///< of what resists motion, where a step has no minimum
 constexpr unsigned int most_rises = 8;
 constexpr double back_from = 100.;         ///< rise from which on a step begins anew
 constexpr double keeps_dents_from = 0.3;   ///< resistance
 constexpr double old_factors_below = 1e-2; ///< residual from which on factors serve for more iterations
 constexpr double longest_way = 0.3;        ///< of a place that presses, in an iteration [cells]
+/// Residual and gap [cells] with which a held step may end that is only on the way to balance.
+constexpr double nearly = 0.1, nearly_closed = 1e-2;
 } // namespace
+
+template <int dim>
+bool RayNewton<dim>::good_enough() const
+{
+  return !plan.exact && residual < nearly && deepest < nearly_closed * h && right_inertia;
+}
 
 template <int dim>
 bool RayNewton<dim>::converged() const
@@ -39,7 +50,9 @@ std::string RayNewton<dim>::find_forces()
   {
     if (!factors_serve)
     {
-      assemble();
+      if (!assembled)
+        assemble();
+      assembled = true;
       negative = factorise();
     }
     if (negative)
@@ -79,14 +92,11 @@ template <int dim>
 bool RayNewton<dim>::resist_more()
 {
   outcome.raised *= rise;
-  equations.resist_more(rise);
+  equations.resist_more(rise, trial, assembled);
   const bool kept_now = keep_dents();
   if (outcome.newton_iterations > 0 && outcome.raised >= back_from)
     return go_back();
-  if (kept_now)
-    return evaluate(way);
-  // Nothing has moved: rays stand as they are.
-  return equations.evaluate(trial);
+  return !kept_now || evaluate(way);
 }
 
 /// To where the step began: iterates without a minimum may have gone where no resistance brings them back, as
@@ -95,6 +105,7 @@ template <int dim>
 bool RayNewton<dim>::go_back()
 {
   way = at_rest;
+  assembled = false;
   take_forces_of_start();
   path += h;
   const bool is_there = evaluate(way);
@@ -110,6 +121,7 @@ bool RayNewton<dim>::keep_dents()
     return false;
   for (FrameState<dim> &frame : frames)
     frame.keep_dent();
+  assembled = false;
   return dents_kept = true;
 }
 
@@ -200,10 +212,16 @@ std::string RayNewton<dim>::iterate()
   const RayForces before = force;
   const RayFriction<dim> rubbed = rubbing;
   const Vectors from = way;
+  assembled = false;
+  bool too_much = false;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
-    if (halving == most_halvings)
+    if (halving == most_halvings || (too_much && strained_in_a_row == most_strained &&
+                                     most_resistance < std::numeric_limits<double>::max()))
+    {
+      outcome.too_long = too_much;
       return "no way along Newton's direction: " + why_not();
+    }
     path += share * std::max(largest.place, largest.node);
     for (unsigned int b = 0; b < way.size(); ++b)
       way[b] = from[b] + share * direction[b];
@@ -219,10 +237,12 @@ std::string RayNewton<dim>::iterate()
       system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
     if (evaluate(way))
       break;
+    too_much = not_met == none;
     // A side ends there: the way to its end would be halved again and again.
     if (halving >= halvings_with_all_rays && leave_unmet_rays() && evaluate(way))
       break;
   }
+  strained_in_a_row = too_much ? strained_in_a_row + 1 : 0;
   const double residual_before = residual;
   measure();
   // Masses make most of the matrix: near the end it need not be the latest.
@@ -279,7 +299,8 @@ std::string RayNewton<dim>::converge()
   for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
   {
     stop_if_interrupted();
-    if (outcome.newton_iterations > 0 && converged())
+    outcome.exact = outcome.newton_iterations > 0 && converged();
+    if (outcome.exact || good_enough())
       break;
     if (outcome.newton_iterations == world.settings.max_newton)
       return "Newton did not converge in " + std::to_string(world.settings.max_newton) +

@@ -70,6 +70,8 @@ protected:
                        [](const Wall &wall) { return wall.slides_freely() || !wall.prescribed(); });
   }
 
+  bool remembers() const override { return state.adhesion.remembers() || any_history(state.bodies); }
+
   std::string least_balanced() const override
   {
     const double of_bodies =
@@ -123,6 +125,15 @@ std::string least_balanced_body(const std::vector<Body<dim>> &bodies, const std:
   return text.str();
 }
 
+template <int dim>
+bool any_history(const std::vector<Body<dim>> &bodies)
+{
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const Body<dim> &body) { return body.law->n_history() > 0; });
+}
+
+template bool any_history(const std::vector<Body<2>> &);
+template bool any_history(const std::vector<Body<3>> &);
 template std::string least_balanced_body(const std::vector<Body<2>> &, const std::vector<double> &);
 template std::string least_balanced_body(const std::vector<Body<3>> &, const std::vector<double> &);
 template double unbalanced_rays(const std::vector<Body<2>> &,
@@ -143,7 +154,8 @@ StepOutcome RaysAtRest::go(const double dt, const double wanted)
     StepOutcome outcome = step({dt, false, resistance}, careful, most);
     if (outcome.accepted)
       outcome.unbalanced = unbalanced();
-    if (outcome.accepted || resistance > most_on_the_way)
+    // However much bodies resist, walls press them as far.
+    if (outcome.accepted || resistance > most_on_the_way || (outcome.too_long && dt > short_enough * wanted))
       return outcome;
     // The start of the step has no minimum with so much resistance: all that is left would be tried again.
     if (outcome.newton_iterations == 0 && resistance * outcome.raised >= most && !walls_yield())
@@ -163,7 +175,7 @@ StepOutcome RaysAtRest::settle(const double dt)
   const double lowest = std::min(settings.regularisation, least_when_held);
   double least = highest;
   bool careful = false;
-  while (sum.unbalanced > settings.unbalanced_force)
+  while (sum.unbalanced > settings.unbalanced_force || !sum.exact)
   {
     if (sum.held_steps >= settings.max_held_steps)
     {
@@ -175,11 +187,14 @@ StepOutcome RaysAtRest::settle(const double dt)
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + "); " + least_balanced());
     }
-    const StepOutcome outcome = step({dt, true, resistance}, careful, std::numeric_limits<double>::max());
+    const bool exact = remembers() || sum.unbalanced <= settings.unbalanced_force;
+    const StepOutcome outcome =
+        step({dt, true, resistance, exact}, careful, std::numeric_limits<double>::max());
     sum.newton_iterations += outcome.newton_iterations;
     sum.contact_sweeps += outcome.contact_sweeps;
     sum.newton_residual = outcome.newton_residual;
     sum.max_penetration = outcome.max_penetration;
+    sum.exact = outcome.exact;
     if (!outcome.accepted)
     {
       if (careful)

@@ -135,10 +135,20 @@ void SpaceEquations::assemble_exact(const Body<3> &body)
   work.solvers[b]->set_update(rotations[b], rotation_weight[b]);
 }
 
-void SpaceEquations::resist_more(const double factor)
+void SpaceEquations::resist_more(const double factor, const Vectors &v, const bool in_matrices)
 {
-  for (double &of_body : shift)
-    of_body *= factor;
+  work.share.for_mine(bodies,
+                      [&](const Body<3> &body)
+                      {
+                        const unsigned int b = body.index;
+                        const double more = (factor - 1.) * shift[b];
+                        for (unsigned int i = 0; i < body.mass.size(); ++i)
+                          missing_impulse[b].segment<3>(3 * i) -=
+                              more * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
+                        if (in_matrices)
+                          work.matrices[b].add_mass<3>(body.mass.cwiseAbs(), more);
+                        shift[b] *= factor;
+                      });
 }
 
 void SpaceEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const

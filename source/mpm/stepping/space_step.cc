@@ -115,6 +115,11 @@ WallImbalance SpaceAtRest::unbalanced_wall() const
                              least_load * softest(state.bodies) * h * h);
 }
 
+bool SpaceAtRest::remembers() const
+{
+  return any_history(state.bodies);
+}
+
 bool SpaceAtRest::walls_yield() const
 {
   return std::any_of(motion.pressure.begin(), motion.pressure.end(),

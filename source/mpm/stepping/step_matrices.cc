@@ -9,11 +9,15 @@
 
 namespace softgrain::mpm
 {
-void StepEquations::resist_more(const double factor)
+void StepEquations::resist_more(const double factor, const Vectors &v, const bool in_matrices)
 {
-  for (const auto &terms : scheme_terms)
-    if (terms)
-      terms->resist_more(factor);
+  work.share.for_mine(state.bodies,
+                      [&](const Body<2> &body)
+                      {
+                        const unsigned int b = body.index;
+                        scheme_terms[b]->resist_more(body, factor, v[b], missing_impulse[b],
+                                                     in_matrices ? &work.matrices[b] : nullptr);
+                      });
 }
 
 void StepEquations::assemble_exact(const Body<2> &body)

@@ -41,6 +41,7 @@ struct ContactRow
   /// bodies yield [m^2/N].
   double softness = 0;
   double work_beyond = 0; ///< its work beside that of its impulse on the way by which its places part [J/m]
+  double pull_beyond = 0; ///< what adhesion does of this [J/m]
   double pull = 0;        ///< cohesive force over the step, as its impulses count forces [N/m]
   dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
   std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts

@@ -38,8 +38,10 @@ public:
   virtual double rounding(const Body<dim> &body, double contact) const = 0;
   /// Fills the matrix A of one body as its forces have it, nothing held stable.
   virtual void assemble_exact(const Body<dim> &body) = 0;
-  /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
-  virtual void resist_more(double factor) = 0;
+  /// Makes all bodies resist motion by @p factor more, also in the impulses that are missing for the
+  /// velocities
+  /// @p v last evaluated. @param in_matrices also in the matrices, which were assembled for these
+  virtual void resist_more(double factor, const Vectors &v, bool in_matrices) = 0;
   /// A x = the missing impulse of a body that touches nothing [m/s].
   virtual void solve_free(unsigned int b, Eigen::VectorXd &x) const = 0;
 

@@ -44,7 +44,11 @@ public:
   double regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const override;
   dealii::Tensor<1, 2> resistance(const Body<2> &body, const Eigen::VectorXd &increment) const override;
   double held_back(const Body<2> &body, const Eigen::VectorXd &increment) const override;
-  void resist_more(const double factor) override { shift *= factor; }
+  void resist_more(const Body<2> &body,
+                   double factor,
+                   const Eigen::VectorXd &v,
+                   Eigen::VectorXd &missing,
+                   SystemMatrix *matrix) override;
 
 private:
   /// What a node resists by: its mass, taken as positive where functions and extensions that are negative

@@ -60,8 +60,15 @@ public:
   virtual dealii::Tensor<1, dim> resistance(const Body<dim> &, const Eigen::VectorXd &) const { return {}; }
   /// What State::held_back will be of it [N m^(dim-3)].
   virtual double held_back(const Body<dim> &, const Eigen::VectorXd &) const { return 0.; }
-  /// Makes it resist motion by @p factor more.
-  virtual void resist_more(double) {}
+  /// Makes it resist motion by @p factor more, also in the impulse that is missing for the velocities @p v
+  /// and in a matrix that was filled for these, if one is given.
+  virtual void resist_more(const Body<dim> & /*body*/,
+                           double /*factor*/,
+                           const Eigen::VectorXd & /*v*/,
+                           Eigen::VectorXd & /*missing*/,
+                           SystemMatrix * /*matrix*/)
+  {
+  }
 };
 } // namespace softgrain::mpm
 

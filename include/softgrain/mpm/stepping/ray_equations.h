@@ -112,6 +112,7 @@ protected:
       0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
   static constexpr unsigned int none = FrameState<dim>::none;
+  unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 
 private:
   double walls_way() const;
@@ -121,7 +122,6 @@ private:
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
-  unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 };
 } // namespace softgrain::mpm
 

@@ -49,6 +49,8 @@ protected:
   using Base::leave_unmet_rays;
   using Base::measure;
   using Base::meet;
+  using Base::none;
+  using Base::not_met;
   using Base::path;
   using Base::plan;
   using Base::residual;
@@ -67,6 +69,8 @@ protected:
 
 private:
   bool converged() const;
+  /// Whether a held step that is only on the way to balance may end.
+  bool good_enough() const;
   bool begin();
   void begin_to_pull();
   std::string find_forces();
@@ -85,6 +89,9 @@ private:
   std::string iterate();
 
   bool right_inertia = false;
+  unsigned int strained_in_a_row =
+      0;                  ///< iterations so far that were halved since they deform bodies too much
+  bool assembled = false; ///< matrices are those of the ways and forces at hand
   bool dents_kept = false;
   std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
   bool factors_serve = false;           ///< these serve for another iteration

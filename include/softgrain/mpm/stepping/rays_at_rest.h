@@ -37,6 +37,8 @@ protected:
   virtual double time() const = 0; ///< [s]
   /// Whether walls go where loads push them. They see the resistance that a step starts with.
   virtual bool walls_yield() const { return false; }
+  /// Whether laws remember where bodies have been: each held step is then an exact one.
+  virtual bool remembers() const { return false; }
   /// What is furthest from balance, for messages.
   virtual std::string least_balanced() const = 0;
 
@@ -53,6 +55,10 @@ double unbalanced_rays(const std::vector<Body<dim>> &bodies,
                        const std::vector<ContactFrame<dim>> &frames,
                        const std::vector<double> &held_back,
                        double cell_size);
+
+/// Whether the law of any body keeps a history.
+template <int dim>
+bool any_history(const std::vector<Body<dim>> &bodies);
 
 /// Which body is held back most and where it is, for messages. @param held_back as above, of some body
 template <int dim>

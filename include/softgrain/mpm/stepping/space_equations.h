@@ -56,7 +56,7 @@ public:
   const Eigen::VectorXd &missing(const unsigned int b) const override { return missing_impulse[b]; }
   double rounding(const Body<3> &body, double contact) const override;
   void assemble_exact(const Body<3> &body) override;
-  void resist_more(double factor) override;
+  void resist_more(double factor, const Vectors &v, bool in_matrices) override;
   void solve_free(unsigned int b, Eigen::VectorXd &x) const override;
 
   /// What holds back a body, as State::held_back [N].

@@ -90,6 +90,7 @@ protected:
   double time() const override { return state.time; }
   void held(StepOutcome &sum) override;
   bool walls_yield() const override;
+  bool remembers() const override;
   std::string least_balanced() const override;
 
 private:

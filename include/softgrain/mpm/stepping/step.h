@@ -19,6 +19,9 @@ struct StepPlan
   double dt = 0;             ///< [s]
   bool held = false;         ///< walls and loads stand still and no time passes: the bodies come to balance
   double regularisation = 0; ///< of quasi_static: stiffness against motion per body, over Young's modulus
+  /// Newton's method goes on to its tolerances. A held step that is only on the way to balance may end
+  /// sooner.
+  bool exact = true;
 
   /// Time that passes for laws; none while bodies come to balance [s].
   double law_dt() const { return held ? 0. : dt; }
@@ -37,6 +40,8 @@ struct StepOutcome
   unsigned int held_steps = 0; ///< of quasi_static, after the step itself
   double raised = 1;           ///< factor by which bodies had to resist motion more
   double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
+  bool exact = true;           ///< Newton's method came to its tolerances
+  bool too_long = false;       ///< it is not accepted since bodies would deform by more than a step may
 };
 
 /// One implicit step (moreau_jean, newmark, quasi_static); @p state goes on only if it is accepted.

@@ -108,7 +108,7 @@ public:
   /// A of one body as its forces have it, nothing held stable.
   void assemble_exact(const Body<2> &body) override;
   /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
-  void resist_more(double factor) override;
+  void resist_more(double factor, const Vectors &v, bool in_matrices) override;
 
   /// When external was taken.
   const LoadTimes &load_times() const { return loads; }
