@@ -2,6 +2,8 @@
 #ifndef softgrain_linear_system_matrix_h
 #define softgrain_linear_system_matrix_h
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
