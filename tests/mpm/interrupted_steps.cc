@@ -78,8 +78,9 @@ private:
 void interrupt(const std::string &what, const std::vector<std::string> &changes)
 {
   constexpr unsigned int n_steps = 3, n_signals = 4;
-  std::vector<std::string> few = {"Packing/Number=6", "Packing/Packing fraction=0.6", "Mesh/Cell size=6.4e-4",
-                                  "Walls/top/Velocity=20", "Stop/Packing fraction=0"};
+  std::vector<std::string> few = {"Packing/Number=12", "Packing/Packing fraction=0.6",
+                                  "Mesh/Cell size=6.4e-4", "Walls/top/Velocity=20",
+                                  "Stop/Packing fraction=0"};
   few.insert(few.end(), changes.begin(), changes.end());
   const std::string file = "gallery/thirty_grains_quasi_static_mpm.prm";
   const auto whole = shipped_scene(file, few), stopped = shipped_scene(file, few);

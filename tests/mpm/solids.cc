@@ -53,7 +53,7 @@ Outcome pressed_solids(const Changes &changes)
 const std::string low = "-1.15, -0.2, 2.4", high = "1.1, 0.15, 6.46", low_image = "1.15, -0.2, 2.4",
                   high_image = "-1.1, 0.15, 6.46", axes = "2.4, 2.1, 2.2";
 
-void look(const std::string &title, const double mirrored, const Changes &more)
+void look(const std::string &title, const double mirrored, const double swapped, const Changes &more)
 {
   const auto with = [&](const Changes &solids) { return pressed_solids(both(solids, more)); };
   const Changes lower = ellipsoid("a", low, axes, "10, 20, 90"), upper = box("b", high, "-15, 8, 30");
@@ -65,7 +65,7 @@ void look(const std::string &title, const double mirrored, const Changes &more)
       with(both(ellipsoid("a", low_image, axes, "10, -20, -90"), box("b", high_image, "-15, -8, -30")));
   std::cout << "  mirror image off by " << below(mirrored, off(pressed, image, {0, 1, 3, 2, 4, 5})) << '\n';
   const Outcome exchanged = with(both(ellipsoid("b", low, axes, "10, 20, 90"), box("a", high, "-15, 8, 30")));
-  std::cout << "  exchanged off by " << below(1e-7, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';
+  std::cout << "  exchanged off by " << below(swapped, off(pressed, exchanged, {0, 1, 2, 3, 4, 5})) << '\n';
   set_n_threads(2);
   std::cout << "  two threads same " << (with(both(lower, upper)).forces == pressed.forces) << '\n';
   set_n_threads(1);
@@ -74,8 +74,8 @@ void look(const std::string &title, const double mirrored, const Changes &more)
 
 int main()
 {
-  look("without friction", 1e-7, {});
-  look("with friction", 3e-2, {"Contact/Friction=0.4", "Contact/Friction at walls=same"});
+  look("without friction", 1e-7, 1e-7, {});
+  look("with friction", 3e-2, 1e-5, {"Contact/Friction=0.4", "Contact/Friction at walls=same"});
   // A turn by a third of the way around (1, 1, 1) takes every axis to the next one.
   const Changes upper = box("b", high, "0, 0, 30");
   const std::string third = "69.282032302755, 69.282032302755, 69.282032302755";
