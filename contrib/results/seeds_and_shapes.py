@@ -35,13 +35,13 @@ def summary(kind, coefficient, found):
     if ended:
         means = [sum(row["newton_iterations"] for row in rows) / (len(rows) - 1) for rows in ended]
         worst = [max(row["newton_iterations"] for row in rows) for rows in ended]
-        refused = [sum(row.get("refused_steps", 0) for row in rows) for rows in ended]
+        cut = [sum(row["dt_s"] < 0.9 * max(row["dt_s"] for row in rows) for row in rows[1:-1]) for rows in ended]
         steps = [len(rows) - 1 for rows in ended]
         balance = [max(row["unbalanced_force"] for row in rows) for rows in ended]
         missing = [abs(1 - (rows[-1]["kinetic_energy_J_per_m"] + rows[-1]["elastic_energy_J_per_m"] + rows[-1]["dissipated_energy_J_per_m"])
                        / rows[-1]["external_work_J_per_m"]) for rows in ended]
         line += (f"| {min(steps)} to {max(steps)} | {statistics.median(means):.1f}, {max(means):.1f} "
-                 f"| {statistics.median(worst):.0f}, {max(worst):.0f} | {max(refused):.0f} | {max(balance):.1e} "
+                 f"| {statistics.median(worst):.0f}, {max(worst):.0f} | {max(cut)} | {max(balance):.1e} "
                  f"| {100 * statistics.median(missing):.2f}, {100 * max(missing):.2f} |")
     return line
 
@@ -55,7 +55,7 @@ def main():
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="for all runs")
     arguments = parser.parse_args()
     more = dict(item.split("=", 1) for item in arguments.set)
-    print("| grains | friction | ended | steps | iterations a step: median, most | worst step: median, most | refused steps, at most "
+    print("| grains | friction | ended | steps | iterations a step: median, most | worst step: median, most | steps that are cut, at most "
           "| unbalanced force, at most | energy missing, %: median, most |\n" + "|---" * 9 + "|", flush=True)
     for kind, coefficient in itertools.product(arguments.kinds, arguments.friction):
         found = {seed: found_of(arguments.program, arguments.folder, kind, coefficient, seed, more, arguments.limit)
