@@ -4,6 +4,7 @@
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/model/space_points.h>
+#include <softgrain/mpm/stepping/keep_points.h>
 
 namespace softgrain::mpm
 {
@@ -211,7 +212,7 @@ void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &st
 
 void save_laws(const SpaceState &state, StateWriter &out)
 {
-  if (!remember(state.bodies))
+  if (!any_history(state.bodies))
     return;
   out.write("space/points", remembered_by_points(state.bodies));
   out.write("space/laws", std::vector<double>{state.laws.loss, state.laws.supply});
@@ -220,7 +221,7 @@ void save_laws(const SpaceState &state, StateWriter &out)
 
 void load_laws(const StateReader &in, SpaceState &state)
 {
-  if (!remember(state.bodies))
+  if (!any_history(state.bodies))
     return;
   take_points(in.read_doubles("space/points", remembered_by_points(state.bodies).size()), state.bodies);
   const std::vector<double> sums = in.read_doubles("space/laws", 2);

@@ -15,11 +15,6 @@ bool remembers(const Body<3> &body)
   return body.law->n_history() > 0;
 }
 
-bool remember(const std::vector<Body<3>> &bodies)
-{
-  return std::any_of(bodies.begin(), bodies.end(), remembers);
-}
-
 std::vector<double> remembered_by_points(const std::vector<Body<3>> &bodies)
 {
   std::vector<double> all;

@@ -11,6 +11,35 @@ namespace
 constexpr double locked = 1e4;
 } // namespace
 
+template <int dim>
+void subtract_drag(const Body<dim> &body,
+                   const double shift,
+                   const Eigen::VectorXd &v,
+                   Eigen::VectorXd &impulse)
+{
+  for (unsigned int i = 0; i < body.mass.size(); ++i)
+    impulse.segment<dim>(dim * i) -= shift * std::abs(body.mass[i]) * v.segment<dim>(dim * i);
+}
+
+template <int dim>
+void resist_more(const Body<dim> &body,
+                 const double more,
+                 const Eigen::VectorXd &v,
+                 Eigen::VectorXd &missing,
+                 SystemMatrix *const matrix)
+{
+  subtract_drag(body, more, v, missing);
+  if (matrix != nullptr)
+    matrix->add_mass<dim>(body.mass.cwiseAbs(), more);
+}
+
+template void subtract_drag(const Body<2> &, double, const Eigen::VectorXd &, Eigen::VectorXd &);
+template void subtract_drag(const Body<3> &, double, const Eigen::VectorXd &, Eigen::VectorXd &);
+template void
+resist_more(const Body<2> &, double, const Eigen::VectorXd &, Eigen::VectorXd &, SystemMatrix *);
+template void
+resist_more(const Body<3> &, double, const Eigen::VectorXd &, Eigen::VectorXd &, SystemMatrix *);
+
 BodyResistance::BodyResistance(const Body<2> &body,
                                const StepPlan &plan,
                                const bool holds_turn,
@@ -39,8 +68,7 @@ void BodyResistance::find_missing(const Body<2> &body,
   missing = dt * internal;
   if (load.size() > 0)
     missing += dt * load;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    missing.segment<2>(2 * i) -= shift * drag(body, i) * v.segment<2>(2 * i);
+  subtract_drag(body, shift, v, missing);
   if (weight > 0.)
     missing -= weight * rotation.dot(v) * rotation;
 }
@@ -56,11 +84,7 @@ void BodyResistance::resist_more(const Body<2> &body,
                                  Eigen::VectorXd &missing,
                                  SystemMatrix *const matrix)
 {
-  const double more = (factor - 1.) * shift;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    missing.segment<2>(2 * i) -= more * drag(body, i) * v.segment<2>(2 * i);
-  if (matrix != nullptr)
-    matrix->add_mass<2>(body.mass.cwiseAbs(), more);
+  mpm::resist_more(body, (factor - 1.) * shift, v, missing, matrix);
   shift *= factor;
 }
 

@@ -6,6 +6,13 @@
 namespace softgrain::mpm
 {
 template <int dim>
+bool any_history(const std::vector<Body<dim>> &bodies)
+{
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const Body<dim> &body) { return body.law->n_history() > 0; });
+}
+
+template <int dim>
 WorkOfLaw keep_points(const StepState<dim> &trial, Body<dim> &body)
 {
   WorkOfLaw work;
@@ -24,6 +31,8 @@ WorkOfLaw keep_points(const StepState<dim> &trial, Body<dim> &body)
   return work;
 }
 
+template bool any_history(const std::vector<Body<2>> &);
+template bool any_history(const std::vector<Body<3>> &);
 template WorkOfLaw keep_points(const StepState<2> &, Body<2> &);
 template WorkOfLaw keep_points(const StepState<3> &, Body<3> &);
 } // namespace softgrain::mpm

@@ -213,13 +213,14 @@ std::string RayNewton<dim>::iterate()
   const RayFriction<dim> rubbed = rubbing;
   const Vectors from = way;
   assembled = false;
+  const bool may_be_shorter = most_resistance < std::numeric_limits<double>::max();
   bool too_much = false;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
-    if (halving == most_halvings || (too_much && strained_in_a_row == most_strained &&
-                                     most_resistance < std::numeric_limits<double>::max()))
+    const bool too_long = too_much && may_be_shorter;
+    if (halving == most_halvings || (too_long && strained_in_a_row == most_strained))
     {
-      outcome.too_long = too_much;
+      outcome.too_long = too_long;
       return "no way along Newton's direction: " + why_not();
     }
     path += share * std::max(largest.place, largest.node);

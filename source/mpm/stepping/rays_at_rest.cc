@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_step.h>
 #include <softgrain/mpm/stepping/rays_at_rest.h>
@@ -125,15 +126,6 @@ std::string least_balanced_body(const std::vector<Body<dim>> &bodies, const std:
   return text.str();
 }
 
-template <int dim>
-bool any_history(const std::vector<Body<dim>> &bodies)
-{
-  return std::any_of(bodies.begin(), bodies.end(),
-                     [](const Body<dim> &body) { return body.law->n_history() > 0; });
-}
-
-template bool any_history(const std::vector<Body<2>> &);
-template bool any_history(const std::vector<Body<3>> &);
 template std::string least_balanced_body(const std::vector<Body<2>> &, const std::vector<double> &);
 template std::string least_balanced_body(const std::vector<Body<3>> &, const std::vector<double> &);
 template double unbalanced_rays(const std::vector<Body<2>> &,
@@ -155,7 +147,7 @@ StepOutcome RaysAtRest::go(const double dt, const double wanted)
     if (outcome.accepted)
       outcome.unbalanced = unbalanced();
     // However much bodies resist, walls press them as far.
-    if (outcome.accepted || resistance > most_on_the_way || (outcome.too_long && dt > short_enough * wanted))
+    if (outcome.accepted || resistance > most_on_the_way || outcome.too_long)
       return outcome;
     // The start of the step has no minimum with so much resistance: all that is left would be tried again.
     if (outcome.newton_iterations == 0 && resistance * outcome.raised >= most && !walls_yield())
@@ -187,7 +179,8 @@ StepOutcome RaysAtRest::settle(const double dt)
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + "); " + least_balanced());
     }
-    const bool exact = remembers() || sum.unbalanced <= settings.unbalanced_force;
+    const bool is_last = sum.held_steps + 1 == settings.max_held_steps,
+               exact = is_last || remembers() || sum.unbalanced <= settings.unbalanced_force;
     const StepOutcome outcome =
         step({dt, true, resistance, exact}, careful, std::numeric_limits<double>::max());
     sum.newton_iterations += outcome.newton_iterations;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
@@ -108,8 +109,7 @@ void SpaceEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
   missing_impulse[b] = plan.dt * internal[b];
   if (external[b].size() > 0)
     missing_impulse[b] += plan.dt * external[b];
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    missing_impulse[b].segment<3>(3 * i) -= shift[b] * std::abs(body.mass[i]) * v.segment<3>(3 * i);
+  subtract_drag(body, shift[b], v, missing_impulse[b]);
   missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v));
 }
 
@@ -141,12 +141,8 @@ void SpaceEquations::resist_more(const double factor, const Vectors &v, const bo
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        const double more = (factor - 1.) * shift[b];
-                        for (unsigned int i = 0; i < body.mass.size(); ++i)
-                          missing_impulse[b].segment<3>(3 * i) -=
-                              more * std::abs(body.mass[i]) * v[b].segment<3>(3 * i);
-                        if (in_matrices)
-                          work.matrices[b].add_mass<3>(body.mass.cwiseAbs(), more);
+                        mpm::resist_more(body, (factor - 1.) * shift[b], v[b], missing_impulse[b],
+                                         in_matrices ? &work.matrices[b] : nullptr);
                         shift[b] *= factor;
                       });
 }

@@ -11,9 +11,6 @@ namespace softgrain::mpm
 /// Whether the points of a body remember what they went through. All else follows from the nodes.
 bool remembers(const Body<3> &body);
 
-/// Whether those of any body do.
-bool remember(const std::vector<Body<3>> &bodies);
-
 /// What they remember, one point after the other: stress and history.
 std::vector<double> remembered_by_points(const std::vector<Body<3>> &bodies);
 

@@ -38,9 +38,9 @@ public:
   virtual double rounding(const Body<dim> &body, double contact) const = 0;
   /// Fills the matrix A of one body as its forces have it, nothing held stable.
   virtual void assemble_exact(const Body<dim> &body) = 0;
-  /// Makes all bodies resist motion by @p factor more, also in the impulses that are missing for the
-  /// velocities
-  /// @p v last evaluated. @param in_matrices also in the matrices, which were assembled for these
+  /// Makes all bodies resist motion by @p factor more, in the impulses that are missing as well.
+  /// @param v for which these were last evaluated [m/s]
+  /// @param in_matrices whether the matrices, too, were assembled for @p v and are to know it
   virtual void resist_more(double factor, const Vectors &v, bool in_matrices) = 0;
   /// A x = the missing impulse of a body that touches nothing [m/s].
   virtual void solve_free(unsigned int b, Eigen::VectorXd &x) const = 0;

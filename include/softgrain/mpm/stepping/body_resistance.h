@@ -7,6 +7,19 @@
 
 namespace softgrain::mpm
 {
+/// Takes from @p impulse what resists the velocities @p v: @p shift times the mass of every node, which
+/// counts as positive also where functions and extensions make it negative [N s m^(dim-3)].
+template <int dim>
+void subtract_drag(const Body<dim> &body, double shift, const Eigen::VectorXd &v, Eigen::VectorXd &impulse);
+
+/// Adds @p more to the shift in the impulse that is missing for @p v, and in the matrix, if one is given.
+template <int dim>
+void resist_more(const Body<dim> &body,
+                 double more,
+                 const Eigen::VectorXd &v,
+                 Eigen::VectorXd &missing,
+                 SystemMatrix *matrix);
+
 /**
  * @brief What resists the motion of one body in a step without inertia: a share of the stiffness of its
  * material against the motion of nodes, and against a turn of the whole. See doc/theory.md, "Without

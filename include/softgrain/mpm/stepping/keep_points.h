@@ -5,6 +5,8 @@
 #include <softgrain/mpm/body/body.h>
 #include <softgrain/mpm/body/step_state.h>
 
+#include <vector>
+
 namespace softgrain::mpm
 {
 /// What the law of a body did in a step, summed over its points [J/m^(3-dim)].
@@ -13,6 +15,10 @@ struct WorkOfLaw
   double loss = 0;   ///< dissipated
   double supply = 0; ///< brought in by an active law
 };
+
+/// Whether the points of any body keep a history.
+template <int dim>
+bool any_history(const std::vector<Body<dim>> &bodies);
 
 /// Gives the points of a body what a step has come to: stress and history.
 /// @param trial as evaluate_stress() last left it

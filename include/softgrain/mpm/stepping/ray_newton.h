@@ -27,8 +27,9 @@ public:
   using typename Base::Vectors;
 
   StepOutcome outcome;
-  bool careful = false;                                        ///< bodies go no further than rays have looked
-  double most_resistance = std::numeric_limits<double>::max(); ///< from which on the step has failed
+  bool careful = false; ///< bodies go no further than rays have looked
+  double most_resistance =
+      std::numeric_limits<double>::max(); ///< from which on the step has failed: a shorter one may be
 
 protected:
   using Base::assemble;
@@ -89,9 +90,8 @@ private:
   std::string iterate();
 
   bool right_inertia = false;
-  unsigned int strained_in_a_row =
-      0;                  ///< iterations so far that were halved since they deform bodies too much
-  bool assembled = false; ///< matrices are those of the ways and forces at hand
+  unsigned int strained_in_a_row = 0; ///< the last iterations that were halved as they deform bodies too much
+  bool assembled = false;             ///< matrices are those of the ways and forces at hand
   bool dents_kept = false;
   std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
   bool factors_serve = false;           ///< these serve for another iteration

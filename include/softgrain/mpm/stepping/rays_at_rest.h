@@ -56,10 +56,6 @@ double unbalanced_rays(const std::vector<Body<dim>> &bodies,
                        const std::vector<double> &held_back,
                        double cell_size);
 
-/// Whether the law of any body keeps a history.
-template <int dim>
-bool any_history(const std::vector<Body<dim>> &bodies);
-
 /// Which body is held back most and where it is, for messages. @param held_back as above, of some body
 template <int dim>
 std::string least_balanced_body(const std::vector<Body<dim>> &bodies, const std::vector<double> &held_back);

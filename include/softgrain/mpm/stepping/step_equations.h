@@ -107,7 +107,6 @@ public:
   const Eigen::VectorXd &missing(const unsigned int b) const override { return missing_impulse[b]; }
   /// A of one body as its forces have it, nothing held stable.
   void assemble_exact(const Body<2> &body) override;
-  /// Makes all bodies resist motion by @p factor more; the next evaluate() knows it.
   void resist_more(double factor, const Vectors &v, bool in_matrices) override;
 
   /// When external was taken.
