@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/base/parallel.h>
 #include <softgrain/linear/block_factor.h>
 
 #include <algorithm>
@@ -9,147 +10,291 @@ namespace softgrain
 {
 namespace
 {
-/// Columns of a diagonal block that are eliminated one by one before the rest of it is changed.
+/// Columns of a panel that are eliminated before the rest of it is changed.
 constexpr int strip = 32;
+/// Zeros that columns may have in a panel that they share, over its entries; and its width up to which their
+/// number does not matter.
+constexpr double most_zeros = 0.2;
+constexpr int narrow = 24;
+/// Rows of a product that are made at once, and multiplications from which on threads share one.
+constexpr int piece = 128;
+constexpr double worth_sharing = 1e6;
+
+/// Calls @p work(begin, end) for pieces of rows, whose number does not depend on threads.
+template <class Work>
+void for_pieces(const int n_rows, const double n_multiplications, const Work &work)
+{
+  if (n_multiplications < worth_sharing)
+    return work(0, n_rows);
+  parallel_for((n_rows + piece - 1) / piece, 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   work(static_cast<int>(i) * piece, std::min(n_rows, static_cast<int>(i + 1) * piece));
+               });
+}
 } // namespace
+
+void BlockFactor::find_panels(const std::vector<int> &sizes,
+                              const std::vector<std::pair<int, int>> &neighbours)
+{
+  const int n = sizes.size();
+  std::vector<std::set<int>> below(n);
+  for (const auto &[i, j] : neighbours)
+    if (i != j && sizes[i] > 0 && sizes[j] > 0)
+      below[std::min(i, j)].insert(std::max(i, j));
+  panels.clear();
+  panel_of.assign(n, -1);
+  double zeros = 0.; // in the last panel
+  int height_below = 0;
+  for (int j = 0; j < n; ++j)
+  {
+    if (sizes[j] == 0)
+      continue;
+    // The first block below inherits all others.
+    if (!below[j].empty())
+      below[*below[j].begin()].insert(std::next(below[j].begin()), below[j].end());
+    int height = 0;
+    for (const int i : below[j])
+      height += sizes[i];
+    const bool follows = !panels.empty() && panels.back().rows.size() > panels.back().n_own &&
+                         panels.back().rows[panels.back().n_own] == j;
+    const int width = follows ? panels.back().width() : 0;
+    const double more_zeros = zeros + double(width) * (sizes[j] + height - height_below);
+    if (follows && (width + sizes[j] <= narrow ||
+                    more_zeros < most_zeros * (width + sizes[j]) * (width + sizes[j] + height)))
+    {
+      zeros = more_zeros;
+      panels.back().rows.resize(panels.back().n_own);
+    }
+    else
+    {
+      zeros = 0.;
+      panels.emplace_back();
+      panels.back().first = begin[j];
+    }
+    Panel &panel = panels.back();
+    panel_of[j] = panels.size() - 1;
+    panel.rows.push_back(j);
+    panel.n_own = panel.rows.size();
+    panel.rows.insert(panel.rows.end(), below[j].begin(), below[j].end());
+    height_below = height;
+    panel.offset.assign(1, 0);
+    for (const int i : panel.rows)
+      panel.offset.push_back(panel.offset.back() + sizes[i]);
+  }
+}
 
 void BlockFactor::reinit(const std::vector<int> &sizes,
                          const std::vector<std::pair<int, int>> &neighbours,
                          const bool is_symmetric)
 {
   symmetric = is_symmetric;
-  const int n = sizes.size();
   begin.assign(1, 0);
   for (const int size : sizes)
     begin.push_back(begin.back() + size);
-  std::vector<std::set<int>> below(n);
-  for (const auto &[i, j] : neighbours)
-    if (i != j && sizes[i] > 0 && sizes[j] > 0)
-      below[std::min(i, j)].insert(std::max(i, j));
-  panels.assign(n, Panel());
-  for (int j = 0; j < n; ++j)
+  find_panels(sizes, neighbours);
+  for (Panel &panel : panels)
   {
-    // The first block below inherits all others.
-    if (!below[j].empty())
-      below[*below[j].begin()].insert(std::next(below[j].begin()), below[j].end());
-    Panel &panel = panels[j];
-    panel.rows.assign(1, j);
-    panel.rows.insert(panel.rows.end(), below[j].begin(), below[j].end());
-    panel.offset.assign(1, 0);
-    for (const int i : panel.rows)
-      panel.offset.push_back(panel.offset.back() + sizes[i]);
-    panel.entries.setZero(panel.offset.back(), sizes[j]);
+    panel.entries.setZero(panel.height(), panel.width());
     if (!symmetric)
-      panel.right.setZero(panel.offset.back() - sizes[j], sizes[j]);
+      panel.right.setZero(panel.height(), panel.width());
   }
 }
 
-unsigned int BlockFactor::place(const Panel &panel, const int i) const
+Eigen::Block<Eigen::MatrixXd>
+BlockFactor::part(Eigen::MatrixXd &of_panel, const Panel &panel, const int i, const int j) const
 {
-  return std::lower_bound(panel.rows.begin(), panel.rows.end(), i) - panel.rows.begin();
+  const unsigned int row = std::lower_bound(panel.rows.begin(), panel.rows.end(), i) - panel.rows.begin();
+  return of_panel.block(panel.offset[row], begin[j] - panel.first, begin[i + 1] - begin[i],
+                        begin[j + 1] - begin[j]);
 }
 
 Eigen::Block<Eigen::MatrixXd> BlockFactor::block(const int i, const int j)
 {
-  Panel &panel = panels[j];
-  const unsigned int row = place(panel, i);
-  return panel.entries.block(panel.offset[row], 0, panel.offset[row + 1] - panel.offset[row],
-                             panel.entries.cols());
+  if (panel_of[j] < 0)
+    return Eigen::Block<Eigen::MatrixXd>(nothing, 0, 0, 0, 0);
+  Panel &panel = panels[panel_of[j]];
+  return part(panel.entries, panel, i, j);
 }
 
 Eigen::Block<Eigen::MatrixXd> BlockFactor::transposed_block(const int i, const int j)
 {
-  Panel &panel = panels[j];
-  const unsigned int row = place(panel, i);
-  return panel.right.block(panel.offset[row] - panel.offset[1], 0, panel.offset[row + 1] - panel.offset[row],
-                           panel.right.cols());
+  Panel &panel = panels[panel_of[j]];
+  return part(panel.right, panel, i, j);
 }
 
-/// Strip by strip: the columns of a strip, then what they change to the right of them.
-bool BlockFactor::factorize_panel(Panel &panel, const int begin_of_d)
+/// The square of a strip one by one, then what is below it and to the right of it.
+bool BlockFactor::factorize_strip(Panel &panel, const int first, const int width)
 {
   Eigen::MatrixXd &A = panel.entries;
-  const int n = A.cols(), n_rows = A.rows();
-  for (int first = 0; first < n; first += strip)
+  const int end = first + width, left = panel.width() - end, below = panel.height() - end;
+  auto d = D.segment(panel.first + first, width);
+  auto square = A.block(first, first, width, width);
+  for (int j = 0; j < width; ++j)
   {
-    const int width = std::min(n - first, strip), end = first + width, left = n - end;
-    for (int j = first; j < end; ++j)
+    const double pivot = square(j, j);
+    if (!(std::abs(pivot) > 0.) || !std::isfinite(pivot))
+      return false;
+    d[j] = pivot;
+    const int after = width - j - 1;
+    square.col(j).tail(after) /= pivot;
+    for (int k = j + 1; k < width; ++k)
     {
-      const double pivot = A(j, j);
-      if (!(std::abs(pivot) > 0.) || !std::isfinite(pivot))
-        return false;
-      D[begin_of_d + j] = pivot;
-      A.col(j).tail(n_rows - j - 1) /= pivot;
-      for (int k = j + 1; k < end; ++k)
-        A.col(k).tail(n_rows - (symmetric ? k : j + 1)) -=
-            (symmetric ? pivot * A(k, j) : A(j, k)) * A.col(j).tail(n_rows - (symmetric ? k : j + 1));
+      const int rows = symmetric ? width - k : after;
+      square.col(k).tail(rows) -=
+          (symmetric ? pivot * square(k, j) : square(j, k)) * square.col(j).tail(rows);
     }
-    Eigen::MatrixXd above(width, left); // rows of the strip beyond it
-    if (symmetric)
-      above =
-          D.segment(begin_of_d + first, width).asDiagonal() * A.block(end, first, left, width).transpose();
-    else
-    {
-      const auto L = A.block(first, first, width, width).triangularView<Eigen::UnitLower>();
-      above = A.block(first, end, width, left);
-      L.solveInPlace(above);
-      A.block(first, end, width, left) = above;
-      Eigen::MatrixXd beyond = panel.right.middleCols(first, width).transpose();
-      L.solveInPlace(beyond);
-      panel.right.middleCols(first, width) = beyond.transpose();
-      panel.right.rightCols(left).noalias() -=
-          panel.right.middleCols(first, width) * A.block(end, first, left, width).transpose();
-    }
-    A.block(end, end, n_rows - end, left).noalias() -= A.block(end, first, n_rows - end, width) * above;
+  }
+  const auto L = square.triangularView<Eigen::UnitLower>();
+  const double n_multiplications = 0.5 * below * width * width;
+  if (symmetric)
+    for_pieces(below, n_multiplications,
+               [&](const int from, const int to)
+               {
+                 auto rows = A.block(end + from, first, to - from, width);
+                 L.transpose().solveInPlace<Eigen::OnTheRight>(rows);
+                 for (int j = 0; j < width; ++j)
+                   rows.col(j) /= d[j];
+               });
+  else
+  {
+    auto above = A.block(first, end, width, left);
+    L.solveInPlace(above);
+    for_pieces(below, n_multiplications,
+               [&](const int from, const int to)
+               {
+                 auto rows = A.block(end + from, first, to - from, width);
+                 square.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(rows);
+               });
+    const int beyond = panel.height() - panel.width();
+    for_pieces(beyond, n_multiplications,
+               [&](const int from, const int to)
+               {
+                 auto rows = panel.right.block(panel.width() + from, first, to - from, width);
+                 L.transpose().solveInPlace<Eigen::OnTheRight>(rows);
+               });
   }
   return true;
 }
 
-/// What a column and a row of blocks change to the right of them and below.
-void BlockFactor::subtract(const Panel &panel, const int begin_of_d)
+/// What a strip changes to the right of it in its panel.
+void BlockFactor::subtract_strip(Panel &panel, const int first, const int width) const
 {
-  const int width = panel.entries.cols(), beyond = panel.offset[1];
-  Eigen::MatrixXd change, change_of_right;
-  for (unsigned int r = 1; r < panel.rows.size(); ++r)
+  Eigen::MatrixXd &A = panel.entries;
+  const int end = first + width, left = panel.width() - end, below = panel.height() - end;
+  if (left == 0)
+    return;
+  Eigen::MatrixXd above; // rows of the strip beyond it
+  if (symmetric)
+    above = D.segment(panel.first + first, width).asDiagonal() * A.block(end, first, left, width).transpose();
+  else
+    above = A.block(first, end, width, left);
+  const double n_multiplications = double(below) * width * left;
+  for_pieces(below, n_multiplications,
+             [&](const int from, const int to)
+             {
+               // A piece of a symmetric square ends at its diagonal.
+               const int columns = symmetric ? std::min(left, to) : left;
+               A.block(end + from, end, to - from, columns).noalias() -=
+                   A.block(end + from, first, to - from, width) * above.leftCols(columns);
+             });
+  if (symmetric)
+    return;
+  const int beyond = panel.height() - panel.width();
+  const Eigen::MatrixXd low = A.block(end, first, left, width).transpose();
+  for_pieces(beyond, n_multiplications,
+             [&](const int from, const int to)
+             {
+               panel.right.block(panel.width() + from, end, to - from, left).noalias() -=
+                   panel.right.block(panel.width() + from, first, to - from, width) * low;
+             });
+}
+
+bool BlockFactor::factorize_panel(Panel &panel)
+{
+  const int n = panel.width();
+  if (!symmetric)
+    panel.entries.topRows(n) += panel.right.topRows(n).transpose();
+  for (int first = 0; first < n; first += strip)
   {
-    const int from = panel.offset[r], to = panel.offset[r + 1], n = to - from,
-              n_rows = panel.entries.rows() - from;
-    if (symmetric)
-      change.noalias() = panel.entries.bottomRows(n_rows) * (D.segment(begin_of_d, width).asDiagonal() *
-                                                             panel.entries.middleRows(from, n).transpose());
-    else
+    const int width = std::min(n - first, strip);
+    if (!factorize_strip(panel, first, width))
+      return false;
+    subtract_strip(panel, first, width);
+  }
+  return true;
+}
+
+/// What a panel changes in another one, whose columns are its row blocks from @p first to @p end.
+void BlockFactor::subtract_from(Panel &target,
+                                const Panel &panel,
+                                const unsigned int first,
+                                const unsigned int end) const
+{
+  const int width = panel.width(), from = panel.offset[first], to = panel.offset[end],
+            n_rows = panel.height() - from, n_beyond = panel.height() - to;
+  static thread_local Eigen::MatrixXd above, change, change_of_right;
+  if (symmetric)
+    above =
+        D.segment(panel.first, width).asDiagonal() * panel.entries.middleRows(from, to - from).transpose();
+  else
+  {
+    above = panel.right.middleRows(from, to - from).transpose();
+    change_of_right.resize(n_beyond, to - from);
+    change_of_right.noalias() =
+        panel.right.bottomRows(n_beyond) * panel.entries.middleRows(from, to - from).transpose();
+  }
+  change.resize(n_rows, to - from);
+  change.noalias() = panel.entries.bottomRows(n_rows) * above;
+  unsigned int there = 0;
+  for (unsigned int s = first; s < panel.rows.size(); ++s)
+  {
+    while (target.rows[there] != panel.rows[s])
+      ++there;
+    const int size = panel.offset[s + 1] - panel.offset[s], row = target.offset[there];
+    for (unsigned int r = first; r < end; ++r)
     {
-      change.noalias() =
-          panel.entries.bottomRows(n_rows) * panel.right.middleRows(from - beyond, n).transpose();
-      change_of_right.noalias() =
-          panel.right.bottomRows(n_rows - n) * panel.entries.middleRows(from, n).transpose();
-    }
-    Panel &target = panels[panel.rows[r]];
-    unsigned int there = 0;
-    for (unsigned int s = r; s < panel.rows.size(); ++s)
-    {
-      while (target.rows[there] != panel.rows[s])
-        ++there;
-      const int size = panel.offset[s + 1] - panel.offset[s];
-      target.entries.middleRows(target.offset[there], size) -=
-          change.middleRows(panel.offset[s] - from, size);
-      if (!symmetric && s > r)
-        target.right.middleRows(target.offset[there] - target.offset[1], size) -=
-            change_of_right.middleRows(panel.offset[s] - to, size);
+      const int column = begin[panel.rows[r]] - target.first, n = panel.offset[r + 1] - panel.offset[r];
+      target.entries.block(row, column, size, n) -=
+          change.block(panel.offset[s] - from, panel.offset[r] - from, size, n);
+      if (!symmetric && s >= end)
+        target.right.block(row, column, size, n) -=
+            change_of_right.block(panel.offset[s] - to, panel.offset[r] - from, size, n);
     }
   }
+}
+
+/// What a panel changes to the right of it and below.
+void BlockFactor::subtract(const Panel &panel)
+{
+  std::vector<unsigned int> first; // row block of every panel that is changed
+  for (unsigned int r = panel.n_own; r < panel.rows.size(); ++r)
+    if (r == panel.n_own || panel_of[panel.rows[r]] != panel_of[panel.rows[r - 1]])
+      first.push_back(r);
+  if (first.empty())
+    return;
+  first.push_back(panel.rows.size());
+  const auto work = [&](const std::size_t from, const std::size_t to)
+  {
+    for (std::size_t i = from; i < to; ++i)
+      subtract_from(panels[panel_of[panel.rows[first[i]]]], panel, first[i], first[i + 1]);
+  };
+  const double below = panel.height() - panel.width();
+  if (0.5 * below * below * panel.width() < worth_sharing)
+    work(0, first.size() - 1);
+  else
+    parallel_for(first.size() - 1, 1, work);
 }
 
 bool BlockFactor::factorize()
 {
   D.resize(begin.back());
-  for (unsigned int j = 0; j < panels.size(); ++j)
+  for (Panel &panel : panels)
   {
-    if (panels[j].entries.cols() == 0)
-      continue;
-    if (!factorize_panel(panels[j], begin[j]))
+    if (!factorize_panel(panel))
       return false;
-    subtract(panels[j], begin[j]);
+    subtract(panel);
   }
   return true;
 }
@@ -161,35 +306,35 @@ unsigned int BlockFactor::n_negative() const
 
 void BlockFactor::solve(Eigen::VectorXd &x) const
 {
-  for (unsigned int j = 0; j < panels.size(); ++j)
+  static thread_local Eigen::VectorXd below;
+  for (const Panel &panel : panels)
   {
-    const Panel &panel = panels[j];
-    const int n = panel.entries.cols();
-    auto here = x.segment(begin[j], n);
+    const int n = panel.width();
+    auto here = x.segment(panel.first, n);
     panel.entries.topRows(n).triangularView<Eigen::UnitLower>().solveInPlace(here);
-    for (unsigned int r = 1; r < panel.rows.size(); ++r)
-      x.segment(begin[panel.rows[r]], panel.offset[r + 1] - panel.offset[r]).noalias() -=
-          panel.entries.middleRows(panel.offset[r], panel.offset[r + 1] - panel.offset[r]) * here;
+    below.noalias() = panel.entries.bottomRows(panel.height() - n) * here;
+    for (unsigned int r = panel.n_own; r < panel.rows.size(); ++r)
+      x.segment(begin[panel.rows[r]], panel.offset[r + 1] - panel.offset[r]) -=
+          below.segment(panel.offset[r] - n, panel.offset[r + 1] - panel.offset[r]);
   }
   if (symmetric)
     x.array() /= D.array();
-  for (int j = panels.size() - 1; j >= 0; --j)
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel)
   {
-    const Panel &panel = panels[j];
-    const int n = panel.entries.cols();
-    const auto beyond = symmetric ? panel.entries.bottomRows(panel.entries.rows() - n)
-                                  : panel.right.bottomRows(panel.right.rows());
-    auto here = x.segment(begin[j], n);
-    for (unsigned int r = 1; r < panel.rows.size(); ++r)
+    const int n = panel->width(), height_below = panel->height() - n;
+    below.resize(height_below);
+    for (unsigned int r = panel->n_own; r < panel->rows.size(); ++r)
     {
-      const int size = panel.offset[r + 1] - panel.offset[r];
-      here.noalias() -= beyond.middleRows(panel.offset[r] - panel.offset[1], size).transpose() *
-                        x.segment(begin[panel.rows[r]], size);
+      const int size = panel->offset[r + 1] - panel->offset[r];
+      below.segment(panel->offset[r] - n, size) = x.segment(begin[panel->rows[r]], size);
     }
+    auto here = x.segment(panel->first, n);
+    here.noalias() -=
+        (symmetric ? panel->entries : panel->right).bottomRows(height_below).transpose() * below;
     if (symmetric)
-      panel.entries.topRows(n).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(here);
+      panel->entries.topRows(n).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(here);
     else
-      panel.entries.topRows(n).triangularView<Eigen::Upper>().solveInPlace(here);
+      panel->entries.topRows(n).triangularView<Eigen::Upper>().solveInPlace(here);
   }
 }
 } // namespace softgrain

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Factors of a matrix of dense blocks, which fill, with one block of no rows and one that is wider than a
 // strip, symmetric and indefinite or not symmetric: solutions and the number of negative eigenvalues are
-// those of a dense solver. A matrix with a pivot of 0 is refused.
+// those of a dense solver. A matrix with a pivot of 0 is refused. Two threads, which share the products of
+// one that is large, find the bits of one thread.
+#include <softgrain/base/parallel.h>
 #include <softgrain/linear/block_factor.h>
 
 #include <Eigen/Dense>
 
 #include <iostream>
 #include <random>
+#include <set>
 
 using namespace softgrain;
 
@@ -57,6 +60,38 @@ void check(const bool symmetric)
                   (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().array() < 0.).count());
   std::cout << '\n';
 }
+
+/// Blocks of one width in a chain, each of which meets the last two, which are as large as all products that
+/// are shared.
+Eigen::VectorXd solution_of_large(const unsigned int n_threads, const bool symmetric)
+{
+  set_n_threads(n_threads);
+  std::mt19937 random(11);
+  std::normal_distribution<double> number;
+  std::vector<int> widths(10, 40);
+  widths.insert(widths.end(), {150, 200});
+  std::vector<std::pair<int, int>> pairs{{10, 11}};
+  for (int i = 0; i < 10; ++i)
+    for (const int j : {i + 1, 10, 11})
+      if (i % 3 != 0 || j != i + 1)
+        pairs.emplace_back(i, j);
+  BlockFactor factor;
+  factor.reinit(widths, pairs, symmetric);
+  const auto part = [&](const int rows, const int columns) -> Eigen::MatrixXd
+  { return Eigen::MatrixXd::NullaryExpr(rows, columns, [&]() { return number(random); }); };
+  for (int i = 0; i < 12; ++i)
+    factor.block(i, i) += 40. * (i % 2 == 0 ? 1. : -1.) * Eigen::MatrixXd::Identity(widths[i], widths[i]);
+  for (const auto &[j, i] : std::set<std::pair<int, int>>(pairs.begin(), pairs.end()))
+  {
+    factor.block(i, j) += part(widths[i], widths[j]);
+    if (!symmetric)
+      factor.transposed_block(i, j) += part(widths[i], widths[j]);
+  }
+  factor.factorize();
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(factor.first().back());
+  factor.solve(x);
+  return x;
+}
 } // namespace
 
 int main()
@@ -67,4 +102,10 @@ int main()
   factor.reinit({1, 1}, {{0, 1}});
   factor.block(1, 0).setOnes();
   std::cout << "a pivot of 0: factorised " << factor.factorize() << '\n';
+  for (const bool symmetric : {true, false})
+  {
+    const Eigen::VectorXd one = solution_of_large(1, symmetric), two = solution_of_large(2, symmetric);
+    std::cout << one.size() << " unknowns, finite " << one.allFinite() << ", on two threads the bits of one "
+              << (one == two) << '\n';
+  }
 }

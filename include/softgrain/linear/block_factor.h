@@ -15,7 +15,9 @@ namespace softgrain
  *
  * The matrix may be indefinite: the signs of D tell its inertia. Blocks are eliminated in the order of their
  * numbers. A sparse factor by single entries spends most of its time on indices where blocks are as large as
- * the contact of two grains in space; this one spends it in products of dense matrices.
+ * the contact of two grains in space; this one spends it in products of dense matrices. Columns of blocks
+ * with nearly the same blocks below them are eliminated together. Products are cut in pieces that do not
+ * depend on the number of threads, so results do not either.
  */
 class BlockFactor
 {
@@ -44,23 +46,37 @@ public:
   void solve(Eigen::VectorXd &x) const;
 
 private:
-  /// A column of blocks, its diagonal block and those below it, one upon the other; and a row of blocks to
-  /// the right of the diagonal one, transposed, if the matrix is not symmetric.
+  /// Columns of blocks that have nearly the same blocks below them, as one matrix: the blocks of these
+  /// columns first, then those below, one upon the other. What lies to the right of the square on top, if the
+  /// matrix is not symmetric, is kept transposed.
   struct Panel
   {
-    std::vector<int> rows;   ///< row blocks, ascending, the diagonal one first
+    std::vector<int> rows;   ///< row blocks, ascending, those of the columns first
     std::vector<int> offset; ///< where they begin, and where the last one ends
+    unsigned int n_own = 0;  ///< blocks that are columns
+    int first = 0;           ///< the first unknown
     Eigen::MatrixXd entries;
-    Eigen::MatrixXd right; ///< begins at offset[1]
+    Eigen::MatrixXd
+        right; ///< its top is what lies above the diagonal blocks, until factorize() has put it there
+
+    int width() const { return offset[n_own]; }
+    int height() const { return offset.back(); }
   };
-  bool factorize_panel(Panel &panel, int begin_of_d);
-  void subtract(const Panel &panel, int begin_of_d);
-  unsigned int place(const Panel &panel, int i) const;
+  /// Finds which blocks are below which in the factors, and which columns make a panel.
+  void find_panels(const std::vector<int> &sizes, const std::vector<std::pair<int, int>> &neighbours);
+  Eigen::Block<Eigen::MatrixXd> part(Eigen::MatrixXd &of_panel, const Panel &panel, int i, int j) const;
+  bool factorize_panel(Panel &panel);
+  bool factorize_strip(Panel &panel, int first, int width);
+  void subtract_strip(Panel &panel, int first, int width) const;
+  void subtract(const Panel &panel);
+  void subtract_from(Panel &target, const Panel &panel, unsigned int first, unsigned int end) const;
 
   bool symmetric = true;
   std::vector<int> begin;
   std::vector<Panel> panels;
-  Eigen::VectorXd D; ///< pivots
+  std::vector<int> panel_of; ///< of every block, -1 where it has no rows
+  Eigen::MatrixXd nothing;   ///< what a block without columns is part of
+  Eigen::VectorXd D;         ///< pivots
 };
 } // namespace softgrain
 

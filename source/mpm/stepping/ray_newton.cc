@@ -104,10 +104,11 @@ bool RayNewton<dim>::resist_more()
 template <int dim>
 bool RayNewton<dim>::go_back()
 {
+  for (unsigned int b = 0; b < way.size(); ++b)
+    gone.of_body[b] += way[b].template lpNorm<Eigen::Infinity>();
   way = at_rest;
   assembled = false;
   take_forces_of_start();
-  path += h;
   const bool is_there = evaluate(way);
   measure();
   return is_there;
@@ -159,10 +160,11 @@ typename RayNewton<dim>::Farthest RayNewton<dim>::farthest(const Vectors &direct
   for (const auto &[under_rays, node] : ways)
   {
     result.place = std::max(result.place, under_rays);
-    result.node = std::max(result.node, node);
+    result.of_body.push_back(std::max(under_rays, node));
   }
   for (unsigned int w = 0; w < system.ways.size(); ++w)
-    result.place = std::max(result.place, std::abs(system.found_ways[w] - system.ways[w].at));
+    result.wall = std::max(result.wall, std::abs(system.found_ways[w] - system.ways[w].at));
+  result.place = std::max(result.place, result.wall);
   return result;
 }
 
@@ -205,9 +207,9 @@ std::string RayNewton<dim>::iterate()
   }
   right_inertia = true;
   const Farthest largest = farthest(direction);
-  std::vector<double> gone;
+  std::vector<double> walls_from;
   for (const FreeWay<dim> &free : system.ways)
-    gone.push_back(free.at);
+    walls_from.push_back(free.at);
   double share = largest.place > longest_way * h ? longest_way * h / largest.place : 1.;
   const RayForces before = force;
   const RayFriction<dim> rubbed = rubbing;
@@ -223,9 +225,12 @@ std::string RayNewton<dim>::iterate()
       outcome.too_long = too_long;
       return "no way along Newton's direction: " + why_not();
     }
-    path += share * std::max(largest.place, largest.node);
+    gone.add(share * largest.wall);
     for (unsigned int b = 0; b < way.size(); ++b)
+    {
+      gone.of_body[b] += share * largest.of_body[b];
       way[b] = from[b] + share * direction[b];
+    }
     for (unsigned int f = 0; f < force.size(); ++f)
       for (unsigned int k = 0; k < force[f].size(); ++k)
       {
@@ -234,8 +239,8 @@ std::string RayNewton<dim>::iterate()
             share == 1. ? system.found[f][k] : before[f][k] + share * (system.found[f][k] - before[f][k]);
         rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
       }
-    for (unsigned int w = 0; w < gone.size(); ++w)
-      system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
+    for (unsigned int w = 0; w < walls_from.size(); ++w)
+      system.ways[w].at = walls_from[w] + share * (system.found_ways[w] - walls_from[w]);
     if (evaluate(way))
       break;
     too_much = not_met == none;
@@ -279,11 +284,12 @@ bool RayNewton<dim>::begin()
   if (goes_on)
   {
     way = free_way();
-    for (const Eigen::VectorXd &of_body : way)
-      path = std::max(path, h + of_body.template lpNorm<Eigen::Infinity>());
+    for (unsigned int b = 0; b < way.size(); ++b)
+      gone.of_body[b] = way[b].template lpNorm<Eigen::Infinity>();
     if (evaluate(way))
       return true;
-    path += path;
+    for (double &of_body : gone.of_body)
+      of_body += of_body;
     way = at_rest;
   }
   return evaluate(way);

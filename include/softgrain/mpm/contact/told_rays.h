@@ -4,6 +4,7 @@
 
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/ways_gone.h>
 
 #include <Eigen/Core>
 
@@ -18,7 +19,8 @@ namespace softgrain::mpm
  * @param force        of all rays [N/m^(3-dim)]
  * @param displacement of all bodies where rays meet them, since the grid was laid [m]
  * @param way          of all bodies over the step [m]
- * @param path, within see FrameState::prepare() [m]
+ * @param gone         how far bodies have gone in the step so far
+ * @param within       see FrameState::prepare() [m]
  */
 template <int dim>
 void meet_frames(const BodyShare &share,
@@ -26,7 +28,7 @@ void meet_frames(const BodyShare &share,
                  const std::vector<std::vector<double>> &force,
                  const std::vector<Eigen::VectorXd> &displacement,
                  const std::vector<Eigen::VectorXd> &way,
-                 double path,
+                 const WaysGone &gone,
                  double within,
                  std::vector<FrameState<dim>> &frames);
 } // namespace softgrain::mpm

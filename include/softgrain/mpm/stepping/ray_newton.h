@@ -43,6 +43,7 @@ protected:
   using Base::force;
   using Base::frames;
   using Base::free_way;
+  using Base::gone;
   using Base::h;
   using Base::inertia;
   using Base::largest_way;
@@ -52,7 +53,6 @@ protected:
   using Base::meet;
   using Base::none;
   using Base::not_met;
-  using Base::path;
   using Base::plan;
   using Base::residual;
   using Base::rubbing;
@@ -79,11 +79,13 @@ private:
   bool go_back();
   bool keep_dents();
   bool goes_too_far(const Vectors &direction) const;
-  /// The largest ways of an iteration [m]. Nodes on the rim of a body may go far and move nothing.
+  /// The largest ways of an iteration [m].
   struct Farthest
   {
     double place = 0.; ///< of a place under a ray that presses, or of a wall under a load
-    double node = 0.;  ///< of a node of a body that meets something: no place goes further
+    double wall = 0.;  ///< of a wall under a load
+    /// Of nodes and places of bodies that meet something. Nodes on the rim may go far and move nothing.
+    std::vector<double> of_body;
   };
   Farthest farthest(const Vectors &direction) const;
   void find_direction(Vectors &direction);
