@@ -39,10 +39,11 @@ public:
 
   Place move(const Place &place, const dealii::Tensor<1, 1> &way) const override;
 
-  /// The vertex at which the piece of @p place begins, as the end of the piece before it.
+  /// The vertex at which the piece of @p place begins, or at whose end it stands, as the other piece has it.
   Place beyond_edge(const Place &place) const override
   {
-    return at(previous[place.piece], chord[previous[place.piece]]);
+    const unsigned int before = previous[place.piece];
+    return place.along > 0. ? at(next[place.piece], 0.) : at(before, chord[before]);
   }
 
 private:

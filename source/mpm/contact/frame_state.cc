@@ -166,8 +166,11 @@ bool FrameState<dim>::meet_side(const FrameScene<dim> &scene,
     here.gap -= wall_height;
     return true;
   }
-  const RaySide<dim> found =
-      meet_surface(scene, displacement, side, ray_of(frame, offset, away(side)), guess);
+  const Ray<dim> ray = ray_of(frame, offset, away(side));
+  RaySide<dim> found = meet_surface(scene, displacement, side, ray, guess);
+  if constexpr (dim == 2)
+    if (const unsigned int b = body(side); !found.met && found.place.at_edge && b != none)
+      found = meet_around(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], found.place);
   if (!found.met)
     return false;
   here.side[side] = found;

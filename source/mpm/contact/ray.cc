@@ -198,6 +198,26 @@ RaySide<dim> meet(const Ray<dim> &ray,
   return side;
 }
 
+RaySide<2> meet_around(const Ray<2> &ray,
+                       const RestSurface<2> &surface,
+                       const BodyField<2> &field,
+                       const Eigen::VectorXd &nodal,
+                       const SurfacePlace<2> &corner)
+{
+  const SurfacePlace<2> beyond = surface.beyond_edge(corner);
+  const bool goes_on = corner.along > 0.;
+  const dealii::Tensor<1, 2> &before = (goes_on ? corner : beyond).tangent[0],
+                             &after = (goes_on ? beyond : corner).tangent[0];
+  FieldNear<2> near(field, nodal);
+  // In a dent the other side is met by rays of its own.
+  if (beyond.piece == corner.piece || before[0] * after[1] - before[1] * after[0] <= 0. ||
+      !near.look_at(corner.position))
+    return RaySide<2>();
+  const double here = ray.across[0] * Deformed<2>(corner, near).tangent[0],
+               there = ray.across[0] * Deformed<2>(beyond, near).tangent[0];
+  return here * there > 0. ? meet(ray, surface, field, nodal, beyond) : RaySide<2>();
+}
+
 template <int dim>
 RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess)
 {

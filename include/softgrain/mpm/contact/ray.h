@@ -118,6 +118,14 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const Eigen::VectorXd &nodal,
                   const SurfacePlace<dim> &guess);
 
+/// As meet(), where a ray has left a surface at @p corner: beyond a convex one the other side may look the
+/// same way. One that is not met where it does not.
+RaySide<2> meet_around(const Ray<2> &ray,
+                       const RestSurface<2> &surface,
+                       const BodyField<2> &field,
+                       const Eigen::VectorXd &nodal,
+                       const SurfacePlace<2> &corner);
+
 /// The side of a rigid surface at a place that lies on the ray; not met where the surface stands along it.
 template <int dim>
 RaySide<dim> side_at(const Ray<dim> &ray, const SurfacePlace<dim> &place);
