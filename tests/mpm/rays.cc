@@ -4,7 +4,9 @@
 // derivatives are those of differences: errors relative to the derivative fall to rounding. A rigid motion
 // along the ray moves the height by as much, one across by the slope. Last, a curve through markers: its
 // distance from the ellipse and the error of its curvature fall with the fourth and second power of their
-// distance; sides of a square stay straight; a ray that passes a corner is not met.
+// distance; sides of a square stay straight; a ray that passes a corner is not met. Of a square that stands
+// on a tip such a ray goes on around the corner, from either side, and meets the other side where it is: the
+// error is rounding. It does not go on where the side beyond looks away, nor in a dent.
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/mpm/contact/ray.h>
 
@@ -250,6 +252,45 @@ void check_curve()
   place = square.move(place, way);
   std::cout << ", further on at " << place.position << ", at a corner " << place.at_edge << '\n';
 }
+
+/// Where a ray along x, at @p offset, goes on around the first corner. @param from_begin it comes
+/// from the side that begins there, not from the one that ends
+void go_around(const char *name,
+               const Field<2> &disk,
+               const std::vector<dealii::Point<2>> &corners,
+               const double offset,
+               const bool from_begin,
+               const double exact)
+{
+  Ray<2> ray;
+  ray.direction = dealii::Tensor<1, 2>({1., 0.});
+  ray.across[0] = dealii::Tensor<1, 2>({0., 1.});
+  ray.origin = Field<2>::center();
+  ray.offset[0] = offset;
+  std::vector<dealii::Point<2>> moved;
+  for (const dealii::Point<2> &x : corners)
+    moved.push_back(x + dealii::Tensor<1, 2>(Field<2>::center()));
+  const unsigned int n = corners.size();
+  const OutlineSurface surface(moved, {0, n}, std::vector<char>(n, 1));
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(disk.field.n_dofs());
+  const SurfacePlace<2> guess = from_begin ? surface.at(0, 0.5) : surface.at(n - 1, 0.5);
+  const RaySide<2> without = meet<2>(ray, surface, disk.field, still, guess);
+  const RaySide<2> side = meet_around(ray, surface, disk.field, still, without.place);
+  std::cout << name << ": without " << without.met << ", around the corner " << side.met << ", exact "
+            << (side.met && std::abs(side.height - exact) < 1e-12) << '\n';
+}
+
+/// A corner between two sides that both face the ray, one whose other side looks away, and a dent.
+void go_around_corners(const Field<2> &disk)
+{
+  const std::vector<dealii::Point<2>> tip{{1.5, 0.}, {0., 1.5}, {-1.5, 0.}, {0., -1.5}},
+      square{{1.5, 1.5}, {-1.5, 1.5}, {-1.5, -1.5}, {1.5, -1.5}},
+      dent{{0.5, 0.}, {1.5, 1.}, {-1.5, 1.}, {-1.5, -1.}, {1.5, -1.}};
+  go_around("tip, from the side that ends", disk, tip, 0.2, false, 1.3);
+  go_around("tip, from the side that begins", disk, tip, -0.2, true, 1.3);
+  go_around("square, whose next side looks away", disk, square, 1.6, false, 0.);
+  go_around("dent", disk, dent, 0.2, false, 0.);
+}
 } // namespace
 
 int main()
@@ -280,4 +321,5 @@ int main()
     std::cout << "square, ray at " << offset << ": met " << side.met << ", height "
               << (side.met ? side.height : 0.) << '\n';
   }
+  go_around_corners(disk);
 }

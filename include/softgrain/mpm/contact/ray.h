@@ -118,8 +118,8 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const Eigen::VectorXd &nodal,
                   const SurfacePlace<dim> &guess);
 
-/// As meet(), where a ray has left a surface at @p corner: beyond a convex one the other side may look the
-/// same way. One that is not met where it does not.
+/// The side of a ray that has left a surface at @p corner and goes on around it: beyond a convex one the
+/// other side may look the same way. Not met where it does not.
 RaySide<2> meet_around(const Ray<2> &ray,
                        const RestSurface<2> &surface,
                        const BodyField<2> &field,

@@ -84,7 +84,8 @@ private:
   {
     double place = 0.; ///< of a place under a ray that presses, or of a wall under a load
     double wall = 0.;  ///< of a wall under a load
-    /// Of nodes and places of bodies that meet something. Nodes on the rim may go far and move nothing.
+    /// Largest way of the nodes and places of every body that meets something. Nodes on the rim may go far
+    /// and move nothing.
     std::vector<double> of_body;
   };
   Farthest farthest(const Vectors &direction) const;
