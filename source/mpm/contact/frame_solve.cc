@@ -20,6 +20,8 @@ constexpr double wrong_that_may_be = 1e-2;
 constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
 constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
+/// Passes after which the inertia is found, where a solve does not tell it anyway; a divisor of most_passes.
+constexpr unsigned int passes_to_inertia = 4;
 } // namespace
 
 template <int dim>
@@ -231,12 +233,17 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
   for (unsigned int pass = 0; pass < most_passes && !settled; ++pass)
   {
     ++passes;
-    if (!solve_active() || (pass >= most_in_saddle && wrong_inertia(negative_of_bodies) != 0))
+    wants_inertia = (pass + 1) % passes_to_inertia == 0;
+    if (!solve_active() ||
+        (pass >= most_in_saddle && knows_inertia && wrong_inertia(negative_of_bodies) != 0))
       return false;
     const Eigen::VectorXd here = beyond();
     // Nothing holds the bodies: no set is right where they go so far.
     if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
+    {
+      find_inertia();
       return false;
+    }
     const bool any_wrong = find_wrong(here, cell_size);
     settled = !any_wrong || (dim == 3 && any_slips && repeats && worst < wrong_that_may_be * largest);
     if (!settled)
@@ -245,7 +252,7 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
       settled = walls_stay(here);
     repeats = repeats || !seen.insert(sides()).second;
   }
-  return settled;
+  return settled && find_inertia();
 }
 
 template <int dim>

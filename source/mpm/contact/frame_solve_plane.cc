@@ -46,6 +46,13 @@ public:
 };
 } // namespace
 
+/// In the plane every solve tells it.
+template <>
+bool FrameSystem<2>::find_inertia()
+{
+  return true;
+}
+
 /// By single entries: contacts in the plane have few columns each.
 template <>
 bool FrameSystem<2>::solve_active()
@@ -81,6 +88,7 @@ bool FrameSystem<2>::solve_active()
   if (of_N.info() != Eigen::Success)
     return false;
   negative = (of_N.vectorD().array() < 0.).count();
+  knows_inertia = true;
   const Eigen::VectorXd b = right_of_unknowns(n);
   Eigen::VectorXd x;
   if (by_slip.empty())

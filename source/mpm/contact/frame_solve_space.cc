@@ -52,28 +52,30 @@ bool solve_by_gmres(const Apply &A,
 }
 } // namespace
 
-/// Fills and factorises the matrices of the unknowns: without friction that slips, whose pivots tell the
-/// inertia, and with it, if there is any.
 template <>
-bool FrameSystem<3>::factorize_active()
+std::vector<int> FrameSystem<3>::block_sizes() const
 {
   std::vector<int> sizes(n_blocks, 0);
-  any_slips = false;
   for (unsigned int i = 0; i < columns.size(); ++i)
-  {
-    any_slips = any_slips || slips_with_force(i);
     if (number[i] >= 0)
       ++sizes[block_of[i]];
-  }
-  factor.reinit(sizes, neighbours);
-  if (any_slips)
+  return sizes;
+}
+
+/// The matrix of the unknowns without friction that slips, whose pivots tell the inertia, and that with it.
+template <>
+bool FrameSystem<3>::factorize_blocks(const std::vector<int> &sizes)
+{
+  if (fills_plain)
+    factor.reinit(sizes, neighbours);
+  if (fills_slip)
     slip_factor.reinit(sizes, neighbours, false);
   for (const auto &entry : own)
   {
     const unsigned int i = entry.row(), j = entry.col();
     add_entry(i, j, entry.value());
     // What slips gives to walls under loads.
-    if (number[j] >= 0 && slips_with_force(i))
+    if (fills_slip && number[j] >= 0 && slips_with_force(i))
       add_slip(j, columns[i].mate, slips(i) * columns[i].bound * entry.value());
   }
   for (unsigned int i = 0; i < columns.size(); ++i)
@@ -81,10 +83,31 @@ bool FrameSystem<3>::factorize_active()
       add_entry(i, i, give_of(i));
   for (unsigned int b = 0; b < of_body.size(); ++b)
     add_body(b);
-  if (!factor.factorize())
+  if (fills_plain && !factor.factorize())
     return false;
-  negative = factor.n_negative();
-  return !any_slips || slip_factor.factorize();
+  if (fills_plain)
+    negative = factor.n_negative();
+  knows_inertia = fills_plain;
+  return !fills_slip || slip_factor.factorize();
+}
+
+template <>
+bool FrameSystem<3>::factorize_active()
+{
+  any_slips = false;
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    any_slips = any_slips || slips_with_force(i);
+  fills_slip = any_slips;
+  fills_plain = wants_inertia || !any_slips;
+  return factorize_blocks(block_sizes());
+}
+
+template <>
+bool FrameSystem<3>::find_inertia()
+{
+  fills_slip = false;
+  fills_plain = true;
+  return knows_inertia || factorize_blocks(block_sizes());
 }
 
 /// Adds an entry of a frame's own, or of a frame and a wall under a load, and its mirror image.
@@ -96,9 +119,10 @@ void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const
   // The later one stands in the later block.
   const int row = std::max(number[i], number[j]), column = std::min(number[i], number[j]);
   const int row_block = std::max(block_of[i], block_of[j]), column_block = std::min(block_of[i], block_of[j]);
-  factor.block(row_block, column_block)(row - factor.first()[row_block],
-                                        column - factor.first()[column_block]) += value;
-  if (!any_slips)
+  const std::vector<int> &first = first_of_blocks();
+  if (fills_plain)
+    factor.block(row_block, column_block)(row - first[row_block], column - first[column_block]) += value;
+  if (!fills_slip)
     return;
   add_slip(i, j, value);
   if (i != j)
@@ -109,8 +133,9 @@ void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const
 template <>
 void FrameSystem<3>::add_slip(const unsigned int i, const unsigned int j, const double value)
 {
-  const int row_block = block_of[i], column_block = block_of[j], row = number[i] - factor.first()[row_block],
-            column = number[j] - factor.first()[column_block];
+  const std::vector<int> &first = slip_factor.first();
+  const int row_block = block_of[i], column_block = block_of[j], row = number[i] - first[row_block],
+            column = number[j] - first[column_block];
   if (row_block >= column_block)
     slip_factor.block(row_block, column_block)(row, column) += value;
   else
@@ -140,7 +165,7 @@ void FrameSystem<3>::add_body(const unsigned int b)
       const int block = block_of[list[i]];
       if (parts.empty() || parts.back().block != block)
         parts.push_back({block, {}});
-      Entry entry{static_cast<int>(i), number[list[i]] - factor.first()[block], -1, 0.};
+      Entry entry{static_cast<int>(i), number[list[i]] - first_of_blocks()[block], -1, 0.};
       if (const unsigned int slide = column.mate;
           column.kind == Column::ray && slide != Column::none && slips_with_force(slide))
       {
@@ -166,8 +191,9 @@ void FrameSystem<3>::add_body(const unsigned int b)
     {
       if (one.block < other.block)
         continue;
-      add(factor.block(one.block, other.block), one, other, without);
-      if (!any_slips)
+      if (fills_plain)
+        add(factor.block(one.block, other.block), one, other, without);
+      if (!fills_slip)
         continue;
       add(slip_factor.block(one.block, other.block), one, other, with_slip);
       if (one.block != other.block)

@@ -187,6 +187,15 @@ private:
   /// Puts unknowns into z, and friction that goes with them. @return whether all are numbers
   bool take_unknowns(const Eigen::VectorXd &x);
   bool factorize_active();
+  /// Finds the inertia of the last solve where that has not done so. @return whether there are factors
+  bool find_inertia();
+  /// Fills and factorises the matrices that are asked for, with blocks of these @p sizes.
+  bool factorize_blocks(const std::vector<int> &sizes);
+  std::vector<int> block_sizes() const;
+  const std::vector<int> &first_of_blocks() const
+  {
+    return fills_slip ? slip_factor.first() : factor.first();
+  }
   void add_entry(unsigned int i, unsigned int j, double value);
   void add_slip(unsigned int i, unsigned int j, double value);
   void add_body(unsigned int b);
@@ -259,6 +268,10 @@ private:
   std::vector<std::pair<int, int>> neighbours; ///< blocks that meet in a body
   BlockFactor factor, slip_factor;             ///< without friction that slips, and with it if there is any
   bool any_slips = false;
+  /// Without friction that slips the factors that tell the inertia solve, too. With it they serve nothing
+  /// else: then they are made where the inertia is asked for.
+  bool wants_inertia = true, knows_inertia = false;
+  bool fills_plain = true, fills_slip = false; ///< which of the two matrices are being filled
 
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
@@ -286,6 +299,14 @@ template <>
 bool FrameSystem<3>::solve_active();
 template <>
 bool FrameSystem<3>::factorize_active();
+template <>
+bool FrameSystem<2>::find_inertia();
+template <>
+bool FrameSystem<3>::find_inertia();
+template <>
+bool FrameSystem<3>::factorize_blocks(const std::vector<int> &);
+template <>
+std::vector<int> FrameSystem<3>::block_sizes() const;
 template <>
 void FrameSystem<3>::add_entry(unsigned int i, unsigned int j, double value);
 template <>
