@@ -268,8 +268,8 @@ private:
   std::vector<std::pair<int, int>> neighbours; ///< blocks that meet in a body
   BlockFactor factor, slip_factor;             ///< without friction that slips, and with it if there is any
   bool any_slips = false;
-  /// Without friction that slips the factors that tell the inertia solve, too. With it they serve nothing
-  /// else: then they are made where the inertia is asked for.
+  /// The factors that tell the inertia also solve where no friction slips. Elsewhere they serve nothing else
+  /// and are made where the inertia is asked for.
   bool wants_inertia = true, knows_inertia = false;
   bool fills_plain = true, fills_slip = false; ///< which of the two matrices are being filled
 
