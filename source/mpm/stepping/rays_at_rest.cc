@@ -185,9 +185,6 @@ StepOutcome RaysAtRest::settle(const double dt)
         step({dt, true, resistance, exact}, careful, std::numeric_limits<double>::max());
     sum.newton_iterations += outcome.newton_iterations;
     sum.contact_sweeps += outcome.contact_sweeps;
-    sum.newton_residual = outcome.newton_residual;
-    sum.max_penetration = outcome.max_penetration;
-    sum.exact = outcome.exact;
     if (!outcome.accepted)
     {
       if (careful)
@@ -200,6 +197,10 @@ StepOutcome RaysAtRest::settle(const double dt)
                                "balance is lost");
       continue;
     }
+    // What a refused step has found is no state.
+    sum.newton_residual = outcome.newton_residual;
+    sum.max_penetration = outcome.max_penetration;
+    sum.exact = outcome.exact;
     careful = false;
     ++sum.held_steps;
     sum.largest_move = std::max(sum.largest_move, outcome.largest_move);
