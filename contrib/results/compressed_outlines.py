@@ -10,7 +10,7 @@ import numpy
 
 
 def least_stretch(body):
-    """Of the pieces of the outline of @body, a group of a checkpoint."""
+    """The least stretch of a piece of the outline of @body, a group of a checkpoint."""
     now, at_rest = (body[name][:].reshape(-1, 2) for name in ("boundary_position", "boundary_grid_position"))
     return min(numpy.linalg.norm(numpy.roll(now, -1, 0) - now, axis=1) / numpy.linalg.norm(numpy.roll(at_rest, -1, 0) - at_rest, axis=1))
 

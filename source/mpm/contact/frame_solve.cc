@@ -20,8 +20,9 @@ constexpr double wrong_that_may_be = 1e-2;
 constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
 constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
-/// Passes after which the inertia is found, where a solve does not tell it anyway; a divisor of most_passes.
+/// Passes after which the inertia is found, where a solve does not tell it anyway.
 constexpr unsigned int passes_to_inertia = 4;
+static_assert(most_passes % passes_to_inertia == 0, "the last pass tells the inertia of its set");
 } // namespace
 
 template <int dim>
@@ -240,10 +241,7 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
     const Eigen::VectorXd here = beyond();
     // Nothing holds the bodies: no set is right where they go so far.
     if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
-    {
-      find_inertia();
       return false;
-    }
     const bool any_wrong = find_wrong(here, cell_size);
     settled = !any_wrong || (dim == 3 && any_slips && repeats && worst < wrong_that_may_be * largest);
     if (!settled)
@@ -288,7 +286,7 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
       right[of_body[b][i]] -= moved[b][i];
   by_threshold = false;
   bool settled = settle_with_dents(cell_size, negative_of_bodies);
-  if (!settled && wrong_inertia(negative_of_bodies) == 0 && any_slides)
+  if (!settled && any_slides && find_inertia() && wrong_inertia(negative_of_bodies) == 0)
   {
     // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets
     // settle.

@@ -53,19 +53,15 @@ bool solve_by_gmres(const Apply &A,
 } // namespace
 
 template <>
-std::vector<int> FrameSystem<3>::block_sizes() const
+bool FrameSystem<3>::factorize_blocks(const bool plain, const bool with_slip)
 {
+  fills_plain = plain;
+  fills_slip = with_slip;
+  knows_inertia = false;
   std::vector<int> sizes(n_blocks, 0);
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       ++sizes[block_of[i]];
-  return sizes;
-}
-
-/// The matrix of the unknowns without friction that slips, whose pivots tell the inertia, and that with it.
-template <>
-bool FrameSystem<3>::factorize_blocks(const std::vector<int> &sizes)
-{
   if (fills_plain)
     factor.reinit(sizes, neighbours);
   if (fills_slip)
@@ -83,11 +79,13 @@ bool FrameSystem<3>::factorize_blocks(const std::vector<int> &sizes)
       add_entry(i, i, give_of(i));
   for (unsigned int b = 0; b < of_body.size(); ++b)
     add_body(b);
-  if (fills_plain && !factor.factorize())
-    return false;
   if (fills_plain)
+  {
+    if (!factor.factorize())
+      return false;
     negative = factor.n_negative();
-  knows_inertia = fills_plain;
+    knows_inertia = true;
+  }
   return !fills_slip || slip_factor.factorize();
 }
 
@@ -97,17 +95,13 @@ bool FrameSystem<3>::factorize_active()
   any_slips = false;
   for (unsigned int i = 0; i < columns.size(); ++i)
     any_slips = any_slips || slips_with_force(i);
-  fills_slip = any_slips;
-  fills_plain = wants_inertia || !any_slips;
-  return factorize_blocks(block_sizes());
+  return factorize_blocks(wants_inertia || !any_slips, any_slips);
 }
 
 template <>
 bool FrameSystem<3>::find_inertia()
 {
-  fills_slip = false;
-  fills_plain = true;
-  return knows_inertia || factorize_blocks(block_sizes());
+  return knows_inertia || factorize_blocks(true, false);
 }
 
 /// Adds an entry of a frame's own, or of a frame and a wall under a load, and its mirror image.

@@ -247,7 +247,7 @@ void FrameState<dim>::prepare(const FrameScene<dim> &scene,
     here.first = here.path == 0.;
     // Two places come nearer by their ways, times the lengths of their normals over the ray.
     here.near = !here.left && (here.first || (follows && weight[k] > 0.) || force[k] != 0. ||
-                               !(here.gap - 2. * (path - here.path) > within));
+                               !(here.gap - 4. * (path - here.path) > within));
     if (here.near)
       here.path = path;
   }

@@ -152,12 +152,12 @@ void meet_frames(const BodyShare &share,
                  const std::vector<std::vector<double>> &force,
                  const std::vector<Eigen::VectorXd> &displacement,
                  const std::vector<Eigen::VectorXd> &way,
-                 const WaysGone &gone,
+                 const double path,
                  const double within,
                  std::vector<FrameState<dim>> &frames)
 {
   for (unsigned int f = 0; f < frames.size(); ++f)
-    frames[f].prepare(scene, way, force[f], gone.between(frames[f].layout()), within);
+    frames[f].prepare(scene, way, force[f], path, within);
   std::vector<std::size_t> first(1, 0); // of the numbers of every frame
   for (const FrameState<dim> &frame : frames)
     first.push_back(first.back() + (share.alone() ? 0 : frame.n_told()));
@@ -193,7 +193,7 @@ template void meet_frames(const BodyShare &,
                           const std::vector<std::vector<double>> &,
                           const std::vector<Eigen::VectorXd> &,
                           const std::vector<Eigen::VectorXd> &,
-                          const WaysGone &,
+                          double,
                           double,
                           std::vector<FrameState<2>> &);
 template void meet_frames(const BodyShare &,
@@ -201,7 +201,7 @@ template void meet_frames(const BodyShare &,
                           const std::vector<std::vector<double>> &,
                           const std::vector<Eigen::VectorXd> &,
                           const std::vector<Eigen::VectorXd> &,
-                          const WaysGone &,
+                          double,
                           double,
                           std::vector<FrameState<3>> &);
 template std::size_t FrameState<2>::n_told() const;

@@ -22,7 +22,6 @@ RayEquations<dim>::RayEquations(const RayWorld<dim> &world,
     , equations(equations)
     , scene{world.bodies, world.surfaces, world.motion, h, world.subgrid, 0.5 * h}
     , system(world.share, world.bodies, world.solvers, theta * plan.dt * plan.dt)
-    , gone(world.bodies.size(), h)
 {
   scene.dt = plan.dt;
   scene.met_at = inertia ? 0.5 : 1.;
@@ -51,6 +50,7 @@ void RayEquations<dim>::lay()
   }
   take_forces_of_start();
   system.take(frames);
+  path = h; // 0 is for rays that have never been met
 }
 
 template <int dim>
@@ -109,7 +109,7 @@ bool RayEquations<dim>::meet(const Vectors &to)
   for (unsigned int b = 0; b < to.size(); ++b)
     displacement[b] = world.bodies[b].displacement + scene.met_at * to[b];
   dealii::TimerOutput::Scope section(world.timer, "contact search");
-  meet_frames(world.share, scene, force, displacement, to, gone, 2. * candidates_within() + largest_way(),
+  meet_frames(world.share, scene, force, displacement, to, path, 2. * candidates_within() + largest_way(),
               frames);
   for (unsigned int f = 0; f < frames.size() && not_met == none; ++f)
     if (!frames[f].meets(force[f]))

@@ -104,11 +104,10 @@ bool RayNewton<dim>::resist_more()
 template <int dim>
 bool RayNewton<dim>::go_back()
 {
-  for (unsigned int b = 0; b < way.size(); ++b)
-    gone.of_body[b] += way[b].template lpNorm<Eigen::Infinity>();
   way = at_rest;
   assembled = false;
   take_forces_of_start();
+  path += h;
   const bool is_there = evaluate(way);
   measure();
   return is_there;
@@ -160,11 +159,10 @@ typename RayNewton<dim>::Farthest RayNewton<dim>::farthest(const Vectors &direct
   for (const auto &[under_rays, node] : ways)
   {
     result.place = std::max(result.place, under_rays);
-    result.of_body.push_back(std::max(under_rays, node));
+    result.node = std::max(result.node, node);
   }
   for (unsigned int w = 0; w < system.ways.size(); ++w)
-    result.wall = std::max(result.wall, std::abs(system.found_ways[w] - system.ways[w].at));
-  result.place = std::max(result.place, result.wall);
+    result.place = std::max(result.place, std::abs(system.found_ways[w] - system.ways[w].at));
   return result;
 }
 
@@ -207,9 +205,9 @@ std::string RayNewton<dim>::iterate()
   }
   right_inertia = true;
   const Farthest largest = farthest(direction);
-  std::vector<double> walls_from;
+  std::vector<double> gone;
   for (const FreeWay<dim> &free : system.ways)
-    walls_from.push_back(free.at);
+    gone.push_back(free.at);
   double share = largest.place > longest_way * h ? longest_way * h / largest.place : 1.;
   const RayForces before = force;
   const RayFriction<dim> rubbed = rubbing;
@@ -225,12 +223,9 @@ std::string RayNewton<dim>::iterate()
       outcome.too_long = too_long;
       return "no way along Newton's direction: " + why_not();
     }
-    gone.add(share * largest.wall);
+    path += share * std::max(largest.place, largest.node);
     for (unsigned int b = 0; b < way.size(); ++b)
-    {
-      gone.of_body[b] += share * largest.of_body[b];
       way[b] = from[b] + share * direction[b];
-    }
     for (unsigned int f = 0; f < force.size(); ++f)
       for (unsigned int k = 0; k < force[f].size(); ++k)
       {
@@ -239,8 +234,8 @@ std::string RayNewton<dim>::iterate()
             share == 1. ? system.found[f][k] : before[f][k] + share * (system.found[f][k] - before[f][k]);
         rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
       }
-    for (unsigned int w = 0; w < walls_from.size(); ++w)
-      system.ways[w].at = walls_from[w] + share * (system.found_ways[w] - walls_from[w]);
+    for (unsigned int w = 0; w < gone.size(); ++w)
+      system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
     if (evaluate(way))
       break;
     too_much = not_met == none;
@@ -284,12 +279,11 @@ bool RayNewton<dim>::begin()
   if (goes_on)
   {
     way = free_way();
-    for (unsigned int b = 0; b < way.size(); ++b)
-      gone.of_body[b] = way[b].template lpNorm<Eigen::Infinity>();
+    for (const Eigen::VectorXd &of_body : way)
+      path = std::max(path, h + of_body.template lpNorm<Eigen::Infinity>());
     if (evaluate(way))
       return true;
-    for (double &of_body : gone.of_body)
-      of_body += of_body;
+    path += path;
     way = at_rest;
   }
   return evaluate(way);

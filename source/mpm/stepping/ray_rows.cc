@@ -24,7 +24,6 @@ RayRows::RayRows(const Problem &problem,
     , h(problem.lattice->cell_size())
     , plane(problem, state, work, dt, motion)
     , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h}
-    , gone(state.bodies.size(), h)
 {
   scene.dt = dt;
   scene.met_at = 0.5;
@@ -46,9 +45,9 @@ void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
   for (const Body<2> &body : state.bodies)
   {
     displacement.push_back(body.displacement + scene.met_at * way[body.index]);
-    gone.of_body[body.index] = std::max(gone.of_body[body.index], way[body.index].lpNorm<Eigen::Infinity>());
+    path = std::max(path, h + way[body.index].lpNorm<Eigen::Infinity>());
   }
-  meet_frames(work.share, scene, force, displacement, way, gone, within, frames);
+  meet_frames(work.share, scene, force, displacement, way, path, within, frames);
 }
 
 void RayRows::find()

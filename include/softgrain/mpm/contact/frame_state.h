@@ -85,8 +85,8 @@ public:
   double adhesion_work(const FrameScene<dim> &scene) const;
 
   /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
-  /// those without force that cannot have come within @p within since they were last met. Two places of its
-  /// sides have not moved by more than @p path together since the first call.
+  /// those without force that cannot have come within @p within since they were last met. No place has moved
+  /// by more than @p path in all since the first call.
   /// @param increment displacement of all bodies in this step, none in the first call [m]
   void prepare(const FrameScene<dim> &scene,
                const std::vector<Eigen::VectorXd> &increment,

@@ -189,9 +189,8 @@ private:
   bool factorize_active();
   /// Finds the inertia of the last solve where that has not done so. @return whether there are factors
   bool find_inertia();
-  /// Fills and factorises the matrices that are asked for, with blocks of these @p sizes.
-  bool factorize_blocks(const std::vector<int> &sizes);
-  std::vector<int> block_sizes() const;
+  /// Fills and factorises the matrix without friction that slips, that with it, or both.
+  bool factorize_blocks(bool plain, bool with_slip);
   const std::vector<int> &first_of_blocks() const
   {
     return fills_slip ? slip_factor.first() : factor.first();
@@ -304,9 +303,7 @@ bool FrameSystem<2>::find_inertia();
 template <>
 bool FrameSystem<3>::find_inertia();
 template <>
-bool FrameSystem<3>::factorize_blocks(const std::vector<int> &);
-template <>
-std::vector<int> FrameSystem<3>::block_sizes() const;
+bool FrameSystem<3>::factorize_blocks(bool plain, bool with_slip);
 template <>
 void FrameSystem<3>::add_entry(unsigned int i, unsigned int j, double value);
 template <>

@@ -4,7 +4,6 @@
 
 #include <softgrain/mpm/body/body_share.h>
 #include <softgrain/mpm/contact/frame_state.h>
-#include <softgrain/mpm/contact/ways_gone.h>
 
 #include <Eigen/Core>
 
@@ -19,8 +18,7 @@ namespace softgrain::mpm
  * @param force        of all rays [N/m^(3-dim)]
  * @param displacement of all bodies where rays meet them, since the grid was laid [m]
  * @param way          of all bodies over the step [m]
- * @param gone         how far bodies have gone in the step so far
- * @param within       see FrameState::prepare() [m]
+ * @param path, within see FrameState::prepare() [m]
  */
 template <int dim>
 void meet_frames(const BodyShare &share,
@@ -28,7 +26,7 @@ void meet_frames(const BodyShare &share,
                  const std::vector<std::vector<double>> &force,
                  const std::vector<Eigen::VectorXd> &displacement,
                  const std::vector<Eigen::VectorXd> &way,
-                 const WaysGone &gone,
+                 double path,
                  double within,
                  std::vector<FrameState<dim>> &frames);
 } // namespace softgrain::mpm

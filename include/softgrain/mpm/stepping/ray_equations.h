@@ -5,7 +5,6 @@
 #include <softgrain/linear/system_matrix.h>
 #include <softgrain/mpm/contact/frame_state.h>
 #include <softgrain/mpm/contact/frame_system.h>
-#include <softgrain/mpm/contact/ways_gone.h>
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/mpm/stepping/body_equations.h>
 #include <softgrain/mpm/stepping/step.h>
@@ -110,8 +109,8 @@ protected:
   Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
   double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
-      0.;        ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
-  WaysGone gone; ///< all iterations summed
+      0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
+  double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
   static constexpr unsigned int none = FrameState<dim>::none;
   unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 

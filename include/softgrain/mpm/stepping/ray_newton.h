@@ -43,7 +43,6 @@ protected:
   using Base::force;
   using Base::frames;
   using Base::free_way;
-  using Base::gone;
   using Base::h;
   using Base::inertia;
   using Base::largest_way;
@@ -53,6 +52,7 @@ protected:
   using Base::meet;
   using Base::none;
   using Base::not_met;
+  using Base::path;
   using Base::plan;
   using Base::residual;
   using Base::rubbing;
@@ -79,14 +79,11 @@ private:
   bool go_back();
   bool keep_dents();
   bool goes_too_far(const Vectors &direction) const;
-  /// The largest ways of an iteration [m].
+  /// The largest ways of an iteration [m]. Nodes on the rim of a body may go far and move nothing.
   struct Farthest
   {
     double place = 0.; ///< of a place under a ray that presses, or of a wall under a load
-    double wall = 0.;  ///< of a wall under a load
-    /// Largest way of the nodes and places of every body that meets something. Nodes on the rim may go far
-    /// and move nothing.
-    std::vector<double> of_body;
+    double node = 0.;  ///< of a node of a body that meets something: no place goes further
   };
   Farthest farthest(const Vectors &direction) const;
   void find_direction(Vectors &direction);

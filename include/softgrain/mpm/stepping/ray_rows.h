@@ -3,7 +3,6 @@
 #define softgrain_mpm_stepping_ray_rows_h
 
 #include <softgrain/mpm/contact/frame_rows.h>
-#include <softgrain/mpm/contact/ways_gone.h>
 #include <softgrain/mpm/stepping/plane_scene.h>
 
 #include <utility>
@@ -42,7 +41,7 @@ private:
   PlaneScene plane;
   FrameScene<2> scene;
   double within = 0.; ///< gap up to which a ray has a row [m]
-  WaysGone gone;
+  double path = 0.;   ///< see FrameState::prepare() [m]
   std::vector<FrameState<2>> frames;
   RayForces force;                                        ///< with which the step begins [N/m]
   std::vector<std::pair<unsigned int, unsigned int>> ray; ///< of every row: frame and number
