@@ -2,9 +2,9 @@
 // The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
 // twice.
 #include "bpm_scene.h"
+#include "continued.h"
 
 #include <softgrain/base/parallel.h>
-#include <softgrain/output/checkpoint.h>
 
 #include <iostream>
 
@@ -67,21 +67,8 @@ void compare(const std::string &what, const Changes &changes)
   const std::string one = steps(*bpm_scene(grain_scene(scene), changes), 0, n);
   set_n_threads(2);
   const std::string two = steps(*bpm_scene(grain_scene(scene), changes), 0, n);
-  std::string parts;
-  const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
-  for (unsigned int part = 0; part < 3; ++part)
-  {
-    const auto model = bpm_scene(grain_scene(scene), changes);
-    if (part > 0)
-    {
-      CheckpointReader reader("state.h5");
-      model->load(reader);
-    }
-    parts += steps(*model, cuts[part], cuts[part + 1]);
-    CheckpointWriter writer("state.h5");
-    model->save(writer);
-    writer.commit();
-  }
+  const std::string parts = continued_twice(
+      n, [&] { return bpm_scene(grain_scene(scene), changes); }, steps);
   std::cout << what << ": two threads " << (one == two ? "the same" : "DIFFERENT") << ", continued twice "
             << (one == parts ? "the same" : "DIFFERENT") << '\n';
 }

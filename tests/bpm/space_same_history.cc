@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bonded particles in space: the same state, bit for bit, with one thread and with two, and for a run that
 // was saved and continued twice.
+#include "continued.h"
 #include "space_scene.h"
 
 #include <softgrain/base/parallel.h>
-#include <softgrain/output/checkpoint.h>
 
 #include <iostream>
 
@@ -43,21 +43,8 @@ void compare(const std::string &what, const Changes &changes)
   const std::string one = steps(*space_scene(scene, changes), 0, n);
   set_n_threads(2);
   const std::string two = steps(*space_scene(scene, changes), 0, n);
-  std::string parts;
-  const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
-  for (unsigned int part = 0; part < 3; ++part)
-  {
-    const auto model = space_scene(scene, changes);
-    if (part > 0)
-    {
-      CheckpointReader reader("state.h5");
-      model->load(reader);
-    }
-    parts += steps(*model, cuts[part], cuts[part + 1]);
-    CheckpointWriter writer("state.h5");
-    model->save(writer);
-    writer.commit();
-  }
+  const std::string parts = continued_twice(
+      n, [&] { return space_scene(scene, changes); }, steps);
   std::cout << what << ": two threads " << (one == two ? "the same" : "DIFFERENT") << ", continued twice "
             << (one == parts ? "the same" : "DIFFERENT") << '\n';
 }

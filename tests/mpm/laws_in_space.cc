@@ -4,9 +4,8 @@
 // plastic ball that is thrown at a wall comes back with a smaller share of its speed the faster it was.
 // Momentum is kept to rounding, and energy the better the shorter steps are. A run that is continued is the
 // same to the last bit.
+#include "continued.h"
 #include "moving_balls.h"
-
-#include <softgrain/output/checkpoint.h>
 
 namespace
 {
@@ -116,12 +115,8 @@ void hit(const std::string &speed, const std::string &cfl_multiple)
   ball.run(end, [&](const StepReport &)
            { momentum = std::max(momentum, std::abs(ball.model->momentum_error())); });
   half.run(end - 20., [](const StepReport &) {});
-  CheckpointWriter writer("state.h5");
-  half.model->save(writer);
-  writer.commit();
   MovingBalls rest(text_of(1, true), changes);
-  CheckpointReader reader("state.h5");
-  rest.model->load(reader);
+  take_state(*half.model, *rest.model);
   rest.run(end, [](const StepReport &) {});
   MovingBalls through(text_of(1, true), changes);
   through.run(end - 20., [](const StepReport &) {});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A body that leaves the mesh ends the run with a message that names it, and the state then is whole: it can
 // be saved, and a run that starts from it ends at the same place.
+#include "continued.h"
 #include "scene_of.h"
-#include "take_state.h"
 #include <softgrain/base/mpi_session.h>
 
 #include <softgrain/base/exceptions.h>

@@ -4,11 +4,11 @@
 // is given up leaves nothing behind in the points. What walls do is stored or lost, and half the step comes
 // nearer to it. A ball yields first as Hertz's field says, and bears what a known fit of finite elements
 // says.
+#include "continued.h"
 #include "two_balls.h"
 
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/output/checkpoint.h>
 
 using namespace softgrain;
 using namespace softgrain::mpm;
@@ -77,21 +77,9 @@ void same_bits(const std::string &what, const Changes &changes)
   set_n_threads(2);
   const std::string two_threads = steps(*metal_model(changes), 0, n);
   set_n_threads(1);
-  std::string parts;
-  const unsigned int cuts[] = {0, 2, 5, n};
-  for (unsigned int part = 0; part < 3; ++part)
-  {
-    const auto model = metal_model(changes);
-    if (part > 0)
-    {
-      CheckpointReader reader("state.h5");
-      model->load(reader);
-    }
-    parts += steps(*model, cuts[part], cuts[part + 1]);
-    CheckpointWriter writer("state.h5");
-    model->save(writer);
-    writer.commit();
-  }
+  const std::string parts = continued_twice(
+      n, [&] { return metal_model(changes); },
+      [](Model<3> &model, const unsigned int from, const unsigned int to) { return steps(model, from, to); });
   std::cout << what << ": two threads same " << (two_threads == one) << ", continued twice same "
             << (parts == one) << ", in another unit same "
             << (steps(*metal_model(changes, 1024.), 0, n, 1024.) == one) << '\n';

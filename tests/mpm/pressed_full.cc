@@ -2,8 +2,8 @@
 // Fifteen grains without friction under a third of their modulus, where hardly a pore is left, and sheared
 // there: the wall above goes down, the one on the right holds its pressure. Contact rows do not settle in
 // such steps, which are refused only when they gain energy: that keeps the number of Newton iterations low.
+#include "continued.h"
 #include "scene_of.h"
-#include "take_state.h"
 
 #include <iostream>
 

@@ -3,9 +3,9 @@
 // every state of quasi_static and in the mean of dynamic schemes, for planes and slabs, with every solver,
 // whatever mass, damping and the largest way of the wall are. Fifteen and thirty grains under four walls: the
 // stresses on all of them are the pressure.
+#include "continued.h"
 #include "gel.h"
 #include "scene_of.h"
-#include "take_state.h"
 
 #include <iostream>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The same state, bit for bit, with one thread and with two, and for a run that was saved and continued
 // twice.
+#include "continued.h"
 #include "scene_of.h"
-#include <softgrain/base/mpi_session.h>
 
+#include <softgrain/base/mpi_session.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/output/checkpoint.h>
 
 #include <iostream>
 
@@ -49,32 +49,14 @@ whole(const std::string &file, const Changes &changes, const unsigned int n, con
   return steps(*shipped_scene(file, changes), 0, n);
 }
 
-std::string in_parts(const std::string &file, const Changes &changes, const unsigned int n)
-{
-  std::string text;
-  const unsigned int cuts[] = {0, n / 3, 2 * n / 3 + 1, n};
-  for (unsigned int part = 0; part < 3; ++part)
-  {
-    const auto model = shipped_scene(file, changes);
-    if (part > 0)
-    {
-      CheckpointReader reader("state.h5");
-      model->load(reader);
-    }
-    text += steps(*model, cuts[part], cuts[part + 1]);
-    CheckpointWriter writer("state.h5");
-    model->save(writer);
-    writer.commit();
-  }
-  return text;
-}
-
 void compare(const std::string &what, const std::string &file, const Changes &changes, const unsigned int n)
 {
   const std::string two = whole(file, changes, n, 2);
   std::cout << what << ": two threads " << (whole(file, changes, n, 1) == two ? "same" : "differ");
   set_n_threads(2);
-  std::cout << ", in three parts " << (in_parts(file, changes, n) == two ? "same" : "differs") << '\n';
+  const std::string parts = continued_twice(
+      n, [&] { return shipped_scene(file, changes); }, steps);
+  std::cout << ", in three parts " << (parts == two ? "same" : "differs") << '\n';
 }
 } // namespace
 
