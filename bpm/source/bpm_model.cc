@@ -84,43 +84,55 @@ void BpmModel::accelerate(const double dt)
 {
   if (load_names.empty())
     return;
-  const Primaries &disks = dynamics->disks();
-  acceleration.resize(disks.size());
+  const std::size_t n = dynamics->disks().size();
+  acceleration.resize(n);
   of_loads.resize(load_names.size() - 1);
   for (auto &of_load : of_loads)
-    of_load.resize(disks.size());
+    of_load.resize(n);
   std::vector<const Load<2> *> loads;
   for (const auto &load : scene.loads)
     loads.push_back(load.get());
   std::vector<dealii::Tensor<1, 2>> means;
   // Loads that are the same everywhere are asked once.
   const bool everywhere = !is_loaded && !scene.loads.see_velocity();
-  for (std::size_t i = 0; i < disks.size(); ++i)
+  for (std::size_t i = 0; i < (everywhere ? std::min<std::size_t>(n, 1) : n); ++i)
   {
-    const std::array<double, 2> &x = disks.position[i], &v = disks.velocity[i];
-    LoadPlace<2> place{{x[0], x[1]}, {x[0], x[1]}, dealii::Tensor<1, 2>({v[0], v[1]}), now};
-    if (is_loaded)
-      place.at_rest = dealii::Point<2>(disks.start[i][0], disks.start[i][1]);
-    loads.resize(scene.loads.size());
-    if (const auto &own = own_load[disks.body[i]])
-      loads.push_back(own.get());
-    mean_accelerations(loads, place, dt, means);
-    acceleration[i] = {0., 0.};
-    for (std::size_t number = 0; number < means.size(); ++number)
-    {
-      const dealii::Tensor<1, 2> &pull = means[number];
-      for (unsigned int d = 0; d < 2; ++d)
-        acceleration[i][d] += pull[d];
-      if (number < of_loads.size())
-        of_loads[number][i] = {pull[0], pull[1]};
-    }
-    if (everywhere)
-    {
-      std::fill(acceleration.begin(), acceleration.end(), acceleration[i]);
-      for (auto &of_load : of_loads)
-        std::fill(of_load.begin(), of_load.end(), of_load[i]);
-      return;
-    }
+    ask_loads(i, dt, loads, means);
+    accelerate(i, means);
+  }
+  if (!everywhere || n == 0)
+    return;
+  std::fill(acceleration.begin(), acceleration.end(), acceleration[0]);
+  for (auto &of_load : of_loads)
+    std::fill(of_load.begin(), of_load.end(), of_load[0]);
+}
+
+void BpmModel::ask_loads(const std::size_t i,
+                         const double dt,
+                         std::vector<const Load<2> *> &loads,
+                         std::vector<dealii::Tensor<1, 2>> &means) const
+{
+  const Primaries &disks = dynamics->disks();
+  const std::array<double, 2> &x = disks.position[i], &v = disks.velocity[i];
+  LoadPlace<2> place{{x[0], x[1]}, {x[0], x[1]}, dealii::Tensor<1, 2>({v[0], v[1]}), now};
+  if (is_loaded)
+    place.at_rest = dealii::Point<2>(disks.start[i][0], disks.start[i][1]);
+  loads.resize(scene.loads.size());
+  if (const auto &own = own_load[disks.body[i]])
+    loads.push_back(own.get());
+  mean_accelerations(loads, place, dt, means);
+}
+
+void BpmModel::accelerate(const std::size_t i, const std::vector<dealii::Tensor<1, 2>> &means)
+{
+  acceleration[i] = {0., 0.};
+  for (std::size_t number = 0; number < means.size(); ++number)
+  {
+    const dealii::Tensor<1, 2> &pull = means[number];
+    for (unsigned int d = 0; d < 2; ++d)
+      acceleration[i][d] += pull[d];
+    if (number < of_loads.size())
+      of_loads[number][i] = {pull[0], pull[1]};
   }
 }
 

@@ -53,7 +53,7 @@ def at(points, place):
 
 def comparison(curves, spacings, column, places, what):
     """A table of P/E at values of a column, with the difference from the first spacing."""
-    print(f"\n| scene | ξ | " + " | ".join(f"{what} {place}" for place in places) + " |\n|" + "---|" * (2 + len(places)))
+    print("\n| scene | ξ | " + " | ".join(f"{what} {place}" for place in places) + " |\n|" + "---|" * (2 + len(places)))
     for scene in SCENES:
         for spacing in spacings:
             cells = []

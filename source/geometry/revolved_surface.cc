@@ -53,13 +53,56 @@ Nearest nearest_on(const std::vector<Point2> &line, const Point2 &x)
   }
   return nearest;
 }
+
+/// Triangles of the line as it turns; of a single point those of what surrounds it.
+TriangulatedSurface draw(const std::vector<Point2> &line,
+                         const dealii::Point<3> &center,
+                         const dealii::Tensor<1, 3> &axis,
+                         const double radius)
+{
+  std::vector<Point2> shown = line;
+  if (shown.size() == 1)
+  {
+    // What surrounds a point has a shape, the point has none.
+    const Point2 point = shown[0];
+    shown.clear();
+    const bool ball = point[0] == 0.;
+    const unsigned int parts = ball ? parts_of_turn / 2 : parts_of_turn;
+    for (unsigned int i = 0; i <= parts; ++i)
+    {
+      const double angle = (ball ? dealii::numbers::PI : 2. * dealii::numbers::PI) * i / parts;
+      shown.push_back(
+          {{std::max(0., point[0] + radius * std::sin(angle)), point[1] - radius * std::cos(angle)}});
+    }
+  }
+  TriangulatedSurface result;
+  const dealii::Tensor<1, 3> first = any_tangent(axis), second = dealii::cross_product_3d(axis, first);
+  for (const Point2 &point : shown)
+    for (unsigned int i = 0; i < parts_of_turn; ++i)
+    {
+      const double angle = 2. * dealii::numbers::PI * i / parts_of_turn;
+      result.vertices.push_back(center + point[0] * (std::cos(angle) * first + std::sin(angle) * second) +
+                                point[1] * axis);
+    }
+  for (unsigned int row = 0; row + 1 < shown.size(); ++row)
+    for (unsigned int i = 0; i < parts_of_turn; ++i)
+    {
+      const unsigned int a = row * parts_of_turn + i, b = row * parts_of_turn + (i + 1) % parts_of_turn;
+      result.triangles.push_back({{a, b, b + parts_of_turn}});
+      result.triangles.push_back({{a, b + parts_of_turn, a + parts_of_turn}});
+    }
+  return result;
+}
 } // namespace
 
 RevolvedSurface::RevolvedSurface(std::vector<Point2> line,
                                  const dealii::Point<3> &center,
                                  const Vector &axis,
                                  const double thickness)
-    : RigidSurface(thickness), line(std::move(line)), center(center), axis(axis)
+    : RigidSurface(thickness, draw(line, center, axis, 0.5 * thickness).vertices)
+    , line(std::move(line))
+    , center(center)
+    , axis(axis)
 {
 }
 
@@ -88,37 +131,6 @@ std::optional<RigidSurface::Foot> RevolvedSurface::foot(const dealii::Point<3> &
 
 TriangulatedSurface RevolvedSurface::drawn() const
 {
-  std::vector<Point2> shown = line;
-  if (shown.size() == 1)
-  {
-    // What surrounds a point has a shape, the point has none.
-    const Point2 point = shown[0];
-    shown.clear();
-    const bool ball = point[0] == 0.;
-    const unsigned int parts = ball ? parts_of_turn / 2 : parts_of_turn;
-    for (unsigned int i = 0; i <= parts; ++i)
-    {
-      const double angle = (ball ? dealii::numbers::PI : 2. * dealii::numbers::PI) * i / parts;
-      shown.push_back(
-          {{std::max(0., point[0] + radius * std::sin(angle)), point[1] - radius * std::cos(angle)}});
-    }
-  }
-  TriangulatedSurface result;
-  const Vector first = any_tangent(axis), second = dealii::cross_product_3d(axis, first);
-  for (const Point2 &point : shown)
-    for (unsigned int i = 0; i < parts_of_turn; ++i)
-    {
-      const double angle = 2. * dealii::numbers::PI * i / parts_of_turn;
-      result.vertices.push_back(center + point[0] * (std::cos(angle) * first + std::sin(angle) * second) +
-                                point[1] * axis);
-    }
-  for (unsigned int row = 0; row + 1 < shown.size(); ++row)
-    for (unsigned int i = 0; i < parts_of_turn; ++i)
-    {
-      const unsigned int a = row * parts_of_turn + i, b = row * parts_of_turn + (i + 1) % parts_of_turn;
-      result.triangles.push_back({{a, b, b + parts_of_turn}});
-      result.triangles.push_back({{a, b + parts_of_turn, a + parts_of_turn}});
-    }
-  return result;
+  return draw(line, center, axis, radius);
 }
 } // namespace softgrain

@@ -13,9 +13,31 @@ namespace
 constexpr unsigned int most_steps = 80; ///< of the search along a line
 constexpr double rounding = 4e-16;      ///< of a distance, over coordinates
 constexpr double hardly = 0.25;         ///< cosine from which on Newton's method tells how far to go
+
+/// Corners of a box that has @p distance from all places at least.
+std::pair<dealii::Point<3>, dealii::Point<3>> box_around(const std::vector<dealii::Point<3>> &places,
+                                                         const double distance)
+{
+  std::pair<dealii::Point<3>, dealii::Point<3>> box(places.front(), places.front());
+  for (const dealii::Point<3> &place : places)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      box.first[d] = std::min(box.first[d], place[d]);
+      box.second[d] = std::max(box.second[d], place[d]);
+    }
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    box.first[d] -= distance;
+    box.second[d] += distance;
+  }
+  return box;
+}
 } // namespace
 
-RigidSurface::RigidSurface(const double thickness) : radius(0.5 * thickness) {}
+RigidSurface::RigidSurface(const double thickness, const std::vector<dealii::Point<3>> &skeleton)
+    : radius(0.5 * thickness), box(box_around(skeleton, 0.5 * thickness))
+{
+}
 
 RigidSurface::Place RigidSurface::place_at(const dealii::Point<3> &position, const Foot &foot) const
 {
@@ -75,24 +97,6 @@ RigidSurface::Place RigidSurface::move(const Place &place, const dealii::Tensor<
   const dealii::Point<3> x = place.position + way[0] * place.tangent[0] + way[1] * place.tangent[1];
   const std::optional<Place> moved = nearest(x, 2. * (radius + way.norm()));
   return moved ? *moved : place;
-}
-
-std::pair<dealii::Point<3>, dealii::Point<3>> RigidSurface::bounding_box() const
-{
-  const TriangulatedSurface skeleton = drawn();
-  std::pair<dealii::Point<3>, dealii::Point<3>> box(skeleton.vertices.front(), skeleton.vertices.front());
-  for (const dealii::Point<3> &vertex : skeleton.vertices)
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      box.first[d] = std::min(box.first[d], vertex[d]);
-      box.second[d] = std::max(box.second[d], vertex[d]);
-    }
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    box.first[d] -= radius;
-    box.second[d] += radius;
-  }
-  return box;
 }
 
 dealii::Tensor<1, 3> any_tangent(const dealii::Tensor<1, 3> &normal)

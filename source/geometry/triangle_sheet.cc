@@ -70,7 +70,7 @@ struct TriangleSheet::Tree
 };
 
 TriangleSheet::TriangleSheet(TriangulatedSurface triangles, const double thickness)
-    : RigidSurface(thickness)
+    : RigidSurface(thickness, triangles.vertices)
     , sheet(std::move(triangles))
     , tree(
           [this]()

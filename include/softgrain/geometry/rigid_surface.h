@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace softgrain
 {
@@ -24,7 +25,8 @@ public:
   using Vector = dealii::Tensor<1, 3>;
 
   /// @param thickness of the sheet, above 0 [m]
-  explicit RigidSurface(double thickness);
+  /// @param skeleton  places that the sheet lies between, for the box around it [m]
+  RigidSurface(double thickness, const std::vector<dealii::Point<3>> &skeleton);
 
   double thickness() const { return 2. * radius; } ///< [m]
 
@@ -45,8 +47,8 @@ public:
   /// The skeleton, for pictures.
   virtual TriangulatedSurface drawn() const = 0;
 
-  /// Corners of a box around the surface.
-  std::pair<dealii::Point<3>, dealii::Point<3>> bounding_box() const;
+  /// Corners of a box around the surface, as drawn [m].
+  const std::pair<dealii::Point<3>, dealii::Point<3>> &bounding_box() const { return box; }
 
 protected:
   /// The place of the skeleton that is nearest to some place.
@@ -65,6 +67,8 @@ protected:
 
 private:
   Place place_at(const dealii::Point<3> &position, const Foot &foot) const;
+
+  const std::pair<dealii::Point<3>, dealii::Point<3>> box;
 };
 
 /// A unit vector at right angles to a unit vector.

@@ -46,11 +46,16 @@ std::string StepAtRest::find()
 /// Loads at the middle of a step do more exact work than those at its end.
 void StepAtRest::account_loads(const Body<3> &body, SpaceState &state) const
 {
-  if (of_space.external[body.index].size() == 0)
+  const Eigen::VectorXd &of_step = of_space.external[body.index];
+  if (of_step.size() == 0)
     return;
   LoadTimes times = of_space.load_times();
-  if (!plan.held)
-    times.at = times.begin + 0.5 * plan.dt;
+  if (plan.held)
+  {
+    account_load(body, of_step, times, state);
+    return;
+  }
+  times.at = times.begin + 0.5 * plan.dt;
   Eigen::VectorXd load;
   external_force(body, times, load);
   account_load(body, load, times, state);

@@ -100,7 +100,16 @@ private:
   std::string cause_of_no_solution() const;
   /// Why a step that was not good enough is refused; @p limit of the penetration [m].
   std::string why_not(const DynamicsReport &report, double limit) const;
+  /// Finds what loads do to all primaries over a step of @p dt [s].
   void accelerate(double dt);
+  /// Means over the step of what pulls on primary @p i. @param loads of the scene; those of its body come
+  /// behind them
+  void ask_loads(std::size_t i,
+                 double dt,
+                 std::vector<const Load<2> *> &loads,
+                 std::vector<dealii::Tensor<1, 2>> &means) const;
+  /// Sums up for primary @p i what each of its loads does.
+  void accelerate(std::size_t i, const std::vector<dealii::Tensor<1, 2>> &means);
   void keep_books(const DynamicsReport &report);
   /// Closed lines of every body.
   using Outlines = std::vector<std::vector<std::vector<dealii::Point<2>>>>;
