@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace softgrain::mpm
@@ -138,6 +137,6 @@ moving_step(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motio
   MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   SpaceMotion planned = motion;
   MovingStep step(state, scene, planned, plan, equations);
-  return try_ray_step(step, false, std::numeric_limits<double>::max(), state);
+  return try_ray_step(step, state);
 }
 } // namespace softgrain::mpm

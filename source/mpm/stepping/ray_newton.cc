@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace softgrain::mpm
 {
@@ -31,57 +30,64 @@ constexpr double nearly = 0.1, nearly_closed = 1e-2;
 template <int dim>
 bool RayNewton<dim>::good_enough() const
 {
-  return !plan.exact && residual < nearly && deepest < nearly_closed * h && right_inertia;
+  return !plan.exact && residual < nearly && deepest < nearly_closed * h;
 }
 
 template <int dim>
 bool RayNewton<dim>::converged() const
 {
-  return (residual < world.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h &&
-         right_inertia;
+  return (residual < world.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h;
+}
+
+template <int dim>
+void RayNewton<dim>::find_factors()
+{
+  if (!matrices.assembled)
+    assemble();
+  matrices.assembled = true;
+  matrices.negative = factorise();
+}
+
+/// Forces of rays for the factors at hand. @return whether there are any, with which the bodies are near a
+/// minimum
+template <int dim>
+bool RayNewton<dim>::solve_contact()
+{
+  if (!matrices.negative)
+    return false;
+  Vectors y(way.size());
+  {
+    dealii::TimerOutput::Scope section(world.timer, "linear solves");
+    world.share.for_mine(world.bodies,
+                         [&](const Body<dim> &body)
+                         {
+                           world.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
+                           y[body.index] *= theta * plan.dt;
+                         });
+  }
+  {
+    dealii::TimerOutput::Scope section(world.timer, "condensation");
+    // In the first iteration walls have moved and bodies have not.
+    system.condense(scene, frames, force, rubbing,
+                    candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.), y);
+  }
+  dealii::TimerOutput::Scope section(world.timer, "contact solve");
+  return system.solve(h, *matrices.negative) && system.wrong_inertia(*matrices.negative) == 0;
 }
 
 /// Forces of rays for Newton's equations; bodies resist more where these have no minimum.
 template <int dim>
 std::string RayNewton<dim>::find_forces()
 {
-  Vectors y(way.size());
+  if (matrices.serve && solve_contact())
+    return "";
+  matrices.serve = false;
   for (unsigned int attempt = 0;; ++attempt)
   {
-    if (!factors_serve)
-    {
-      if (!assembled)
-        assemble();
-      assembled = true;
-      negative = factorise();
-    }
-    if (negative)
-    {
-      {
-        dealii::TimerOutput::Scope section(world.timer, "linear solves");
-        world.share.for_mine(world.bodies,
-                             [&](const Body<dim> &body)
-                             {
-                               world.solvers[body.index]->solve(equations.missing(body.index), y[body.index]);
-                               y[body.index] *= theta * plan.dt;
-                             });
-      }
-      {
-        dealii::TimerOutput::Scope section(world.timer, "condensation");
-        // In the first iteration walls have moved and bodies have not.
-        system.condense(scene, frames, force, rubbing,
-                        candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.), y);
-      }
-      dealii::TimerOutput::Scope section(world.timer, "contact solve");
-      if (system.solve(h, *negative) && system.wrong_inertia(*negative) == 0)
-        return "";
-    }
-    if (factors_serve)
-    {
-      factors_serve = false;
-      continue;
-    }
-    if (inertia || attempt == most_rises || outcome.raised * plan.regularisation >= most_resistance)
+    find_factors();
+    if (solve_contact())
+      return "";
+    if (inertia || attempt == most_rises || outcome.raised * plan.regularisation >= plan.most_resistance)
       return "no forces of contacts are found";
     if (!resist_more())
       return why_not();
@@ -92,7 +98,7 @@ template <int dim>
 bool RayNewton<dim>::resist_more()
 {
   outcome.raised *= rise;
-  equations.resist_more(rise, trial, assembled);
+  equations.resist_more(rise, trial, matrices.assembled);
   const bool kept_now = keep_dents();
   if (outcome.newton_iterations > 0 && outcome.raised >= back_from)
     return go_back();
@@ -105,7 +111,7 @@ template <int dim>
 bool RayNewton<dim>::go_back()
 {
   way = at_rest;
-  assembled = false;
+  matrices.assembled = false;
   take_forces_of_start();
   path += h;
   const bool is_there = evaluate(way);
@@ -121,7 +127,7 @@ bool RayNewton<dim>::keep_dents()
     return false;
   for (FrameState<dim> &frame : frames)
     frame.keep_dent();
-  assembled = false;
+  matrices.assembled = false;
   return dents_kept = true;
 }
 
@@ -166,8 +172,9 @@ typename RayNewton<dim>::Farthest RayNewton<dim>::farthest(const Vectors &direct
   return result;
 }
 
+/// Ways for the forces that contact has found.
 template <int dim>
-void RayNewton<dim>::find_direction(Vectors &direction)
+void RayNewton<dim>::follow_forces(Vectors &direction)
 {
   dealii::TimerOutput::Scope section(world.timer, "linear solves");
   world.share.for_mine(
@@ -189,53 +196,60 @@ void RayNewton<dim>::find_direction(Vectors &direction)
       });
 }
 
+/// Newton's direction, in which a careful step goes no further than rays have looked.
 template <int dim>
-std::string RayNewton<dim>::iterate()
+std::string RayNewton<dim>::find_direction(Vectors &direction)
 {
-  Vectors direction = at_rest;
   for (unsigned int attempt = 0;; ++attempt)
   {
     if (std::string trouble = find_forces(); !trouble.empty())
       return trouble;
-    find_direction(direction);
-    if (!careful || attempt == most_rises || !goes_too_far(direction))
-      break;
+    follow_forces(direction);
+    if (!plan.careful || attempt == most_rises || !goes_too_far(direction))
+      return "";
     if (!resist_more())
       return why_not();
   }
-  right_inertia = true;
-  const Farthest largest = farthest(direction);
-  std::vector<double> gone;
+}
+
+template <int dim>
+void RayNewton<dim>::go(const Start &from, const Vectors &direction, const double share)
+{
+  for (unsigned int b = 0; b < way.size(); ++b)
+    way[b] = from.way[b] + share * direction[b];
+  for (unsigned int f = 0; f < force.size(); ++f)
+    for (unsigned int k = 0; k < force[f].size(); ++k)
+    {
+      // A force that is what adhesion leaves of it is that exactly.
+      force[f][k] = share == 1. ? system.found[f][k]
+                                : from.force[f][k] + share * (system.found[f][k] - from.force[f][k]);
+      rubbing[f][k] = from.rubbing[f][k] + share * (system.found_rubbing[f][k] - from.rubbing[f][k]);
+    }
+  for (unsigned int w = 0; w < from.walls.size(); ++w)
+    system.ways[w].at = from.walls[w] + share * (system.found_ways[w] - from.walls[w]);
+}
+
+/// Goes as far as there is a state that can be evaluated. @return why there is none
+template <int dim>
+std::string RayNewton<dim>::go_along(const Vectors &direction)
+{
+  Start from{force, rubbing, way, {}};
   for (const FreeWay<dim> &free : system.ways)
-    gone.push_back(free.at);
+    from.walls.push_back(free.at);
+  const Farthest largest = farthest(direction);
   double share = largest.place > longest_way * h ? longest_way * h / largest.place : 1.;
-  const RayForces before = force;
-  const RayFriction<dim> rubbed = rubbing;
-  const Vectors from = way;
-  assembled = false;
-  const bool may_be_shorter = most_resistance < std::numeric_limits<double>::max();
+  matrices.assembled = false;
   bool too_much = false;
   for (unsigned int halving = 0;; ++halving, share *= 0.5)
   {
-    const bool too_long = too_much && may_be_shorter;
+    const bool too_long = too_much && plan.may_be_shorter();
     if (halving == most_halvings || (too_long && strained_in_a_row == most_strained))
     {
       outcome.too_long = too_long;
       return "no way along Newton's direction: " + why_not();
     }
     path += share * std::max(largest.place, largest.node);
-    for (unsigned int b = 0; b < way.size(); ++b)
-      way[b] = from[b] + share * direction[b];
-    for (unsigned int f = 0; f < force.size(); ++f)
-      for (unsigned int k = 0; k < force[f].size(); ++k)
-      {
-        // A force that is what adhesion leaves of it is that exactly.
-        force[f][k] =
-            share == 1. ? system.found[f][k] : before[f][k] + share * (system.found[f][k] - before[f][k]);
-        rubbing[f][k] = rubbed[f][k] + share * (system.found_rubbing[f][k] - rubbed[f][k]);
-      }
-    for (unsigned int w = 0; w < gone.size(); ++w)
-      system.ways[w].at = gone[w] + share * (system.found_ways[w] - gone[w]);
+    go(from, direction, share);
     if (evaluate(way))
       break;
     too_much = not_met == none;
@@ -244,11 +258,22 @@ std::string RayNewton<dim>::iterate()
       break;
   }
   strained_in_a_row = too_much ? strained_in_a_row + 1 : 0;
+  return "";
+}
+
+template <int dim>
+std::string RayNewton<dim>::iterate()
+{
+  Vectors direction = at_rest;
+  if (std::string trouble = find_direction(direction); !trouble.empty())
+    return trouble;
   const double residual_before = residual;
+  if (std::string trouble = go_along(direction); !trouble.empty())
+    return trouble;
   measure();
   // Masses make most of the matrix: near the end it need not be the latest.
-  factors_serve =
-      inertia && residual < old_factors_below && (!factors_serve || residual < 0.1 * residual_before);
+  matrices.serve =
+      inertia && residual < old_factors_below && (!matrices.serve || residual < 0.1 * residual_before);
   return "";
 }
 
@@ -300,8 +325,10 @@ std::string RayNewton<dim>::converge()
   for (outcome.newton_iterations = 0;; ++outcome.newton_iterations)
   {
     stop_if_interrupted();
-    outcome.exact = outcome.newton_iterations > 0 && converged();
-    if (outcome.exact || good_enough())
+    // An iteration has found that a minimum is near.
+    const bool may_end = outcome.newton_iterations > 0;
+    outcome.exact = may_end && converged();
+    if (outcome.exact || (may_end && good_enough()))
       break;
     if (outcome.newton_iterations == world.settings.max_newton)
       return "Newton did not converge in " + std::to_string(world.settings.max_newton) +

@@ -34,8 +34,6 @@ public:
           std::vector<WallMotion<2>> &motion,
           StepEquations &equations);
 
-  using RayNewton<2>::careful;
-  using RayNewton<2>::most_resistance;
   using RayNewton<2>::outcome;
 
   std::string find();
@@ -218,17 +216,12 @@ void RayStep::accept(State &state_to_change)
 }
 } // namespace
 
-StepOutcome ray_step(const Problem &problem,
-                     State &state,
-                     Workspace &work,
-                     const StepPlan &plan,
-                     const bool careful,
-                     const double most_resistance)
+StepOutcome ray_step(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
   std::vector<WallMotion<2>> motion = begin_step(problem, state, work, plan);
   renew_outlines(state.bodies, work.outlines, state.frames);
   StepEquations equations(problem, state, work, plan);
   RayStep step(problem, state, work, plan, motion, equations);
-  return try_ray_step(step, careful, most_resistance, state);
+  return try_ray_step(step, state);
 }
 } // namespace softgrain::mpm

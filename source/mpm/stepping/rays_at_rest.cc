@@ -49,10 +49,10 @@ public:
   }
 
 protected:
-  StepOutcome step(const StepPlan &plan, const bool careful, const double most_resistance) override
+  StepOutcome step(const StepPlan &plan) override
   {
     dt = plan.dt;
-    return ray_step(problem, state, work, plan, careful, most_resistance);
+    return ray_step(problem, state, work, plan);
   }
 
   void held(StepOutcome &sum) override
@@ -139,21 +139,23 @@ template double unbalanced_rays(const std::vector<Body<3>> &,
 
 StepOutcome RaysAtRest::go(const double dt, const double wanted)
 {
-  double resistance = settings.regularisation;
-  const double most = dt > short_enough * wanted ? most_if_shorter : std::numeric_limits<double>::max();
-  for (bool careful = false;; careful = true)
+  StepPlan plan{dt, false, settings.regularisation};
+  if (dt > short_enough * wanted)
+    plan.most_resistance = most_if_shorter;
+  for (;; plan.careful = true)
   {
-    StepOutcome outcome = step({dt, false, resistance}, careful, most);
+    StepOutcome outcome = step(plan);
     if (outcome.accepted)
       outcome.unbalanced = unbalanced();
     // However much bodies resist, walls press them as far.
-    if (outcome.accepted || resistance > most_on_the_way || outcome.too_long)
+    if (outcome.accepted || plan.regularisation > most_on_the_way || outcome.too_long)
       return outcome;
     // The start of the step has no minimum with so much resistance: all that is left would be tried again.
-    if (outcome.newton_iterations == 0 && resistance * outcome.raised >= most && !walls_yield())
+    if (outcome.newton_iterations == 0 && plan.regularisation * outcome.raised >= plan.most_resistance &&
+        !walls_yield())
       return outcome;
-    if (careful)
-      resistance *= rise;
+    if (plan.careful)
+      plan.regularisation *= rise;
   }
 }
 
@@ -162,11 +164,10 @@ StepOutcome RaysAtRest::settle(const double dt)
   StepOutcome sum;
   sum.accepted = true;
   sum.unbalanced = unbalanced();
-  double resistance = settings.regularisation;
+  StepPlan plan{dt, true, settings.regularisation};
   const double highest = std::min(settings.regularisation, most_of_the_least);
   const double lowest = std::min(settings.regularisation, least_when_held);
   double least = highest;
-  bool careful = false;
   while (sum.unbalanced > settings.unbalanced_force || !sum.exact)
   {
     if (sum.held_steps >= settings.max_held_steps)
@@ -179,19 +180,18 @@ StepOutcome RaysAtRest::settle(const double dt)
                              short_number(sum.unbalanced) + " ('Quasi-static/Unbalanced force' is " +
                              short_number(settings.unbalanced_force) + "); " + least_balanced());
     }
-    const bool is_last = sum.held_steps + 1 == settings.max_held_steps,
-               exact = is_last || remembers() || sum.unbalanced <= settings.unbalanced_force;
-    const StepOutcome outcome =
-        step({dt, true, resistance, exact}, careful, std::numeric_limits<double>::max());
+    const bool is_last = sum.held_steps + 1 == settings.max_held_steps;
+    plan.exact = is_last || remembers() || sum.unbalanced <= settings.unbalanced_force;
+    const StepOutcome outcome = step(plan);
     sum.newton_iterations += outcome.newton_iterations;
     sum.contact_sweeps += outcome.contact_sweeps;
     if (!outcome.accepted)
     {
-      if (careful)
-        resistance *= rise;
-      careful = true;
+      if (plan.careful)
+        plan.regularisation *= rise;
+      plan.careful = true;
       least = std::min(highest, rise * least);
-      if (resistance > most_resistance)
+      if (plan.regularisation > most_resistance)
         throw ComputationError("no balance is found with the walls at rest: " + outcome.reason +
                                "; 'Time/Scheme' = 'moreau_jean' has inertia, which carries bodies on where "
                                "balance is lost");
@@ -201,14 +201,14 @@ StepOutcome RaysAtRest::settle(const double dt)
     sum.newton_residual = outcome.newton_residual;
     sum.max_penetration = outcome.max_penetration;
     sum.exact = outcome.exact;
-    careful = false;
+    plan.careful = false;
     ++sum.held_steps;
     sum.largest_move = std::max(sum.largest_move, outcome.largest_move);
     held(sum);
     sum.unbalanced = unbalanced();
     if (sum.held_steps >= creeps_after)
       least = outcome.raised > 1. ? std::min(highest, rise * least) : std::max(lowest, ease_of_least * least);
-    resistance = std::max(least, ease * resistance * outcome.raised);
+    plan.regularisation = std::max(least, ease * plan.regularisation * outcome.raised);
   }
   return sum;
 }

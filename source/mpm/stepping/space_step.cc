@@ -97,14 +97,14 @@ void StepAtRest::accept(SpaceState &state)
 }
 } // namespace
 
-StepOutcome SpaceAtRest::step(const StepPlan &plan, const bool careful, const double most_resistance)
+StepOutcome SpaceAtRest::step(const StepPlan &plan)
 {
   stands = motion.at_end(plan.dt);
   SpaceMotion now = plan.held ? stands : motion;
   now.walls = walls_now(now, state.loaded);
   SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   StepAtRest step(state, scene, now, plan, equations);
-  return try_ray_step(step, careful, most_resistance, state);
+  return try_ray_step(step, state);
 }
 
 double SpaceAtRest::unbalanced()

@@ -4,7 +4,6 @@
 
 #include <softgrain/mpm/stepping/ray_equations.h>
 
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -27,9 +26,6 @@ public:
   using typename Base::Vectors;
 
   StepOutcome outcome;
-  bool careful = false; ///< bodies go no further than rays have looked
-  double most_resistance =
-      std::numeric_limits<double>::max(); ///< from which on the step has failed: a shorter one may be
 
 protected:
   using Base::assemble;
@@ -69,40 +65,56 @@ protected:
   std::string converge();
 
 private:
-  bool converged() const;
-  /// Whether a held step that is only on the way to balance may end.
-  bool good_enough() const;
-  bool begin();
-  void begin_to_pull();
-  std::string find_forces();
-  bool resist_more();
-  bool go_back();
-  bool keep_dents();
-  bool goes_too_far(const Vectors &direction) const;
+  /// Matrices of Newton's method and their factors, of all bodies.
+  struct Matrices
+  {
+    bool assembled = false;               ///< for the ways and forces at hand
+    std::optional<unsigned int> negative; ///< pivots; none where factors could not be found
+    bool serve = false;                   ///< the factors are good enough for another iteration
+  };
+  /// Where an iteration sets out from.
+  struct Start
+  {
+    RayForces force;
+    RayFriction<dim> rubbing;
+    Vectors way;
+    std::vector<double> walls; ///< ways of those under loads [m]
+  };
   /// The largest ways of an iteration [m]. Nodes on the rim of a body may go far and move nothing.
   struct Farthest
   {
     double place = 0.; ///< of a place under a ray that presses, or of a wall under a load
     double node = 0.;  ///< of a node of a body that meets something: no place goes further
   };
-  Farthest farthest(const Vectors &direction) const;
-  void find_direction(Vectors &direction);
-  std::string iterate();
 
-  bool right_inertia = false;
+  bool converged() const;
+  /// Whether a held step that is only on the way to balance may end.
+  bool good_enough() const;
+  bool begin();
+  void begin_to_pull();
+  std::string iterate();
+  void find_factors();
+  bool solve_contact();
+  std::string find_forces();
+  std::string find_direction(Vectors &direction);
+  void follow_forces(Vectors &direction);
+  bool goes_too_far(const Vectors &direction) const;
+  Farthest farthest(const Vectors &direction) const;
+  std::string go_along(const Vectors &direction);
+  void go(const Start &from, const Vectors &direction, double share);
+  bool resist_more();
+  bool go_back();
+  bool keep_dents();
+
+  Matrices matrices;
+  bool dents_kept = false;            ///< for the rest of the step, see keep_dents()
   unsigned int strained_in_a_row = 0; ///< the last iterations that were halved as they deform bodies too much
-  bool assembled = false;             ///< matrices are those of the ways and forces at hand
-  bool dents_kept = false;
-  std::optional<unsigned int> negative; ///< pivots of all bodies' matrices as last factorised
-  bool factors_serve = false;           ///< these serve for another iteration
 };
 
 /// Finds a step, and hands it to a state if one is found. @tparam Step a RayNewton with find() and accept()
 template <class Step, class StepsState>
-StepOutcome try_ray_step(Step &step, const bool careful, const double most_resistance, StepsState &state)
+StepOutcome try_ray_step(Step &step, StepsState &state)
 {
-  step.careful = careful;
-  step.most_resistance = most_resistance;
   step.outcome.reason = step.find();
   step.outcome.accepted = step.outcome.reason.empty();
   if (step.outcome.accepted)

@@ -29,7 +29,7 @@ public:
 
 protected:
   /// One step, see ray_step().
-  virtual StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) = 0;
+  virtual StepOutcome step(const StepPlan &plan) = 0;
   /// What holds bodies back where they are, over the mean force of a contact.
   virtual double unbalanced() = 0;
   /// Called after every held step that was accepted, with the sum of all so far.

@@ -20,8 +20,6 @@ public:
                const StepPlan &plan,
                BodyEquations<3> &equations);
 
-  using RayNewton<3>::careful;
-  using RayNewton<3>::most_resistance;
   using RayNewton<3>::outcome;
 
   std::string find() { return converge(); }

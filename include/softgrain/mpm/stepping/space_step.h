@@ -85,7 +85,7 @@ public:
   }
 
 protected:
-  StepOutcome step(const StepPlan &plan, bool careful, double most_resistance) override;
+  StepOutcome step(const StepPlan &plan) override;
   double unbalanced() override;
   double time() const override { return state.time; }
   void held(StepOutcome &sum) override;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,16 @@ struct StepPlan
   /// Newton's method goes on to its tolerances. A held step that is only on the way to balance may end
   /// sooner.
   bool exact = true;
+  /// Bodies resist so much that none goes further than rays have looked. That is for a step that
+  /// has failed, as under a load that nothing bears yet: it would take bodies into others that no ray has
+  /// seen.
+  bool careful = false;
+  /// Regularisation from which on a step without a minimum fails, in place of one in which bodies resist
+  /// more.
+  double most_resistance = std::numeric_limits<double>::max();
 
+  /// Whether the step may fail, for it is made shorter then.
+  bool may_be_shorter() const { return most_resistance < std::numeric_limits<double>::max(); }
   /// Time that passes for laws; none while bodies come to balance [s].
   double law_dt() const { return held ? 0. : dt; }
 };
