@@ -3,18 +3,8 @@
 #include <softgrain/driving/space_wall.h>
 #include <softgrain/model/state_file.h>
 
-#include <cmath>
-
 namespace softgrain
 {
-dealii::Tensor<1, 3> SpaceWall::tangent() const
-{
-  dealii::Tensor<1, 3> along;
-  along[std::abs(normal()[0]) > 0.9 ? 1 : 0] = 1.;
-  along -= (along * normal()) * normal();
-  return along / along.norm();
-}
-
 void SpaceWall::plan(const double time, const double dt)
 {
   const WallStep step{time - drive_begin, dt, travel - travel_before};

@@ -3,6 +3,7 @@
 #define softgrain_driving_space_wall_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/geometry/wall_tangent.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -29,8 +30,7 @@ struct SpaceWall
 
   const dealii::Tensor<1, 3> &normal() const { return description.normal; }
   dealii::Point<3> point() const { return description.point + travel * normal(); }
-  /// The direction of the wall that is nearest to x, or to y where it looks along x.
-  dealii::Tensor<1, 3> tangent() const;
+  dealii::Tensor<1, 3> tangent() const { return wall_tangent(normal()); }
   dealii::Tensor<1, 3> velocity() const { return speed * normal() + slide * tangent(); } ///< [m/s]
 
   /// Takes the velocity that its drive asks for in a step of @p dt from @p time on [s].

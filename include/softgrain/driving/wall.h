@@ -3,6 +3,7 @@
 #define softgrain_driving_wall_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/geometry/wall_tangent.h>
 #include <softgrain/scene/scene.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -50,11 +51,7 @@ struct Wall
   dealii::Point<2> point() const { return description.point + travel * description.normal; }
   /// Unit, into the domain.
   const dealii::Tensor<1, 2> &normal() const { return description.normal; }
-  /// The normal turned by -90 degrees.
-  dealii::Tensor<1, 2> tangent() const
-  {
-    return dealii::Tensor<1, 2>({description.normal[1], -description.normal[0]});
-  }
+  dealii::Tensor<1, 2> tangent() const { return wall_tangent(normal()); }
   /// [m/s]
   dealii::Tensor<1, 2> velocity() const
   {

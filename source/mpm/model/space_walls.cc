@@ -73,7 +73,7 @@ void SpaceModel::book_wall(const std::size_t w,
   const bool loaded = motion.pressure[w].has_value();
   wall.speed = loaded ? (state.loaded[w].way - wall.travel) / dt : moves.velocity;
   wall.slide = moves.slide;
-  const dealii::Tensor<1, 3> way = dt * (wall.speed * moves.normal + wall.slide * moves.tangent());
+  const dealii::Tensor<1, 3> way = dt * wall.velocity();
   if (!loaded)
   {
     wall.travel += dt * wall.speed;

@@ -32,8 +32,7 @@ std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &m
   cell.cell = cell_of(walls);
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].repeats())
-      cell.add_side(motion[w].normal,
-                    motion[w].velocity * motion[w].normal + motion[w].slide * motion[w].tangent());
+      cell.add_side(motion[w].normal, motion[w].mean_velocity());
   return cell;
 }
 } // namespace softgrain::mpm

@@ -34,8 +34,7 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
           free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
   for (unsigned int w = 0; w < walls.size(); ++w)
     if (walls[w].body != Wall::no_body)
-      work.drive[walls[w].body] =
-          motion[w].velocity * motion[w].normal + motion[w].slide * motion[w].tangent();
+      work.drive[walls[w].body] = motion[w].mean_velocity();
   return motion;
 }
 } // namespace softgrain::mpm

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace softgrain::mpm
 {
@@ -37,14 +36,6 @@ SpaceMotion SpaceMotion::at_end(const double dt) const
   return end;
 }
 
-double softest(const std::vector<Body<3>> &bodies)
-{
-  double modulus = std::numeric_limits<double>::max();
-  for (const Body<3> &body : bodies)
-    modulus = std::min(modulus, body.law->young_modulus());
-  return modulus;
-}
-
 double pressed_area(const std::vector<WallMotion<3>> &walls, const std::size_t w)
 {
   for (const WallMotion<3> &beside : walls)
@@ -72,12 +63,8 @@ WallImbalance least_balanced_wall(const SpaceMotion &motion,
   const std::vector<WallMotion<3>> walls = walls_now(motion, loaded);
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (motion.pressure[w])
-    {
-      const double load = *motion.pressure[w] * pressed_area(walls, w), borne = force[w] * walls[w].normal,
-                   share = std::abs(borne - load) / std::max(std::abs(load), floor);
-      if (share > worst.share)
-        worst = {share, w, borne, load};
-    }
+      worst.compare(w, false, force[w] * walls[w].normal, *motion.pressure[w] * pressed_area(walls, w),
+                    floor);
   return worst;
 }
 } // namespace softgrain::mpm

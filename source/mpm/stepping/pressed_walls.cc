@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
-#include <softgrain/mpm/stepping/refused_step.h>
+#include <softgrain/mpm/stepping/wall_imbalance.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace softgrain::mpm
 {
 namespace
 {
-/// The smallest of all bodies [Pa].
-double softest(const State &state)
-{
-  double modulus = std::numeric_limits<double>::max();
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      modulus = std::min(modulus, body.law->young_modulus());
-  return modulus;
-}
-
 /// Resists a wall without inertia by a spring that starts from nothing in every step, as bodies are, and lets
 /// it go no further than the settings allow.
 void resist(
     const Problem &problem, const State &state, const StepPlan &plan, const double load, FreeWall<2> &free)
 {
   const Settings &settings = problem.settings;
-  const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(state);
+  const double dt = plan.dt, stiffness = 10. * plan.regularisation * softest(state.bodies);
   free.mass = stiffness * dt * dt;
   free.free_speed = dt * load / free.mass;
   free.start_speed = 0.;
@@ -141,8 +130,7 @@ void settle_free_walls(const Problem &problem,
   follow_free_walls(problem, work, motion);
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     if (state.walls[free.wall].body != Wall::no_body)
-      work.drive[state.walls[free.wall].body] = motion[free.wall].velocity * free.normal +
-                                                motion[free.wall].slide * state.walls[free.wall].tangent();
+      work.drive[state.walls[free.wall].body] = motion[free.wall].mean_velocity();
 }
 
 void account_free_wall(const Problem &problem,
@@ -170,34 +158,20 @@ void account_free_wall(const Problem &problem,
 
 namespace
 {
-/// A wall under a load, and what it bears of it [N/m].
-struct LoadedWall
+WallImbalance worst_wall(const Problem &problem, const State &state)
 {
-  double share = 0., force = 0., load = 0.;
-  const Wall *wall = nullptr;
-  bool slides = false;
-};
-
-LoadedWall worst_wall(const Problem &problem, const State &state)
-{
-  LoadedWall worst;
-  const double floor = 1e-6 * softest(state) * problem.lattice->cell_size();
-  const auto compare = [&](const Wall &wall, const bool slides, const double force, const double load)
-  {
-    const double share = std::abs(force - load) / std::max(std::abs(load), floor);
-    if (share > worst.share)
-      worst = {share, force, load, &wall, slides};
-  };
+  WallImbalance worst;
+  const double floor = 1e-6 * softest(state.bodies) * problem.lattice->cell_size();
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     const Wall &wall = state.walls[w];
     if (wall.slides_freely())
-      compare(wall, true, -1. * (wall.force * wall.tangent()),
-              wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w));
+      worst.compare(w, true, -1. * (wall.force * wall.tangent()),
+                    wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w), floor);
     // Walls beside it have moved: length and stress are others.
     if (!wall.prescribed())
-      compare(wall, false, -1. * (wall.force * wall.normal()),
-              asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w));
+      worst.compare(w, false, -1. * (wall.force * wall.normal()),
+                    asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w), floor);
   }
   return worst;
 }
@@ -210,15 +184,8 @@ double unbalanced_walls(const Problem &problem, const State &state)
 
 std::string least_balanced_wall(const Problem &problem, const State &state)
 {
-  const LoadedWall worst = worst_wall(problem, state);
-  if (worst.wall == nullptr)
-    return "";
-  const std::string what = std::string(worst.slides ? "shear stress" : "pressure") + " of wall '" +
-                           worst.wall->description.name + "'";
-  if (worst.force == 0.)
-    return "nothing bears the " + what;
-  return short_number(worst.force) + " N/m act against the " + what + ", which is " +
-         short_number(worst.load) + " N/m";
+  const WallImbalance worst = worst_wall(problem, state);
+  return worst.share > 0. ? worst.in_words(state.walls[worst.wall].description.name, "N/m") : "";
 }
 
 bool walls_are_on_their_way(const Workspace &work)

@@ -146,9 +146,6 @@ std::string SpaceAtRest::least_balanced() const
   const WallImbalance worst = unbalanced_wall();
   if (worst.share <= scene.settings.unbalanced_force)
     return least_balanced_body(state.bodies, state.held_back);
-  const std::string wall = "the pressure of wall '" + scene.wall_names[worst.wall] + "'";
-  return worst.force == 0. ? "nothing bears " + wall
-                           : short_number(worst.force) + " N act against " + wall + ", which is " +
-                                 short_number(worst.load) + " N";
+  return worst.in_words(scene.wall_names[worst.wall], "N");
 }
 } // namespace softgrain::mpm

@@ -3,6 +3,7 @@
 #define softgrain_mpm_contact_contact_rows_h
 
 #include <softgrain/geometry/periodic_cell.h>
+#include <softgrain/mpm/contact/wall_motion.h>
 #include <softgrain/mpm/field/body_field.h>
 
 #include <deal.II/base/point.h>
@@ -76,31 +77,6 @@ struct ContactRow
         t = dealii::cross_product_3d(normal, t);
     }
     return t;
-  }
-};
-
-/// Where a wall stands and moves during one step.
-template <int dim>
-struct WallMotion
-{
-  dealii::Point<dim> point;      ///< at the start of the step [m]
-  dealii::Tensor<1, dim> normal; ///< unit, into the domain
-  double velocity;    ///< mean over the step, along the normal; of a free wall as far as known [m/s]
-  bool plane = true;  ///< false: it is made of material points, or a side of a cell
-  double rate = 0;    ///< velocity with which its impulses do work [m/s]
-  double fastest = 0; ///< largest velocity it may come to have in the step, either way [m/s]
-  double slide = 0;   ///< along the tangent [m/s]
-
-  /// The normal turned by -90 degrees in the plane; in space the direction of the wall that is nearest to x,
-  /// or to y where the wall looks along x.
-  dealii::Tensor<1, dim> tangent() const
-  {
-    if constexpr (dim == 2)
-      return dealii::Tensor<1, dim>({normal[1], -normal[0]});
-    dealii::Tensor<1, dim> along;
-    along[std::abs(normal[0]) > 0.9 ? 1 : 0] = 1.;
-    along -= (along * normal) * normal;
-    return along / along.norm();
   }
 };
 } // namespace softgrain::mpm

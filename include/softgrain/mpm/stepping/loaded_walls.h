@@ -4,8 +4,8 @@
 
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall_step.h>
-#include <softgrain/mpm/body/body.h>
-#include <softgrain/mpm/contact/contact_rows.h>
+#include <softgrain/mpm/contact/wall_motion.h>
+#include <softgrain/mpm/stepping/wall_imbalance.h>
 
 #include <optional>
 #include <string>
@@ -30,17 +30,6 @@ struct LoadedWall
   double way = 0.;  ///< along its normal since the start [m]
   double work = 0.; ///< of its load since the start [J]
 };
-
-/// A wall that is least in balance with its load, and what it bears of it.
-struct WallImbalance
-{
-  double share = 0.; ///< of the load that is not borne
-  std::size_t wall = 0;
-  double force = 0., load = 0.; ///< [N]
-};
-
-/// Young's modulus of the softest body [Pa].
-double softest(const std::vector<Body<3>> &bodies);
 
 /// Area on which a pressure on wall @p w acts: between the walls beside it, which look along the two other
 /// axes, where they are; 0 without them [m^2].
