@@ -4,6 +4,7 @@
 #include <softgrain/geometry/shape.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/model/capabilities.h>
+#include <softgrain/scene/motion_at_start.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <cmath>
@@ -69,39 +70,6 @@ std::string loads_of_velocity(const Scene<dim> &scene, const Settings &)
     if (load->sees_velocity())
       return "'Loads/" + load->key() + "'";
   return "";
-}
-
-double width_of(const Shape<2> &shape)
-{
-  return shape.size();
-}
-
-double width_of(const Shape<3> &shape)
-{
-  return std::cbrt(shape.volume());
-}
-
-/// Whether a body starts with a velocity other than 0.
-template <int dim>
-bool starts_in_motion(const BodyDescription<dim> &body)
-{
-  // Three places that no symmetry connects: a velocity that is 0 at all of them is 0.
-  const double places[3][3] = {{0.31, 0.17, -0.29}, {-0.23, 0.41, 0.13}, {0.07, -0.37, 0.22}};
-  if (body.velocity.empty())
-    return false;
-  const double width = width_of(*body.shape);
-  const std::vector<std::string> axes = {"x", "y", "z"};
-  for (const Expression &component :
-       vector_expression(body.velocity, {axes.begin(), axes.begin() + dim}, dim))
-    for (const auto &place : places)
-    {
-      std::vector<double> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x.push_back(body.center[d] + width * place[d]);
-      if (component(x) != 0.)
-        return true;
-    }
-  return false;
 }
 
 template <int dim>

@@ -11,6 +11,7 @@
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/scene/motion_at_start.h>
 
 #include <algorithm>
 #include <iostream>
@@ -31,6 +32,7 @@ MpmModel::MpmModel(const Scene<2> &scene,
 {
   problem.scene = scene;
   problem.settings = settings;
+  moved_by_more = moved_by_more_than_walls(scene);
   work.timer = timer.get();
   build(std::move(laws));
 }

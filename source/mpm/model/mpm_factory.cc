@@ -123,7 +123,7 @@ private:
     if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
       throw InputError("'Time/Scheme' = '" + settings.scheme.name +
                        "' is not allowed with 'Dimension' = '3': it must be 'quasi_static' or 'moreau_jean'");
-    if (!settings.scheme.inertia && settings.step.time_step == 0. && settings.wall_way == 0.)
+    if (!settings.scheme.inertia && settings.chosen_way && scene.walls.empty() && scene.obstacles.empty())
       throw InputError(
           "'Time/Time step' = '0' is not allowed with 'Dimension' = '3' and 'Time/Scheme' = 'quasi_static': "
           "set it, or 'Time/Wall way', greater than 0");

@@ -4,6 +4,7 @@
 #include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/mpm_forecast.h>
 #include <softgrain/scene/contact_pairs.h>
+#include <softgrain/scene/motion_at_start.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,9 +230,12 @@ Forecast forecast(const Scene<2> &scene,
                                   dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
   const double cfl = cfl_of(scene, settings, laws, run.crowd), points = result.n_points;
   result.step = settings.step.wanted(settings.scheme.cfl_multiple(settings.cfl_multiple) * cfl);
+  const bool waves_count =
+      settings.chosen_way && settings.scheme.inertia && (run.pressed || moved_by_more_than_walls(scene));
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
-    result.step = std::min(settings.wall_way * settings.finest_cell() / run.fastest_wall,
-                           settings.step.wanted(std::numeric_limits<double>::max()));
+    result.step =
+        std::min(settings.wall_way * settings.finest_cell() / run.fastest_wall,
+                 waves_count ? result.step : settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
   const bool slow =

@@ -4,6 +4,7 @@
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/model/step_choice.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/mpm/stepping/stiffness.h>
@@ -34,14 +35,33 @@ double MpmModel::cfl_step() const
   return step;
 }
 
+bool MpmModel::waves_count() const
+{
+  const Settings &settings = problem.settings;
+  return settings.chosen_way && settings.scheme.inertia && (moved_by_more || !all_are_told(state.walls));
+}
+
+double MpmModel::fastest_driven_body() const
+{
+  double speed = 0.;
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      speed = std::max(speed, body.drive.norm());
+  return speed;
+}
+
 double MpmModel::wanted_step() const
 {
   const Settings &settings = problem.settings;
   if (settings.wall_way > 0.)
   {
-    const double cfl = cfl_step(), longest = settings.step.wanted(longest_by_walls * cfl);
+    const double cfl = cfl_step();
+    const double longest =
+        settings.step.wanted((waves_count() ? settings.cfl_multiple : longest_by_walls) * cfl);
     const double way = settings.wall_way * problem.lattice->cell_size();
-    const double step = step_of_wall_way(state.walls, state.time, way, std::min(cfl, longest), longest);
+    double step = step_of_wall_way(state.walls, state.time, way, std::min(cfl, longest), longest);
+    if (const double speed = fastest_driven_body(); speed > 0.)
+      step = step > 0. ? std::min(step, way / speed) : way / speed;
     if (step > 0.)
       return std::min(step, longest);
   }

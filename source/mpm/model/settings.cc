@@ -7,6 +7,7 @@
 #include <softgrain/mpm/contact/contact_geometry_kind.h>
 #include <softgrain/mpm/field/shape_function.h>
 #include <softgrain/mpm/model/settings.h>
+#include <softgrain/mpm/model/step_choice.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/parameter_values.h>
 
@@ -92,29 +93,8 @@ void declare_discretisation(dealii::ParameterHandler &prm)
       });
 }
 
-void declare_time(dealii::ParameterHandler &prm)
+void declare_solution(dealii::ParameterHandler &prm)
 {
-  in_section(
-      prm, "Time",
-      [&]
-      {
-        prm.declare_entry("Scheme", "moreau_jean", Selection(Registry<TimeIntegrator>::instance().choice()),
-                          Registry<TimeIntegrator>::instance().choice_in_words());
-        prm.declare_entry(
-            "Theta", "0", Double(0., 1.),
-            "Weight of the end of the step in moreau_jean: 0.5 conserves energy, 1 is backward "
-            "Euler. 0: 0.55, or 0.8 where 'Time step' is longer than 20 CFL steps, so that waves "
-            "it does not resolve fade. Units: none.");
-        StepSettings::declare_parameters(prm, "'CFL multiple' times the CFL step", "1e-4");
-        prm.declare_entry("CFL multiple", "20", Double(1e-6),
-                          "Length of a step in CFL steps (cell size over the speed of pressure waves), when "
-                          "'Time step' is 0. Units: none.");
-        prm.declare_entry(
-            "Wall way", "0", Double(0., 10.),
-            "Steps by the way of the walls: how far the fastest of those that are told how to move "
-            "goes in a step, in cells. For slow walls: 0.1 to 0.3. 'Time step', if given, is then the "
-            "longest step. 0, or while no wall moves so: 'Time step' or 'CFL multiple'. Units: cells.");
-      });
   in_section(prm, "Newton",
              [&]
              {
@@ -265,7 +245,8 @@ void check_shape_function(const Settings &settings)
 void Settings::declare_parameters(dealii::ParameterHandler &prm)
 {
   declare_discretisation(prm);
-  declare_time(prm);
+  declare_time_parameters(prm);
+  declare_solution(prm);
   declare_quasi_static(prm);
   declare_contact(prm);
 }
@@ -337,19 +318,7 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
               "'Material points/Transfer' and 'PIC fraction' have no effect with 'Grid update' = 'never': "
               "leave them at flip and 0, or choose another 'Grid update'");
       });
-  in_section(prm, "Time",
-             [&]
-             {
-               theta = prm.get_double("Theta");
-               scheme = TimeScheme::create(prm.get("Scheme"), theta == 0. ? 0.55 : theta);
-               step.parse_parameters(prm);
-               cfl_multiple = prm.get_double("CFL multiple");
-               wall_way = prm.get_double("Wall way");
-               if (wall_way > 0. && !scheme.implicit)
-                 throw InputError("'Time/Wall way' = '" + prm.get("Wall way") +
-                                  "' is not allowed with 'Time/Scheme' = '" + scheme.name +
-                                  "', whose steps waves limit: leave it at 0");
-             });
+  parse_time_parameters(prm, *this);
   in_section(prm, "Quasi-static",
              [&]
              {

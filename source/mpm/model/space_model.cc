@@ -9,6 +9,7 @@
 #include <softgrain/mpm/model/space_points.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
+#include <softgrain/scene/motion_at_start.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     , subgrid{settings.subgrid_compliance(), settings.cell_size, settings.space_lower}
     , pairs(scene)
     , loads(scene.loads)
+    , moved_by_more(moved_by_more_than_walls(scene))
     , frictionless(pairs.frictionless() && !rough(scene.obstacles))
     , timer(std::make_unique<dealii::TimerOutput>(
           std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times))
@@ -187,8 +189,9 @@ double SpaceModel::wanted_step() const
   if (settings.wall_way > 0. && !settings.scheme.inertia)
     if (const double speed = fastest_obstacle(std::min(told, 1e3 * settings.cell_size)); speed > 0.)
       by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
-  if (settings.scheme.inertia && by_walls == longest)
-    return settings.step.wanted(settings.cfl_multiple * cfl_step());
+  const double by_waves = settings.step.wanted(settings.cfl_multiple * cfl_step());
+  if (settings.scheme.inertia && (by_walls == longest || (settings.chosen_way && moved_by_more)))
+    return std::min(by_waves, by_walls);
   return std::min(told, by_walls);
 }
 

@@ -71,6 +71,10 @@ public:
   void move_bodies(std::vector<unsigned int> owners);
 
 private:
+  /// Whether a step that nothing was said of resolves what bodies do by themselves.
+  bool waves_count() const;
+  /// Speed of the fastest of those that move rigidly, whatever they meet [m/s].
+  double fastest_driven_body() const;
   double rotational_energy() const;
   bool laws_limit_step() const;
   void build(std::vector<std::shared_ptr<const constitutive::Law<2>>> laws);
@@ -131,6 +135,7 @@ private:
   LoadBalance balance;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::size_t steps = 0;
+  bool moved_by_more = false; ///< whether bodies are moved by more than walls
   StepControl step_control{1.5};
   std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;

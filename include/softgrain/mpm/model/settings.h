@@ -57,6 +57,7 @@ struct Settings
   StepSettings step;
   double cfl_multiple = 20.; ///< length of a step in CFL steps, when none is given
   double wall_way = 0.;      ///< of the fastest wall in a step [cells]; 0: steps do not depend on walls
+  bool chosen_way = false;   ///< whether that is not from the file, see choose_steps()
 
   double displacement_tolerance = 1e-5; ///< epsilon_1 of @cite nguyen2016, eq. (3.22)
   double energy_tolerance = 1e-8;       ///< epsilon_2 of @cite nguyen2016, eq. (3.22)

@@ -123,7 +123,8 @@ private:
   const HertzCompliance subgrid;
   const ContactPairs pairs;
   const Loads<3> loads;
-  const bool frictionless; ///< nothing rubs, obstacles counted in
+  const bool moved_by_more; ///< whether bodies are moved by more than walls
+  const bool frictionless;  ///< nothing rubs, obstacles counted in
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;
