@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 namespace softgrain
 {
@@ -35,15 +35,28 @@ void for_pieces(const int n_rows, const double n_multiplications, const Work &wo
 }
 } // namespace
 
+void BlockFactor::find_below(const std::vector<int> &sizes,
+                             const std::vector<std::pair<int, int>> &neighbours)
+{
+  below_of.resize(sizes.size());
+  for (std::vector<int> &list : below_of)
+    list.clear();
+  for (const auto &[i, j] : neighbours)
+    if (i != j && sizes[i] > 0 && sizes[j] > 0)
+      below_of[std::min(i, j)].push_back(std::max(i, j));
+  for (std::vector<int> &list : below_of)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+}
+
 void BlockFactor::find_panels(const std::vector<int> &sizes,
                               const std::vector<std::pair<int, int>> &neighbours)
 {
   const int n = sizes.size();
-  std::vector<std::set<int>> below(n);
-  for (const auto &[i, j] : neighbours)
-    if (i != j && sizes[i] > 0 && sizes[j] > 0)
-      below[std::min(i, j)].insert(std::max(i, j));
-  panels.clear();
+  find_below(sizes, neighbours);
+  n_panels = 0;
   panel_of.assign(n, -1);
   double zeros = 0.; // in the last panel
   int height_below = 0;
@@ -51,33 +64,42 @@ void BlockFactor::find_panels(const std::vector<int> &sizes,
   {
     if (sizes[j] == 0)
       continue;
+    const std::vector<int> &here = below_of[j];
     // The first block below inherits all others.
-    if (!below[j].empty())
-      below[*below[j].begin()].insert(std::next(below[j].begin()), below[j].end());
+    if (here.size() > 1)
+    {
+      std::vector<int> &heir = below_of[here.front()];
+      merged.clear();
+      std::set_union(heir.begin(), heir.end(), here.begin() + 1, here.end(), std::back_inserter(merged));
+      heir.swap(merged);
+    }
     int height = 0;
-    for (const int i : below[j])
+    for (const int i : here)
       height += sizes[i];
-    const bool follows = !panels.empty() && panels.back().rows.size() > panels.back().n_own &&
-                         panels.back().rows[panels.back().n_own] == j;
-    const int width = follows ? panels.back().width() : 0;
+    const Panel *last = n_panels > 0 ? &panels[n_panels - 1] : nullptr;
+    const bool follows = last != nullptr && last->rows.size() > last->n_own && last->rows[last->n_own] == j;
+    const int width = follows ? last->width() : 0;
     const double more_zeros = zeros + double(width) * (sizes[j] + height - height_below);
     if (follows && (width + sizes[j] <= narrow ||
                     more_zeros < most_zeros * (width + sizes[j]) * (width + sizes[j] + height)))
     {
       zeros = more_zeros;
-      panels.back().rows.resize(panels.back().n_own);
+      panels[n_panels - 1].rows.resize(last->n_own);
     }
     else
     {
       zeros = 0.;
-      panels.emplace_back();
-      panels.back().first = begin[j];
+      if (panels.size() == n_panels)
+        panels.emplace_back();
+      panels[n_panels].rows.clear();
+      panels[n_panels].first = begin[j];
+      ++n_panels;
     }
-    Panel &panel = panels.back();
-    panel_of[j] = panels.size() - 1;
+    Panel &panel = panels[n_panels - 1];
+    panel_of[j] = n_panels - 1;
     panel.rows.push_back(j);
     panel.n_own = panel.rows.size();
-    panel.rows.insert(panel.rows.end(), below[j].begin(), below[j].end());
+    panel.rows.insert(panel.rows.end(), here.begin(), here.end());
     height_below = height;
     panel.offset.assign(1, 0);
     for (const int i : panel.rows)
@@ -94,40 +116,44 @@ void BlockFactor::reinit(const std::vector<int> &sizes,
   for (const int size : sizes)
     begin.push_back(begin.back() + size);
   find_panels(sizes, neighbours);
-  for (Panel &panel : panels)
+  std::size_t n_entries = 0;
+  for (unsigned int p = 0; p < n_panels; ++p)
   {
-    panel.entries.setZero(panel.height(), panel.width());
-    if (!symmetric)
-      panel.right.setZero(panel.height(), panel.width());
+    panels[p].place = n_entries;
+    n_entries += (symmetric ? 1 : 2) * panels[p].size();
   }
+  storage.assign(n_entries, 0.);
 }
 
-Eigen::Block<Eigen::MatrixXd>
-BlockFactor::part(Eigen::MatrixXd &of_panel, const Panel &panel, const int i, const int j) const
+Eigen::Block<BlockFactor::Entries>
+BlockFactor::part(Entries of_panel, const Panel &panel, const int i, const int j) const
 {
   const unsigned int row = std::lower_bound(panel.rows.begin(), panel.rows.end(), i) - panel.rows.begin();
-  return of_panel.block(panel.offset[row], begin[j] - panel.first, begin[i + 1] - begin[i],
-                        begin[j + 1] - begin[j]);
+  return {of_panel, panel.offset[row], begin[j] - panel.first, begin[i + 1] - begin[i],
+          begin[j + 1] - begin[j]};
 }
 
-Eigen::Block<Eigen::MatrixXd> BlockFactor::block(const int i, const int j)
+Eigen::Block<BlockFactor::Entries> BlockFactor::block(const int i, const int j)
 {
   if (panel_of[j] < 0)
-    return Eigen::Block<Eigen::MatrixXd>(nothing, 0, 0, 0, 0);
-  Panel &panel = panels[panel_of[j]];
-  return part(panel.entries, panel, i, j);
+  {
+    Entries nothing(storage.data(), 0, 0);
+    return {nothing, 0, 0, 0, 0};
+  }
+  const Panel &panel = panels[panel_of[j]];
+  return part(entries_of(panel), panel, i, j);
 }
 
-Eigen::Block<Eigen::MatrixXd> BlockFactor::transposed_block(const int i, const int j)
+Eigen::Block<BlockFactor::Entries> BlockFactor::transposed_block(const int i, const int j)
 {
-  Panel &panel = panels[panel_of[j]];
-  return part(panel.right, panel, i, j);
+  const Panel &panel = panels[panel_of[j]];
+  return part(right_of(panel), panel, i, j);
 }
 
 /// The square of a strip one by one, then what is below it and to the right of it.
 bool BlockFactor::factorize_strip(Panel &panel, const int first, const int width)
 {
-  Eigen::MatrixXd &A = panel.entries;
+  Entries A = entries_of(panel), right = right_of(panel);
   const int end = first + width, left = panel.width() - end, below = panel.height() - end;
   auto d = D.segment(panel.first + first, width);
   auto square = A.block(first, first, width, width);
@@ -171,7 +197,7 @@ bool BlockFactor::factorize_strip(Panel &panel, const int first, const int width
     for_pieces(beyond, n_multiplications,
                [&](const int from, const int to)
                {
-                 auto rows = panel.right.block(panel.width() + from, first, to - from, width);
+                 auto rows = right.block(panel.width() + from, first, to - from, width);
                  L.transpose().solveInPlace<Eigen::OnTheRight>(rows);
                });
   }
@@ -179,9 +205,9 @@ bool BlockFactor::factorize_strip(Panel &panel, const int first, const int width
 }
 
 /// What a strip changes to the right of it in its panel.
-void BlockFactor::subtract_strip(Panel &panel, const int first, const int width) const
+void BlockFactor::subtract_strip(Panel &panel, const int first, const int width)
 {
-  Eigen::MatrixXd &A = panel.entries;
+  Entries A = entries_of(panel), right = right_of(panel);
   const int end = first + width, left = panel.width() - end, below = panel.height() - end;
   if (left == 0)
     return;
@@ -206,8 +232,8 @@ void BlockFactor::subtract_strip(Panel &panel, const int first, const int width)
   for_pieces(beyond, n_multiplications,
              [&](const int from, const int to)
              {
-               panel.right.block(panel.width() + from, end, to - from, left).noalias() -=
-                   panel.right.block(panel.width() + from, first, to - from, width) * low;
+               right.block(panel.width() + from, end, to - from, left).noalias() -=
+                   right.block(panel.width() + from, first, to - from, width) * low;
              });
 }
 
@@ -215,7 +241,7 @@ bool BlockFactor::factorize_panel(Panel &panel)
 {
   const int n = panel.width();
   if (!symmetric)
-    panel.entries.topRows(n) += panel.right.topRows(n).transpose();
+    entries_of(panel).topRows(n) += right_of(panel).topRows(n).transpose();
   for (int first = 0; first < n; first += strip)
   {
     const int width = std::min(n - first, strip);
@@ -227,26 +253,26 @@ bool BlockFactor::factorize_panel(Panel &panel)
 }
 
 /// What a panel changes in another one, whose columns are its row blocks from @p first to @p end.
-void BlockFactor::subtract_from(Panel &target,
+void BlockFactor::subtract_from(const Panel &target,
                                 const Panel &panel,
                                 const unsigned int first,
-                                const unsigned int end) const
+                                const unsigned int end)
 {
+  const Entries entries = entries_of(panel), right = right_of(panel);
+  Entries of_target = entries_of(target), right_of_target = right_of(target);
   const int width = panel.width(), from = panel.offset[first], to = panel.offset[end],
             n_rows = panel.height() - from, n_beyond = panel.height() - to;
   static thread_local Eigen::MatrixXd above, change, change_of_right;
   if (symmetric)
-    above =
-        D.segment(panel.first, width).asDiagonal() * panel.entries.middleRows(from, to - from).transpose();
+    above = D.segment(panel.first, width).asDiagonal() * entries.middleRows(from, to - from).transpose();
   else
   {
-    above = panel.right.middleRows(from, to - from).transpose();
+    above = right.middleRows(from, to - from).transpose();
     change_of_right.resize(n_beyond, to - from);
-    change_of_right.noalias() =
-        panel.right.bottomRows(n_beyond) * panel.entries.middleRows(from, to - from).transpose();
+    change_of_right.noalias() = right.bottomRows(n_beyond) * entries.middleRows(from, to - from).transpose();
   }
   change.resize(n_rows, to - from);
-  change.noalias() = panel.entries.bottomRows(n_rows) * above;
+  change.noalias() = entries.bottomRows(n_rows) * above;
   unsigned int there = 0;
   for (unsigned int s = first; s < panel.rows.size(); ++s)
   {
@@ -256,10 +282,10 @@ void BlockFactor::subtract_from(Panel &target,
     for (unsigned int r = first; r < end; ++r)
     {
       const int column = begin[panel.rows[r]] - target.first, n = panel.offset[r + 1] - panel.offset[r];
-      target.entries.block(row, column, size, n) -=
+      of_target.block(row, column, size, n) -=
           change.block(panel.offset[s] - from, panel.offset[r] - from, size, n);
       if (!symmetric && s >= end)
-        target.right.block(row, column, size, n) -=
+        right_of_target.block(row, column, size, n) -=
             change_of_right.block(panel.offset[s] - to, panel.offset[r] - from, size, n);
     }
   }
@@ -290,11 +316,11 @@ void BlockFactor::subtract(const Panel &panel)
 bool BlockFactor::factorize()
 {
   D.resize(begin.back());
-  for (Panel &panel : panels)
+  for (unsigned int p = 0; p < n_panels; ++p)
   {
-    if (!factorize_panel(panel))
+    if (!factorize_panel(panels[p]))
       return false;
-    subtract(panel);
+    subtract(panels[p]);
   }
   return true;
 }
@@ -307,34 +333,37 @@ unsigned int BlockFactor::n_negative() const
 void BlockFactor::solve(Eigen::VectorXd &x) const
 {
   static thread_local Eigen::VectorXd below;
-  for (const Panel &panel : panels)
+  for (unsigned int p = 0; p < n_panels; ++p)
   {
+    const Panel &panel = panels[p];
+    const ConstEntries entries = entries_of(panel);
     const int n = panel.width();
     auto here = x.segment(panel.first, n);
-    panel.entries.topRows(n).triangularView<Eigen::UnitLower>().solveInPlace(here);
-    below.noalias() = panel.entries.bottomRows(panel.height() - n) * here;
+    entries.topRows(n).triangularView<Eigen::UnitLower>().solveInPlace(here);
+    below.noalias() = entries.bottomRows(panel.height() - n) * here;
     for (unsigned int r = panel.n_own; r < panel.rows.size(); ++r)
       x.segment(begin[panel.rows[r]], panel.offset[r + 1] - panel.offset[r]) -=
           below.segment(panel.offset[r] - n, panel.offset[r + 1] - panel.offset[r]);
   }
   if (symmetric)
     x.array() /= D.array();
-  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel)
+  for (unsigned int p = n_panels; p-- > 0;)
   {
-    const int n = panel->width(), height_below = panel->height() - n;
+    const Panel &panel = panels[p];
+    const ConstEntries entries = entries_of(panel);
+    const int n = panel.width(), height_below = panel.height() - n;
     below.resize(height_below);
-    for (unsigned int r = panel->n_own; r < panel->rows.size(); ++r)
+    for (unsigned int r = panel.n_own; r < panel.rows.size(); ++r)
     {
-      const int size = panel->offset[r + 1] - panel->offset[r];
-      below.segment(panel->offset[r] - n, size) = x.segment(begin[panel->rows[r]], size);
+      const int size = panel.offset[r + 1] - panel.offset[r];
+      below.segment(panel.offset[r] - n, size) = x.segment(begin[panel.rows[r]], size);
     }
-    auto here = x.segment(panel->first, n);
-    here.noalias() -=
-        (symmetric ? panel->entries : panel->right).bottomRows(height_below).transpose() * below;
+    auto here = x.segment(panel.first, n);
+    here.noalias() -= (symmetric ? entries : right_of(panel)).bottomRows(height_below).transpose() * below;
     if (symmetric)
-      panel->entries.topRows(n).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(here);
+      entries.topRows(n).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(here);
     else
-      panel->entries.topRows(n).triangularView<Eigen::Upper>().solveInPlace(here);
+      entries.topRows(n).triangularView<Eigen::Upper>().solveInPlace(here);
   }
 }
 } // namespace softgrain

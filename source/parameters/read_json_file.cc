@@ -53,6 +53,8 @@ public:
 
   std::vector<ParameterAssignment> read()
   {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+      fail("the file is empty; parameters in JSON are an object, { ... }");
     const char *begin = text.data();
     nlohmann::json::sax_parse(CountingIterator(begin, &line), CountingIterator(begin + text.size(), &line),
                               this);

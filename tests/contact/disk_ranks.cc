@@ -61,7 +61,5 @@ int main(int, char **argv)
                         : little   ? "little"
                                    : "much")
                     << " in a sweep\n";
-        if (ranks.first())
-          std::cerr << told << " of " << all << " bytes, " << found.sweeps << " sweeps\n";
       }
 }

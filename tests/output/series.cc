@@ -89,7 +89,13 @@ int main()
     }
     catch (const InputError &error)
     {
-      std::cout << error.what() << '\n';
+      // What follows is HDF5's reason, in words of its release.
+      const std::string message = error.what(), said = "there is no such attribute: ";
+      const auto reason = message.find(said);
+      std::cout << (reason == std::string::npos ? message : message.substr(0, reason + said.size() - 2))
+                << (reason != std::string::npos && message.size() > reason + said.size() ? ", with a reason"
+                                                                                         : "")
+                << '\n';
     }
 
   // Walls are drawn up to the walls they meet.

@@ -29,11 +29,13 @@ public:
               const std::vector<std::pair<int, int>> &neighbours,
               bool symmetric = true);
 
+  using Entries = Eigen::Map<Eigen::MatrixXd>;
+
   /// A block of the lower triangle, which reinit() has laid out: row block @p i, column block @p j <= i. Of a
   /// diagonal one of a symmetric matrix only the lower triangle counts.
-  Eigen::Block<Eigen::MatrixXd> block(int i, int j);
+  Eigen::Block<Entries> block(int i, int j);
   /// The block of a matrix that is not symmetric in row block @p j and column block @p i > j, transposed.
-  Eigen::Block<Eigen::MatrixXd> transposed_block(int i, int j);
+  Eigen::Block<Entries> transposed_block(int i, int j);
 
   /// Where the unknowns of a block begin; the last one is their number.
   const std::vector<int> &first() const { return begin; }
@@ -55,28 +57,50 @@ private:
     std::vector<int> offset; ///< where they begin, and where the last one ends
     unsigned int n_own = 0;  ///< blocks that are columns
     int first = 0;           ///< the first unknown
-    Eigen::MatrixXd entries;
-    Eigen::MatrixXd
-        right; ///< its top is what lies above the diagonal blocks, until factorize() has put it there
+    std::size_t place = 0;   ///< of its entries among those of all panels
 
     int width() const { return offset[n_own]; }
     int height() const { return offset.back(); }
+    std::size_t size() const { return static_cast<std::size_t>(width()) * height(); }
   };
+  Entries entries_of(const Panel &panel)
+  {
+    return Entries(storage.data() + panel.place, panel.height(), panel.width());
+  }
+  /// Its top is what lies above the diagonal blocks, until factorize() has put it there.
+  Entries right_of(const Panel &panel)
+  {
+    return Entries(storage.data() + panel.place + panel.size(), panel.height(), panel.width());
+  }
+  using ConstEntries = Eigen::Map<const Eigen::MatrixXd>;
+  ConstEntries entries_of(const Panel &panel) const
+  {
+    return ConstEntries(storage.data() + panel.place, panel.height(), panel.width());
+  }
+  ConstEntries right_of(const Panel &panel) const
+  {
+    return ConstEntries(storage.data() + panel.place + panel.size(), panel.height(), panel.width());
+  }
+  /// Finds which blocks are below which in the matrix.
+  void find_below(const std::vector<int> &sizes, const std::vector<std::pair<int, int>> &neighbours);
   /// Finds which blocks are below which in the factors, and which columns make a panel.
   void find_panels(const std::vector<int> &sizes, const std::vector<std::pair<int, int>> &neighbours);
-  Eigen::Block<Eigen::MatrixXd> part(Eigen::MatrixXd &of_panel, const Panel &panel, int i, int j) const;
+  Eigen::Block<Entries> part(Entries of_panel, const Panel &panel, int i, int j) const;
   bool factorize_panel(Panel &panel);
   bool factorize_strip(Panel &panel, int first, int width);
-  void subtract_strip(Panel &panel, int first, int width) const;
+  void subtract_strip(Panel &panel, int first, int width);
   void subtract(const Panel &panel);
-  void subtract_from(Panel &target, const Panel &panel, unsigned int first, unsigned int end) const;
+  void subtract_from(const Panel &target, const Panel &panel, unsigned int first, unsigned int end);
 
   bool symmetric = true;
   std::vector<int> begin;
-  std::vector<Panel> panels;
-  std::vector<int> panel_of; ///< of every block, -1 where it has no rows
-  Eigen::MatrixXd nothing;   ///< what a block without columns is part of
-  Eigen::VectorXd D;         ///< pivots
+  std::vector<Panel> panels; ///< those before n_panels are there; the others keep their memory
+  unsigned int n_panels = 0;
+  std::vector<int> panel_of;           ///< of every block, -1 where it has no rows
+  std::vector<std::vector<int>> below_of; ///< row blocks below every column of blocks, ascending
+  std::vector<int> merged;
+  std::vector<double> storage; ///< entries of all panels, one after the other
+  Eigen::VectorXd D;           ///< pivots
 };
 } // namespace softgrain
 

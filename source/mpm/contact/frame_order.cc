@@ -50,21 +50,17 @@ void FrameSystem<dim>::find_order()
   // Walls meet many.
   for (unsigned int w = 0; w < ways.size(); ++w)
     order.push_back(w);
-  if constexpr (dim == 3)
-  {
-    // Walls under loads have a block of their own, which meets all others.
-    n_blocks = n + !ways.empty();
-    block_of.assign(columns.size(), n);
-    const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> block_of_frame =
-        permutation.inverse();
-    for (unsigned int i = ways.size(); i < columns.size(); ++i)
-      block_of[i] = block_of_frame.indices()[frame_of[i]];
-    neighbours.clear();
-    for (int block = 0; block + 1 < n_blocks && !ways.empty(); ++block)
-      neighbours.emplace_back(n, block);
-    for (const auto &pair : pairs)
-      neighbours.emplace_back(block_of_frame.indices()[pair.row()], block_of_frame.indices()[pair.col()]);
-  }
+  // Walls under loads have a block of their own, which meets all others.
+  n_blocks = n + !ways.empty();
+  block_of.assign(columns.size(), n);
+  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> block_of_frame = permutation.inverse();
+  for (unsigned int i = ways.size(); i < columns.size(); ++i)
+    block_of[i] = block_of_frame.indices()[frame_of[i]];
+  neighbours.clear();
+  for (int block = 0; block + 1 < n_blocks && !ways.empty(); ++block)
+    neighbours.emplace_back(n, block);
+  for (const auto &pair : pairs)
+    neighbours.emplace_back(block_of_frame.indices()[pair.row()], block_of_frame.indices()[pair.col()]);
 }
 
 template void FrameSystem<2>::find_order();

@@ -312,6 +312,7 @@ template std::array<Eigen::VectorXd, 2> FrameSystem<2>::units_of_unknowns(int) c
 template std::array<Eigen::VectorXd, 2> FrameSystem<3>::units_of_unknowns(int) const;
 template bool FrameSystem<2>::take_unknowns(const Eigen::VectorXd &);
 template bool FrameSystem<3>::take_unknowns(const Eigen::VectorXd &);
+template void FrameSystem<2>::add_effect(const Eigen::VectorXd &, Eigen::VectorXd &) const;
 template void FrameSystem<3>::add_effect(const Eigen::VectorXd &, Eigen::VectorXd &) const;
 template bool FrameSystem<2>::solve(double, unsigned int);
 template bool FrameSystem<3>::solve(double, unsigned int);

@@ -48,10 +48,8 @@ using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
  *
  * With friction a ray that sticks has a row for its slide s, with H = ds/du among the columns of V. The
  * friction of a ray that slips is +-mu' P: its column is that of P plus +-mu' times that of its slide, and
- * the matrix is not symmetric any more. It is solved by GMRES. In the plane the preconditioner is the
- * symmetric part, of closed rays and of those that stick: it differs by the rank of what slips. In space that
- * rank is large; there the preconditioner has factors of the whole matrix, and those of the symmetric part
- * only tell the inertia.
+ * the matrix is not symmetric any more. Then the factors of the symmetric part, of closed rays and of those
+ * that stick, only tell the inertia.
  *
  * In space a slide has two components. Friction that slips is mu' P along a unit vector d, and both
  * components stand along d and across it. Friction T is opposite to the slide s, so across d
@@ -198,10 +196,13 @@ private:
   void add_entry(unsigned int i, unsigned int j, double value);
   void add_slip(unsigned int i, unsigned int j, double value);
   void add_body(unsigned int b);
-  /// Where a column stands in a list of them in space, where walls under loads are planes.
-  static int place_in(const std::vector<unsigned int> &list, const unsigned int column)
+  /// Where a column that is no wall stands in a list of them, at whose end walls are.
+  int place_in(const std::vector<unsigned int> &list, const unsigned int column) const
   {
-    return std::lower_bound(list.begin(), list.end(), column) - list.begin();
+    auto end = list.end();
+    while (columns[*(end - 1)].kind == Column::wall)
+      --end;
+    return std::lower_bound(list.begin(), end, column) - list.begin();
   }
   /// Whether a column is a slide whose friction goes with the force of its ray.
   bool slips_with_force(const unsigned int i) const { return active[i] && slips(i) != 0 && !by_threshold; }
@@ -261,7 +262,7 @@ private:
   std::vector<unsigned int> order;
   std::vector<int> number; ///< of a column among the unknowns, -1 where it is none
 
-  // In space, where factors have a block for every frame.
+  // Factors have a block for every frame.
   std::vector<int> block_of; ///< of every column
   int n_blocks = 0;
   std::vector<std::pair<int, int>> neighbours; ///< blocks that meet in a body
@@ -292,24 +293,6 @@ private:
   unsigned int n_motions = 0, n_free = 0, negative = 0;
 };
 
-template <>
-bool FrameSystem<2>::solve_active();
-template <>
-bool FrameSystem<3>::solve_active();
-template <>
-bool FrameSystem<3>::factorize_active();
-template <>
-bool FrameSystem<2>::find_inertia();
-template <>
-bool FrameSystem<3>::find_inertia();
-template <>
-bool FrameSystem<3>::factorize_blocks(bool plain, bool with_slip);
-template <>
-void FrameSystem<3>::add_entry(unsigned int i, unsigned int j, double value);
-template <>
-void FrameSystem<3>::add_slip(unsigned int i, unsigned int j, double value);
-template <>
-void FrameSystem<3>::add_body(unsigned int b);
 } // namespace softgrain::mpm
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The forces of rays in space for given sides of their conditions.
+// The forces of rays for given sides of their conditions.
 #include <softgrain/mpm/contact/frame_system.h>
 
 #include <deal.II/lac/solver_control.h>
@@ -13,6 +13,9 @@ namespace softgrain::mpm
 {
 namespace
 {
+/// Corrections of a solution, until GMRES takes over.
+constexpr unsigned int most_refined = 3;
+
 /// A function that stands for a matrix where SolverGMRES asks for products.
 template <class Function>
 struct Product
@@ -52,8 +55,8 @@ bool solve_by_gmres(const Apply &A,
 }
 } // namespace
 
-template <>
-bool FrameSystem<3>::factorize_blocks(const bool plain, const bool with_slip)
+template <int dim>
+bool FrameSystem<dim>::factorize_blocks(const bool plain, const bool with_slip)
 {
   fills_plain = plain;
   fills_slip = with_slip;
@@ -89,8 +92,8 @@ bool FrameSystem<3>::factorize_blocks(const bool plain, const bool with_slip)
   return !fills_slip || slip_factor.factorize();
 }
 
-template <>
-bool FrameSystem<3>::factorize_active()
+template <int dim>
+bool FrameSystem<dim>::factorize_active()
 {
   any_slips = false;
   for (unsigned int i = 0; i < columns.size(); ++i)
@@ -98,15 +101,15 @@ bool FrameSystem<3>::factorize_active()
   return factorize_blocks(wants_inertia || !any_slips, any_slips);
 }
 
-template <>
-bool FrameSystem<3>::find_inertia()
+template <int dim>
+bool FrameSystem<dim>::find_inertia()
 {
   return knows_inertia || factorize_blocks(true, false);
 }
 
 /// Adds an entry of a frame's own, or of a frame and a wall under a load, and its mirror image.
-template <>
-void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const double value)
+template <int dim>
+void FrameSystem<dim>::add_entry(const unsigned int i, const unsigned int j, const double value)
 {
   if (number[i] < 0 || number[j] < 0)
     return;
@@ -124,8 +127,8 @@ void FrameSystem<3>::add_entry(const unsigned int i, const unsigned int j, const
 }
 
 /// Adds to the matrix with friction that slips, in the row of @p i and the column of @p j.
-template <>
-void FrameSystem<3>::add_slip(const unsigned int i, const unsigned int j, const double value)
+template <int dim>
+void FrameSystem<dim>::add_slip(const unsigned int i, const unsigned int j, const double value)
 {
   const std::vector<int> &first = slip_factor.first();
   const int row_block = block_of[i], column_block = block_of[j], row = number[i] - first[row_block],
@@ -137,8 +140,8 @@ void FrameSystem<3>::add_slip(const unsigned int i, const unsigned int j, const 
 }
 
 /// Adds W of a body, block by block.
-template <>
-void FrameSystem<3>::add_body(const unsigned int b)
+template <int dim>
+void FrameSystem<dim>::add_body(const unsigned int b)
 {
   struct Entry
   {
@@ -149,16 +152,20 @@ void FrameSystem<3>::add_body(const unsigned int b)
   struct Part
   {
     int block;
-    std::vector<Entry> entries;
+    unsigned int begin, end; ///< of its entries
   };
   const std::vector<unsigned int> &list = of_body[b];
-  std::vector<Part> parts;
+  // They keep their memory from body to body.
+  static thread_local std::vector<Entry> entries;
+  static thread_local std::vector<Part> parts;
+  entries.clear();
+  parts.clear();
   for (unsigned int i = 0; i < list.size(); ++i)
     if (const Column &column = columns[list[i]]; number[list[i]] >= 0)
     {
       const int block = block_of[list[i]];
       if (parts.empty() || parts.back().block != block)
-        parts.push_back({block, {}});
+        parts.push_back({block, static_cast<unsigned int>(entries.size()), 0});
       Entry entry{static_cast<int>(i), number[list[i]] - first_of_blocks()[block], -1, 0.};
       if (const unsigned int slide = column.mate;
           column.kind == Column::ray && slide != Column::none && slips_with_force(slide))
@@ -166,7 +173,8 @@ void FrameSystem<3>::add_body(const unsigned int b)
         entry.slide = place_in(list, slide);
         entry.factor = slips(slide) * columns[slide].bound;
       }
-      parts.back().entries.push_back(entry);
+      entries.push_back(entry);
+      parts.back().end = entries.size();
     }
   const auto without = [&](const Entry &row, const Entry &column) { return W[b](row.in_W, column.in_W); };
   const auto with_slip = [&](const Entry &row, const Entry &column)
@@ -176,9 +184,9 @@ void FrameSystem<3>::add_body(const unsigned int b)
   };
   const auto add = [](auto block, const Part &rows, const Part &of_columns, const auto &value)
   {
-    for (const Entry &column : of_columns.entries)
-      for (const Entry &row : rows.entries)
-        block(row.in_block, column.in_block) += value(row, column);
+    for (unsigned int j = of_columns.begin; j < of_columns.end; ++j)
+      for (unsigned int i = rows.begin; i < rows.end; ++i)
+        block(entries[i].in_block, entries[j].in_block) += value(entries[i], entries[j]);
   };
   for (const Part &one : parts)
     for (const Part &other : parts)
@@ -196,9 +204,9 @@ void FrameSystem<3>::add_body(const unsigned int b)
     }
 }
 
-/// In dense blocks: a contact has dozens of columns.
-template <>
-bool FrameSystem<3>::solve_active()
+/// In dense blocks: in space a contact has dozens of columns, and in the plane a dozen.
+template <int dim>
+bool FrameSystem<dim>::solve_active()
 {
   const int n = number_unknowns();
   if (!factorize_active())
@@ -240,12 +248,25 @@ bool FrameSystem<3>::solve_active()
   const Product near{[&](const Eigen::VectorXd &y) {
     return Eigen::VectorXd(solve_nearly(y.cwiseQuotient(of_rows)).cwiseQuotient(of_columns));
   }};
-  Eigen::VectorXd y;
-  dealii::SolverControl control(gmres_iterations, gmres_tolerance * near.function(scaled).norm(), false,
-                                false);
+  Eigen::VectorXd y = near.function(scaled);
+  const double tolerance = gmres_tolerance * y.norm();
+  // The factors are those of the matrix: once or twice is enough, but where pivots are small.
+  for (unsigned int n_refined = 0; n_refined < most_refined; ++n_refined)
+  {
+    const Eigen::VectorXd more = near.function(scaled - matrix.function(y));
+    y += more;
+    if (more.norm() <= tolerance)
+      return take_unknowns(of_columns.cwiseProduct(y));
+  }
+  dealii::SolverControl control(gmres_iterations, tolerance, false, false);
   if (!solve_by_gmres(matrix, near, scaled, control, gmres_restart, y))
     return false;
   y += near.function(scaled - matrix.function(y));
   return take_unknowns(of_columns.cwiseProduct(y));
 }
+
+template bool FrameSystem<2>::find_inertia();
+template bool FrameSystem<3>::find_inertia();
+template bool FrameSystem<2>::solve_active();
+template bool FrameSystem<3>::solve_active();
 } // namespace softgrain::mpm
