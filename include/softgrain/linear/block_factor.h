@@ -67,7 +67,7 @@ private:
   {
     return Entries(storage.data() + panel.place, panel.height(), panel.width());
   }
-  /// Its top is what lies above the diagonal blocks, until factorize() has put it there.
+  /// The top of it is what lies above the diagonal blocks, until factorize() has put it there.
   Entries right_of(const Panel &panel)
   {
     return Entries(storage.data() + panel.place + panel.size(), panel.height(), panel.width());
@@ -96,7 +96,7 @@ private:
   std::vector<int> begin;
   std::vector<Panel> panels; ///< those before n_panels are there; the others keep their memory
   unsigned int n_panels = 0;
-  std::vector<int> panel_of;           ///< of every block, -1 where it has no rows
+  std::vector<int> panel_of;              ///< of every block, -1 where it has no rows
   std::vector<std::vector<int>> below_of; ///< row blocks below every column of blocks, ascending
   std::vector<int> merged;
   std::vector<double> storage; ///< entries of all panels, one after the other
