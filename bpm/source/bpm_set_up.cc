@@ -58,23 +58,25 @@ void share(std::vector<Aggregate<2>> &made, const Ranks &ranks)
 /// Bodies of one form share fillings when there are more than so many of them.
 constexpr std::size_t enough_fillings = 100;
 
-/// Sees to it that @p library has the aggregates of all bodies. @return their keys.
-std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
-                                            const Settings &settings,
-                                            const std::vector<double> &density,
-                                            const std::vector<std::shared_ptr<const Attraction>> &laws,
-                                            const std::vector<std::string> &law_texts,
-                                            const Ranks &ranks,
-                                            AggregateLibrary &library)
+/// Which aggregates a scene needs.
+struct NeededAggregates
 {
-  const std::size_t n = scene.bodies.size();
-  // Every body its own random numbers, or those of its variant; the same whoever comes first.
-  std::vector<std::uint64_t> seeds(n);
-  std::vector<std::string> keys(n);
+  std::vector<std::uint64_t> seeds; ///< of every body
+  std::vector<std::string> keys;    ///< likewise
+  std::vector<std::size_t> missing; ///< one body for every key that the library does not have
+};
+
+/// Every body has its own random numbers, or those of its variant; they are the same whoever comes first.
+NeededAggregates needed_aggregates(const Scene<2> &scene,
+                                   const Settings &settings,
+                                   const std::vector<double> &density,
+                                   const std::vector<std::string> &law_texts,
+                                   const AggregateLibrary &library)
+{
+  NeededAggregates needed;
   std::map<std::string, std::vector<std::size_t>> alike; // bodies of the same form
-  std::vector<std::size_t> missing; // one body for every key that the library does not have
   std::set<std::string> known;
-  for (std::size_t b = 0; b < n; ++b)
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
     const BodyDescription<2> &body = scene.bodies[b];
     const unsigned int variants = settings.primaries.variants;
@@ -87,11 +89,26 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
         filling = same[same.size() % enough_fillings];
       same.push_back(b);
     }
-    seeds[b] = settings.primaries.seed * 1000003u + filling;
-    keys[b] = aggregate_key(body, density[b], law_texts[body.material], settings, seeds[b]);
-    if (library.find(keys[b]) == nullptr && known.insert(keys[b]).second)
-      missing.push_back(b);
+    needed.seeds.push_back(settings.primaries.seed * 1000003u + filling);
+    needed.keys.push_back(
+        aggregate_key(body, density[b], law_texts[body.material], settings, needed.seeds[b]));
+    if (library.find(needed.keys[b]) == nullptr && known.insert(needed.keys[b]).second)
+      needed.missing.push_back(b);
   }
+  return needed;
+}
+
+/// Sees to it that @p library has the aggregates of all bodies. @return their keys.
+std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
+                                            const Settings &settings,
+                                            const std::vector<double> &density,
+                                            const std::vector<std::shared_ptr<const Attraction>> &laws,
+                                            const std::vector<std::string> &law_texts,
+                                            const Ranks &ranks,
+                                            AggregateLibrary &library)
+{
+  const NeededAggregates needed = needed_aggregates(scene, settings, density, law_texts, library);
+  const std::vector<std::size_t> &missing = needed.missing;
   std::vector<Aggregate<2>> made(missing.size());
   std::vector<std::exception_ptr> errors(missing.size());
   Preparation telling("aggregates", missing.size());
@@ -102,8 +119,8 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
       {
         const std::size_t b = missing[k];
         if (maker(k, ranks) == ranks.here())
-          made[k] =
-              make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material], settings, seeds[b]);
+          made[k] = make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material], settings,
+                                   needed.seeds[b]);
         telling.advance();
       }
       catch (...)
@@ -121,8 +138,8 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
       });
   share(made, ranks);
   for (std::size_t k = 0; k < missing.size(); ++k)
-    library.add(keys[missing[k]], made[k]);
-  return keys;
+    library.add(needed.keys[missing[k]], made[k]);
+  return needed.keys;
 }
 } // namespace
 
@@ -157,29 +174,8 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     for (std::size_t i = 0; i < disks.size(); ++i)
       disks.angular_velocity[i] = scene.bodies[disks.body[i]].angular_velocity;
   }
-  if (!disks.strength.empty())
-    contact_force *= *std::max_element(disks.strength.begin(), disks.strength.end());
-  if (contact_force > 0.)
-    natural_time = attraction_time<2>(disks.mean_diameter(),
-                                      *std::min_element(density.begin(), density.end()), contact_force);
-  if (wanted_step() <= 0.)
-    throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
-  double area = 0.;
-  for (const double radius : disks.radius)
-    area += dealii::numbers::PI * radius * radius;
-  settings.dynamics.wall_force_floor =
-      settings.wall_floor * characteristic_force / disks.mean_diameter() * std::sqrt(area);
-  // More than a step, for what it accelerates.
-  settings.dynamics.look_ahead = 1.5 * wanted_step();
-  for (const BodyDescription<2> &body : scene.bodies)
-    own_load.push_back(body_force(body.body_force));
-  const bool own = std::any_of(own_load.begin(), own_load.end(), [](const auto &load) { return bool(load); });
-  load_names = scene.loads.names();
-  if (own)
-    load_names.push_back(name_of_body_force);
-  is_loaded = own || scene.loads.look_at_points();
-  if (is_loaded)
-    disks.start = disks.position;
+  choose_by_attraction(disks, contact_force);
+  take_loads(disks);
   weigh(disks);
   is_graded = !disks.strength.empty();
   rotates = disks.rotate();
@@ -198,6 +194,37 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
     check_apart();
   area_at_start = outlined_areas();
   balance.initial_momentum = dynamics->momentum();
+}
+
+void BpmModel::choose_by_attraction(const Primaries &disks, double contact_force)
+{
+  if (!disks.strength.empty())
+    contact_force *= *std::max_element(disks.strength.begin(), disks.strength.end());
+  if (contact_force > 0.)
+    natural_time = attraction_time<2>(disks.mean_diameter(),
+                                      *std::min_element(density.begin(), density.end()), contact_force);
+  if (wanted_step() <= 0.)
+    throw InputError("'Time/Time step' = '0' is not allowed when no material attracts: give a step");
+  double area = 0.;
+  for (const double radius : disks.radius)
+    area += dealii::numbers::PI * radius * radius;
+  settings.dynamics.wall_force_floor =
+      settings.wall_floor * characteristic_force / disks.mean_diameter() * std::sqrt(area);
+  // More than a step, for what it accelerates.
+  settings.dynamics.look_ahead = 1.5 * wanted_step();
+}
+
+void BpmModel::take_loads(Primaries &disks)
+{
+  for (const BodyDescription<2> &body : scene.bodies)
+    own_load.push_back(body_force(body.body_force));
+  const bool own = std::any_of(own_load.begin(), own_load.end(), [](const auto &load) { return bool(load); });
+  load_names = scene.loads.names();
+  if (own)
+    load_names.push_back(name_of_body_force);
+  is_loaded = own || scene.loads.look_at_points();
+  if (is_loaded)
+    disks.start = disks.position;
 }
 
 void BpmModel::weigh(const Primaries &disks)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of Dynamics that adds up: exactly, so that no sum depends on who has which primaries.
+#include <softgrain/base/parallel.h>
 #include <softgrain/bpm/dynamics.h>
 
 #include <algorithm>
@@ -8,6 +9,12 @@
 
 namespace softgrain::bpm
 {
+namespace
+{
+/// Primaries that a thread takes at a time.
+constexpr std::size_t grain = 4096;
+} // namespace
+
 std::vector<ExactSum> Dynamics::sums_of_motion() const
 {
   std::vector<ExactSum> sums(4);
@@ -75,5 +82,88 @@ void Dynamics::sum_up()
   totals.kinetic = sums[0].value();
   totals.moving = sums[1].value();
   totals.momentum = dealii::Tensor<1, 2>({sums[2].value(), sums[3].value()});
+}
+struct Dynamics::Work
+{
+  ExactSum loss, force, impulse[2];
+  std::vector<ExactSum> load;
+};
+
+void Dynamics::add_work(const std::size_t i,
+                        const double dt,
+                        const std::vector<std::array<double, 2>> &acceleration,
+                        const std::vector<std::vector<std::array<double, 2>>> &of_loads,
+                        Work &work) const
+{
+  const bool pulled = !acceleration.empty();
+  double kinetic_loss = 0., attraction = 0., force_work = 0.;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    const double before = primaries.velocity[i][d], after = bodies.velocity[i][d];
+    kinetic_loss += 0.5 * primaries.mass[i] * (before - after) * (before + after);
+    attraction += dt * force[i][d] * 0.5 * (before + after);
+    if (!pulled)
+      continue;
+    const double impulse = dt * primaries.mass[i] * acceleration[i][d];
+    force_work += impulse * 0.5 * (before + after);
+    work.impulse[d].add(impulse);
+  }
+  if (rotations)
+  {
+    const double before = primaries.angular_velocity[i], after = bodies.angular_velocity[i];
+    kinetic_loss += 0.25 * primaries.mass[i] * primaries.radius[i] * primaries.radius[i] * (before - after) *
+                    (before + after);
+  }
+  work.loss.add(kinetic_loss + attraction + force_work);
+  if (!pulled)
+    return;
+  work.force.add(force_work);
+  for (std::size_t load = 0; load < of_loads.size(); ++load)
+  {
+    const std::array<double, 2> &pull = of_loads[load][i];
+    double sum = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+      sum += dt * primaries.mass[i] * pull[d] * 0.5 * (primaries.velocity[i][d] + bodies.velocity[i][d]);
+    work.load[load].add(sum);
+  }
+}
+
+void Dynamics::account(const double dt,
+                       const std::vector<std::array<double, 2>> &acceleration,
+                       const std::vector<std::vector<std::array<double, 2>>> &of_loads,
+                       DynamicsReport &report) const
+{
+  // Work is impulse times the mean of the velocities before and after, so that the books balance to rounding
+  // but for the work of the attraction, which is compared with its potential.
+  const std::size_t n_loads = of_loads.size(), n = n_own();
+  std::vector<Work> of_piece(n / grain + 1);
+  parallel_for(n, grain,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 Work &work = of_piece[begin / grain];
+                 work.load.resize(n_loads);
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (inverse_mass[i] != 0.)
+                     add_work(i, dt, acceleration, of_loads, work);
+               });
+  std::vector<ExactSum> all(4 + n_loads);
+  for (const Work &work : of_piece)
+  {
+    all[0].add(work.loss);
+    if (acceleration.empty())
+      continue;
+    all[1].add(work.force);
+    all[2].add(work.impulse[0]);
+    all[3].add(work.impulse[1]);
+    for (std::size_t load = 0; load < work.load.size(); ++load)
+      all[4 + load].add(work.load[load]);
+  }
+  if (share)
+    add_over_ranks(all, share->of_ranks());
+  report.contact_loss += all[0].value();
+  report.force_work += all[1].value();
+  for (std::size_t load = 0; load < n_loads; ++load)
+    report.load_work.push_back(all[4 + load].value());
+  report.force_impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
 }
 } // namespace softgrain::bpm

@@ -88,26 +88,9 @@ SizeReport cost_of_rank(const Forecast &one, const unsigned int n, const double 
                                               ", of all on one machine about " + bytes_in_words(n * memory));
   return report;
 }
-} // namespace
 
-void print_left_out(std::ostream &out, const Input &input)
-{
-  for (const std::string &library : input.left_out())
-    out << "library left out: " << library << '\n';
-  for (const std::string &name : input.unknown_names())
-    out << "unknown without the libraries: " << name << '\n';
-  if (!input.unknown_names().empty())
-    out << "all else has the right form; sizes, and whether the parts of the scene fit together, are unknown "
-           "without the libraries\n";
-}
-
-void print_check_report(std::ostream &out,
-                        const Input &input,
-                        const std::optional<RunOutline> &outline,
-                        const std::optional<Forecast> &forecast,
-                        const AnyModel *model,
-                        const Trial *trial,
-                        const unsigned int n_ranks)
+/// What a scene is made of, and when its run ends and writes.
+SizeReport scene_report(const Input &input)
 {
   const Scene<2> &scene = input.scene();
   const RunParameters &run = input.run();
@@ -135,6 +118,30 @@ void print_check_report(std::ostream &out,
   if (!obstacles.empty())
     report.emplace_back("obstacles", join(obstacles));
   report.emplace_back("friction", friction_in_words(scene));
+  return report;
+}
+} // namespace
+
+void print_left_out(std::ostream &out, const Input &input)
+{
+  for (const std::string &library : input.left_out())
+    out << "library left out: " << library << '\n';
+  for (const std::string &name : input.unknown_names())
+    out << "unknown without the libraries: " << name << '\n';
+  if (!input.unknown_names().empty())
+    out << "all else has the right form; sizes, and whether the parts of the scene fit together, are unknown "
+           "without the libraries\n";
+}
+
+void print_check_report(std::ostream &out,
+                        const Input &input,
+                        const std::optional<RunOutline> &outline,
+                        const std::optional<Forecast> &forecast,
+                        const AnyModel *model,
+                        const Trial *trial,
+                        const unsigned int n_ranks)
+{
+  SizeReport report = scene_report(input);
   const auto append = [&report](const SizeReport &lines)
   { report.insert(report.end(), lines.begin(), lines.end()); };
   if (model != nullptr)

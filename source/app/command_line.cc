@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <map>
 
 namespace softgrain
 {
@@ -42,68 +43,76 @@ const char *const exit_codes =
     "touched), 3 interrupted by a signal (the state is saved; --restart goes on).";
 } // namespace
 
-std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
+/// Options that parameters or words after them stand for.
+struct CommandLine::Words
 {
-  CLI::App app(
-      "softgrain computes how packings of soft particles deform, by the material point method (mpm) or by "
-      "bonded particles (bpm).",
-      "softgrain");
-  app.set_version_flag("--version", std::string("softgrain ") + SOFTGRAIN_VERSION,
-                       "print the version and exit");
-  app.set_help_flag("-h,--help", "print this help and exit");
-  app.require_subcommand(1);
-  app.footer(exit_codes);
-
   std::string output, threads;
-  const auto add_input = [&](CLI::App *sub)
-  {
-    sub->add_option("FILE", parameter_file, "parameter file: .prm or .json")->required();
-    sub->add_option("--set", assignments,
-                    "change one parameter: \"Section/Subsection/Name=value\"; may be repeated")
-        ->allow_extra_args(false);
-    sub->add_option("--output", output, "folder for the results; default: output/NAME for NAME.prm");
-    sub->add_option("--threads", threads, "number of threads; 0: one per core");
-  };
-  CLI::App *run_command = app.add_subcommand("run", "compute the scene of a parameter file");
-  add_input(run_command);
-  CLI::Option *restart_option =
-      run_command
-          ->add_option("--restart", checkpoint,
-                       "go on from a checkpoint; without a file name: from the newest one")
-          ->expected(0, 1);
-  run_command->footer(exit_codes);
-  run_command->add_flag("--overwrite", overwrite, "begin anew in the folder of another run; that run is lost")
-      ->excludes(restart_option);
-  CLI::App *check_command =
-      app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");
-  add_input(check_command);
-  check_command->add_flag("--build", build,
-                          "make the packing and the model, which may take long, to say exact sizes");
-  CLI::Option *try_option =
-      check_command
-          ->add_option("--try", trial_seconds,
-                       "compute for so many seconds (default 10), coarser if need be, to say what the "
-                       "run takes; nothing is written")
+  CLI::Option *restart = nullptr, *trial = nullptr;
+};
+
+void CommandLine::add_input(CLI::App &command, Words &words)
+{
+  command.add_option("FILE", parameter_file, "parameter file: .prm or .json")->required();
+  command
+      .add_option("--set", assignments,
+                  "change one parameter: \"Section/Subsection/Name=value\"; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--output", words.output, "folder for the results; default: output/NAME for NAME.prm");
+  command.add_option("--threads", words.threads, "number of threads; 0: one per core");
+}
+
+void CommandLine::add_run(CLI::App &app, Words &words)
+{
+  CLI::App &command = *app.add_subcommand("run", "compute the scene of a parameter file");
+  add_input(command, words);
+  words.restart = command
+                      .add_option("--restart", checkpoint,
+                                  "go on from a checkpoint; without a file name: from the newest one")
+                      ->expected(0, 1);
+  command.footer(exit_codes);
+  command.add_flag("--overwrite", overwrite, "begin anew in the folder of another run; that run is lost")
+      ->excludes(words.restart);
+}
+
+void CommandLine::add_check(CLI::App &app, Words &words)
+{
+  CLI::App &command =
+      *app.add_subcommand("check", "read a parameter file, print the size of the job, compute nothing");
+  add_input(command, words);
+  command.add_flag("--build", build,
+                   "make the packing and the model, which may take long, to say exact sizes");
+  words.trial =
+      command
+          .add_option("--try", trial_seconds,
+                      "compute for so many seconds (default 10), coarser if need be, to say what the "
+                      "run takes; nothing is written")
           ->expected(0, 1)
           ->check(CLI::Range(0.1, 1e6));
-  check_command->add_flag(
-      "--no-libraries", no_libraries,
-      "load no code that the file names; what only its libraries know is listed, not refused");
-  check_command->add_option("--ranks", n_ranks, "say also what falls to one rank of so many, under mpirun")
+  command.add_flag("--no-libraries", no_libraries,
+                   "load no code that the file names; what only its libraries know is listed, not refused");
+  command.add_option("--ranks", n_ranks, "say also what falls to one rank of so many, under mpirun")
       ->check(CLI::Range(1u, 1000000u));
-  CLI::App *parameters_command = app.add_subcommand("parameters", "print every parameter");
-  parameters_command->add_option("--model", model,
-                                 "model whose parameters are printed: mpm (default) or bpm");
-  parameters_command->add_option("--dimension", dimension, "2 (default), or 3: those of a scene in space");
-  parameters_command->add_option("--format", format, "prm (default), json or md")
+}
+
+void CommandLine::add_lists(CLI::App &app)
+{
+  CLI::App &of_parameters = *app.add_subcommand("parameters", "print every parameter");
+  of_parameters.add_option("--model", model, "model whose parameters are printed: mpm (default) or bpm");
+  of_parameters.add_option("--dimension", dimension, "2 (default), or 3: those of a scene in space");
+  of_parameters.add_option("--format", format, "prm (default), json or md")
       ->check(CLI::IsMember({"prm", "json", "md"}));
-  CLI::App *measure_command = app.add_subcommand("measure", "compute measures from the snapshots of a run");
-  measure_command->add_option("DIR", directory, "output folder that holds snapshots.h5");
-  measure_command->add_option("--output", table, "table to write; default: DIR/measures.csv");
-  measure_command->add_option("--measures", measures, "names, separated by commas; default: all")
-      ->delimiter(',');
-  measure_command->add_flag("--list", list_measures, "print the names of the measures");
-  // The scripts have options of their own, --help too.
+  CLI::App &of_measures = *app.add_subcommand("measure", "compute measures from the snapshots of a run");
+  of_measures.add_option("DIR", directory, "output folder that holds snapshots.h5");
+  of_measures.add_option("--output", table, "table to write; default: DIR/measures.csv");
+  of_measures.add_option("--measures", measures, "names, separated by commas; default: all")->delimiter(',');
+  of_measures.add_flag("--list", list_measures, "print the names of the measures");
+}
+
+namespace
+{
+/// Scripts have options of their own, --help too.
+void add_scripts(CLI::App &app)
+{
   for (const auto &[name, help] :
        {std::pair("render", "draw pictures of a run: softgrain render DIR"),
         std::pair("plot", "draw curves from the history of runs: softgrain plot DIR..."),
@@ -115,8 +124,51 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
     CLI::App *sub = app.add_subcommand(name, help)->prefix_command();
     sub->set_help_flag();
   }
-  add_examples(app);
+}
+} // namespace
 
+std::optional<int> CommandLine::take(const CLI::App &chosen, const Words &words)
+{
+  if (!words.output.empty())
+    assignments.push_back("Output directory=" + words.output);
+  if (!words.threads.empty())
+    assignments.push_back("Threads=" + words.threads);
+  restart = !words.restart->empty();
+  if (*words.trial && words.trial->as<std::string>().empty())
+    trial_seconds = 10.;
+  const std::map<std::string, Command> commands = {{"run", Command::run},
+                                                   {"check", Command::check},
+                                                   {"parameters", Command::parameters},
+                                                   {"measure", Command::measure}};
+  const auto known = commands.find(chosen.get_name());
+  command = known != commands.end() ? known->second : Command::script;
+  if (command == Command::measure && directory.empty() && !list_measures)
+    return report_error("measure: name the output folder of a run, or --list", bad_input);
+  if (command == Command::script)
+  {
+    script = chosen.get_name();
+    script_arguments = chosen.remaining();
+  }
+  return std::nullopt;
+}
+
+std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
+{
+  CLI::App app(
+      "softgrain computes how packings of soft particles deform, by the material point method (mpm) or by "
+      "bonded particles (bpm).",
+      "softgrain");
+  app.set_version_flag("--version", std::string("softgrain ") + SOFTGRAIN_VERSION,
+                       "print the version and exit");
+  app.set_help_flag("-h,--help", "print this help and exit");
+  app.require_subcommand(1);
+  app.footer(exit_codes);
+  Words words;
+  add_run(app, words);
+  add_check(app, words);
+  add_lists(app);
+  add_scripts(app);
+  add_examples(app);
   try
   {
     app.parse(argc, argv);
@@ -127,37 +179,11 @@ std::optional<int> CommandLine::parse(const int argc, const char *const *argv)
   }
   catch (const CLI::ParseError &error)
   {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    return report_error(explain_mistake(app, words, error.what()) + " (softgrain --help shows examples)",
+    const std::vector<std::string> typed(argv + 1, argv + argc);
+    return report_error(explain_mistake(app, typed, error.what()) + " (softgrain --help shows examples)",
                         bad_input);
   }
-  if (!output.empty())
-    assignments.push_back("Output directory=" + output);
-  if (!threads.empty())
-    assignments.push_back("Threads=" + threads);
-  restart = !restart_option->empty();
-  if (*try_option && try_option->as<std::string>().empty())
-    trial_seconds = 10.;
-  const CLI::App *chosen = app.get_subcommands().front();
-  if (chosen == run_command)
-    command = Command::run;
-  else if (chosen == check_command)
-    command = Command::check;
-  else if (chosen == parameters_command)
-    command = Command::parameters;
-  else if (chosen == measure_command)
-  {
-    command = Command::measure;
-    if (directory.empty() && !list_measures)
-      return report_error("measure: name the output folder of a run, or --list", bad_input);
-  }
-  else
-  {
-    command = Command::script;
-    script = chosen->get_name();
-    script_arguments = chosen->remaining();
-  }
-  return std::nullopt;
+  return take(*app.get_subcommands().front(), words);
 }
 
 int CommandLine::execute()
@@ -249,6 +275,21 @@ bool drive(const Input &input, Model<dim> &model, const RunLock &lock, const Pre
 }
 } // namespace
 
+std::string CommandLine::where_to_begin(const Input &input, const std::string &folder) const
+{
+  if (!restart)
+  {
+    check_may_begin_anew(folder, overwrite);
+    return "";
+  }
+  // A run that was killed before its first checkpoint goes on from its start.
+  if (checkpoint.empty() && has_begun_without_checkpoint(folder, input.effective_parameters()))
+    return "";
+  const std::string file = checkpoint.empty() ? latest_checkpoint(folder) : checkpoint;
+  check_may_go_on(folder, file);
+  return file;
+}
+
 bool CommandLine::run() const
 {
   const Ranks ranks;
@@ -261,20 +302,9 @@ bool CommandLine::run() const
   const RunLock lock(folder, ranks);
   // All that may be refused comes before the model, which may take long to build.
   std::unique_ptr<CheckpointReader> state;
-  std::string state_file = checkpoint;
+  std::string state_file;
   std::vector<std::string> changes;
-  ranks.at_first(
-      [&]()
-      {
-        if (!restart)
-          return check_may_begin_anew(folder, overwrite);
-        // A run that was killed before its first checkpoint goes on from its start.
-        if (checkpoint.empty() && has_begun_without_checkpoint(folder, input.effective_parameters()))
-          return;
-        if (checkpoint.empty())
-          state_file = latest_checkpoint(folder);
-        check_may_go_on(folder, state_file);
-      });
+  ranks.at_first([&]() { state_file = where_to_begin(input, folder); });
   // The next thing may take long: whoever waits knows that it has begun.
   if (ranks.first())
     std::cout << head_of_log(input.run(), ranks) << std::flush;

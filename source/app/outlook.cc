@@ -137,6 +137,18 @@ bool go(WallsAlone &model, const double longest, const Part &part)
   }
   return false;
 }
+
+/// How often the run writes.
+void note_output(const RunParameters &run, RunOutline &outline)
+{
+  for (const double every : {run.fields_every, run.snapshots_every})
+    if (every > 0.)
+    {
+      outline.n_pictures += 1. + std::floor(outline.duration / every);
+      outline.output_every = outline.output_every > 0. ? std::min(outline.output_every, every) : every;
+    }
+  outline.history_every = run.history_every;
+}
 } // namespace
 
 std::optional<RunOutline> outline_of(Input &input)
@@ -190,14 +202,7 @@ std::optional<RunOutline> outline_of(Input &input)
   outline.duration = known ? model.time() : 0.;
   outline.fastest_wall = model.fastest;
   outline.pressed = model.pressed;
-  const RunParameters &run = input.run();
-  for (const double every : {run.fields_every, run.snapshots_every})
-    if (every > 0.)
-    {
-      outline.n_pictures += 1. + std::floor(outline.duration / every);
-      outline.output_every = outline.output_every > 0. ? std::min(outline.output_every, every) : every;
-    }
-  outline.history_every = run.history_every;
+  note_output(input.run(), outline);
   return outline;
 }
 } // namespace softgrain

@@ -122,6 +122,166 @@ constexpr unsigned int most_between_rounds = 200;
 /// are allowed are made.
 constexpr unsigned int brief_pivoting = 15, brief_newton = 6, patient_rounds = 2;
 
+namespace
+{
+/// Newton's method in rounds, with sweeps between them.
+template <class Operator>
+class NewtonRounds
+{
+public:
+  /// @param impulses,velocities,report what sweeps have come to; go on from there
+  /// @param warm the impulses at the start were those of a problem like this one
+  NewtonRounds(Operator &op,
+               const Problem &problem,
+               const SolverSettings &settings,
+               const bool warm,
+               std::vector<double> &impulses,
+               std::vector<double> &velocities,
+               SolverReport &report)
+      : op(op)
+      , problem(problem)
+      , settings(settings)
+      , warm(warm)
+      , W(op.assemble())
+      , compliance(contact_compliance(op))
+      , speed(approach_speed(problem, compliance))
+      , impulses(impulses)
+      , velocities(velocities)
+      , report(report)
+      , best(impulses)
+      , lowest(report.residual)
+  {
+  }
+
+  void go();
+
+private:
+  void evaluate();
+  /// Keeps the best impulses.
+  void remember();
+  /// Impulses of one round of Newton. @return their residual
+  double newton(std::vector<double> &trial, SolverReport &own);
+  /// One round. @return whether it was the last
+  bool round();
+  void sweep();
+
+  Operator &op;
+  const Problem &problem;
+  const SolverSettings &settings;
+  const bool warm;
+  const Matrix W;
+  const std::vector<double> compliance;
+  const double speed;
+  std::vector<double> &impulses, &velocities;
+  SolverReport &report;
+  std::vector<double> best;
+  double lowest;
+  unsigned int chunk = 50, rounds = 0; ///< sweeps after a round
+  bool started_again = false;
+};
+
+template <class Operator>
+void NewtonRounds<Operator>::evaluate()
+{
+  compute_velocities(op, problem, impulses, velocities);
+  report.residual = natural_residual(problem, compliance, impulses, velocities);
+  report.converged = report.residual <= settings.tolerance;
+  report.limited_by_rounding = !report.converged && report.residual <= rounding_floor(W, impulses, speed);
+  report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
+}
+
+template <class Operator>
+void NewtonRounds<Operator>::remember()
+{
+  if (report.residual < lowest)
+  {
+    lowest = report.residual;
+    best = impulses;
+  }
+}
+
+template <class Operator>
+double NewtonRounds<Operator>::newton(std::vector<double> &trial, SolverReport &own)
+{
+  SolverSettings attempt = settings;
+  // Newton ends soon or wanders: a few sweeps are then a better start than many more exchanges. In space
+  // each friction coefficient on the way has its own limit.
+  if (problem.n_components <= 2 && rounds < patient_rounds)
+    attempt.max_newton_iterations =
+        std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
+  double after = newton_active_set(W, problem, compliance, attempt, trial, own);
+  const bool plane = problem.n_components == 2;
+  // In the plane at once: sweeps would lead away from impulses that may be close.
+  if (after > settings.tolerance && problem.n_components > 1 && !started_again &&
+      (plane || rounds > 0 || !warm))
+  {
+    started_again = true; // a second time would end the same
+    std::vector<double> other = impulses;
+    const auto method = plane ? follow_path : friction_continuation;
+    const double residual = method(W, problem, compliance, settings, other, own);
+    if (residual < after)
+    {
+      after = residual;
+      trial.swap(other);
+    }
+  }
+  return after;
+}
+
+template <class Operator>
+void NewtonRounds<Operator>::sweep()
+{
+  SolverSettings sweeping = settings;
+  sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
+  const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);
+  report.sweeps += more.sweeps;
+  report.fell_back = report.fell_back || more.fell_back;
+  evaluate();
+  remember();
+}
+
+template <class Operator>
+bool NewtonRounds<Operator>::round()
+{
+  SolverReport own; // a budget of iterations for each round; chunk limits the number of rounds
+  const double before = report.residual, lowest_before = lowest;
+  std::vector<double> trial = impulses;
+  const double after = newton(trial, own);
+  report.newton_iterations += own.newton_iterations;
+  report.regularised += own.regularised;
+  if (after < before)
+  {
+    report.accelerated = true;
+    impulses.swap(trial);
+    evaluate();
+    remember();
+  }
+  report.came_back = own.came_back;
+  const bool again = own.came_back && rounds > 0 && after <= 1.001 * lowest_before;
+  if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps ||
+      (settings.algorithm == Algorithm::active_set && (chunk > most_between_rounds || again)))
+    return true;
+  // Sweeps may lead away from an iterate that Newton then finds again: progress is a better best residual.
+  if (!(lowest < 0.1 * lowest_before) && rounds > 0)
+    chunk *= 2;
+  ++rounds;
+  sweep(); // polishing, or a better start for the next round
+  return report.converged || report.limited_by_rounding;
+}
+
+template <class Operator>
+void NewtonRounds<Operator>::go()
+{
+  while (!round())
+    ;
+  if (lowest < report.residual) // sweeps can leave a good iterate of an ill-conditioned problem
+  {
+    impulses = best;
+    evaluate();
+  }
+}
+} // namespace
+
 template <class Operator>
 SolverReport solve(Operator &op,
                    const Problem &problem,
@@ -147,94 +307,8 @@ SolverReport solve(Operator &op,
   else if (newton_allowed)
     sweeping.max_sweeps = std::min(settings.max_sweeps, settings.sweeps_before_newton);
   SolverReport report = gauss_seidel(op, problem, sweeping, impulses, velocities);
-  if (report.converged || !newton_allowed)
-    return report;
-
-  const auto W = op.assemble();
-  const std::vector<double> compliance = contact_compliance(op);
-  const double speed = approach_speed(problem, compliance);
-  std::vector<double> best = impulses, trial;
-  double lowest = report.residual;
-  unsigned int chunk = 50, rounds = 0;
-  bool started_again = false;
-
-  const auto evaluate = [&]
-  {
-    compute_velocities(op, problem, impulses, velocities);
-    report.residual = natural_residual(problem, compliance, impulses, velocities);
-    report.converged = report.residual <= settings.tolerance;
-    report.limited_by_rounding = !report.converged && report.residual <= rounding_floor(W, impulses, speed);
-    report.prescribed_approach = prescribed_approach(problem, compliance, velocities);
-  };
-  const auto remember = [&]
-  {
-    if (report.residual < lowest)
-    {
-      lowest = report.residual;
-      best = impulses;
-    }
-  };
-
-  for (;;)
-  {
-    SolverReport newton; // a budget of iterations for each round; chunk limits the number of rounds
-    const double before = report.residual, lowest_before = lowest;
-    trial = impulses;
-    SolverSettings attempt = settings;
-    // Newton ends soon or wanders: a few sweeps are then a better start than many more exchanges. In space
-    // each friction coefficient on the way has its own limit.
-    if (problem.n_components <= 2 && rounds < patient_rounds)
-      attempt.max_newton_iterations =
-          std::min(settings.max_newton_iterations, problem.n_components == 1 ? brief_pivoting : brief_newton);
-    double after = newton_active_set(W, problem, compliance, attempt, trial, newton);
-    const bool plane = problem.n_components == 2;
-    // In the plane at once: sweeps would lead away from impulses that may be close.
-    if (after > settings.tolerance && problem.n_components > 1 && !started_again &&
-        (plane || rounds > 0 || !warm))
-    {
-      started_again = true; // a second time would end the same
-      std::vector<double> other = impulses;
-      const auto method = plane ? follow_path : friction_continuation;
-      const double residual = method(W, problem, compliance, settings, other, newton);
-      if (residual < after)
-      {
-        after = residual;
-        trial.swap(other);
-      }
-    }
-    report.newton_iterations += newton.newton_iterations;
-    report.regularised += newton.regularised;
-    if (after < before)
-    {
-      report.accelerated = true;
-      impulses.swap(trial);
-      evaluate();
-      remember();
-    }
-    report.came_back = newton.came_back;
-    const bool again = newton.came_back && rounds > 0 && after <= 1.001 * lowest_before;
-    if (report.converged || report.limited_by_rounding || report.sweeps >= settings.max_sweeps ||
-        (settings.algorithm == Algorithm::active_set && (chunk > most_between_rounds || again)))
-      break;
-    // Sweeps may lead away from an iterate that Newton then finds again: progress is a better best residual.
-    if (!(lowest < 0.1 * lowest_before) && rounds > 0)
-      chunk *= 2;
-    ++rounds;
-    // polishing, or a better start for the next round
-    sweeping.max_sweeps = std::min(chunk, settings.max_sweeps - report.sweeps);
-    const SolverReport more = gauss_seidel(op, problem, sweeping, impulses, velocities);
-    report.sweeps += more.sweeps;
-    report.fell_back = report.fell_back || more.fell_back;
-    evaluate();
-    remember();
-    if (report.converged || report.limited_by_rounding)
-      break;
-  }
-  if (lowest < report.residual) // sweeps can leave a good iterate of an ill-conditioned problem
-  {
-    impulses = best;
-    evaluate();
-  }
+  if (!report.converged && newton_allowed)
+    NewtonRounds<Operator>(op, problem, settings, warm, impulses, velocities, report).go();
   return report;
 }
 

@@ -103,20 +103,31 @@ void DiskShare::for_bodies(const ContactOrder &contacts,
     }
 }
 
-void DiskShare::find_exchanges(const ContactOrder &contacts,
-                               const std::vector<std::uint32_t> &number_of,
-                               const std::size_t n_bodies)
+/// Which ranks touch every body. Most bodies are with one rank only; those with more are few, and get a list
+/// of their ranks.
+struct DiskShare::Touching
 {
-  const unsigned int here = ranks.here();
-  // Most bodies are with one rank only; those with more are few, and get a list of their ranks.
-  std::vector<std::uint32_t> lowest(n_bodies, none), list_of(n_bodies, none);
-  std::vector<char> is_here(n_bodies, 0);
+  std::vector<std::uint32_t> lowest, list_of; ///< rank, and its list in ranks_of if it has one
+  std::vector<char> is_here;
   std::vector<std::vector<unsigned int>> ranks_of;
+};
+
+DiskShare::Touching DiskShare::who_touches(const ContactOrder &contacts,
+                                           const std::vector<std::uint32_t> &number_of,
+                                           const std::size_t n_bodies) const
+{
+  Touching touching{std::vector<std::uint32_t>(n_bodies, none),
+                    std::vector<std::uint32_t>(n_bodies, none),
+                    std::vector<char>(n_bodies, 0),
+                    {}};
+  std::vector<std::uint32_t> &lowest = touching.lowest, &list_of = touching.list_of;
+  std::vector<std::vector<unsigned int>> &ranks_of = touching.ranks_of;
+  const unsigned int here = ranks.here();
   for_bodies(contacts, number_of,
              [&](std::size_t, const unsigned int rank, const std::uint32_t body)
              {
                if (rank == here)
-                 is_here[body] = 1;
+                 touching.is_here[body] = 1;
                if (lowest[body] == none)
                  lowest[body] = rank;
                else if (lowest[body] != rank && list_of[body] == none)
@@ -135,7 +146,15 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
                if (std::find(list.begin(), list.end(), rank) == list.end())
                  list.push_back(rank);
              });
+  return touching;
+}
 
+void DiskShare::find_exchanges(const ContactOrder &contacts,
+                               const std::vector<std::uint32_t> &number_of,
+                               const std::size_t n_bodies)
+{
+  const unsigned int here = ranks.here();
+  const Touching touching = who_touches(contacts, number_of, n_bodies);
   const auto with = [](std::vector<DiskExchange> &list, const unsigned int rank) -> DiskExchange &
   {
     const auto found =
@@ -150,15 +169,15 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
   for_bodies(contacts, number_of,
              [&](const std::size_t colour, const unsigned int rank, const std::uint32_t body)
              {
-               if (list_of[body] == none)
+               if (touching.list_of[body] == none)
                  return;
                if (rank == here)
                {
-                 for (const unsigned int other : ranks_of[list_of[body]])
+                 for (const unsigned int other : touching.ranks_of[touching.list_of[body]])
                    if (other != here)
                      with(rounds[colour][0].send, other).bodies.push_back(body);
                }
-               else if (is_here[body])
+               else if (touching.is_here[body])
                  with(rounds[colour][0].receive, rank).bodies.push_back(body);
              });
   for (std::vector<DiskRound> &of_colour : rounds)
@@ -173,8 +192,8 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
     owned[rank].rank = rank;
   for (std::uint32_t body = 0; body < n_bodies; ++body)
   {
-    owned[lowest[body]].bodies.push_back(body);
-    if (is_here[body])
+    owned[touching.lowest[body]].bodies.push_back(body);
+    if (touching.is_here[body])
       touched.push_back(body);
   }
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace softgrain::contact
 {
@@ -166,6 +167,26 @@ bool newton_step(const Matrix &W,
       step[row] = solution[local[row]];
   return true;
 }
+
+/// How far to go along a step, and the residual there: halved until @p residual of a factor is less than @p
+/// here by as much as may be expected, or as often as is allowed.
+template <class Residual>
+std::pair<double, double> best_factor(const unsigned int trials, const double here, const Residual &residual)
+{
+  double factor = 1., chosen = 1., lowest = std::numeric_limits<double>::infinity();
+  for (unsigned int trial = 0; trial < trials; ++trial, factor *= 0.5)
+  {
+    const double value = residual(factor);
+    if (value < lowest)
+    {
+      lowest = value;
+      chosen = factor;
+    }
+    if (value < (1. - 0.1 * factor) * here)
+      break;
+  }
+  return {chosen, lowest};
+}
 } // namespace
 
 template <unsigned int n>
@@ -204,18 +225,8 @@ double frictional_newton(const Matrix &W,
     // The step that brings what is trusted into balance is taken whole: halfway the imbalance rules.
     const unsigned int trials = trusting ? 1 : 6;
     trusting = false;
-    double factor = 1., chosen = 1., lowest = std::numeric_limits<double>::infinity();
-    for (unsigned int trial = 0; trial < trials; ++trial, factor *= 0.5)
-    {
-      const double value = residual(P + factor * step, w + factor * W_step);
-      if (value < lowest)
-      {
-        lowest = value;
-        chosen = factor;
-      }
-      if (value < (1. - 0.1 * factor) * here)
-        break;
-    }
+    auto [chosen, lowest] = best_factor(
+        trials, here, [&](const double factor) { return residual(P + factor * step, w + factor * W_step); });
     // A few steps may go uphill: the sets of stick and slip often change in between before they settle.
     if (!(lowest < here))
     {

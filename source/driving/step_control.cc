@@ -48,6 +48,26 @@ void StepControl::note(const double dt, const double floor)
   way_of_short += dt;
 }
 
+void StepControl::check_that_time_moves(const double time,
+                                        const double wanted,
+                                        const double asked,
+                                        const SafeStep &safe) const
+{
+  std::ostringstream message;
+  if (safe.dt < std::min(asked, safe.shortest))
+  {
+    message << "at time " << time << " s time no longer moves: a safe step is " << safe.dt
+            << " s long, the smallest is " << std::min(asked, safe.shortest) << " s: " << safe.cause();
+    throw ComputationError(message.str());
+  }
+  if (n_short < most_short)
+    return;
+  message << "at time " << time << " s time hardly moves: " << n_short << " steps in a row took "
+          << way_of_short << " s together, where one is to take " << wanted << " s ('Time/Smallest step')"
+          << (last_refusal.empty() ? "" : "; the last one that failed: " + last_refusal);
+  throw ComputationError(message.str());
+}
+
 StepTaken StepControl::advance(const StepSettings &settings,
                                const double wanted,
                                const double dt_limit,
@@ -57,19 +77,7 @@ StepTaken StepControl::advance(const StepSettings &settings,
 {
   std::ostringstream message;
   const double asked = std::min(wanted, dt_limit), floor = settings.smallest_step * asked;
-  if (safe.dt < std::min(asked, safe.shortest))
-  {
-    message << "at time " << time << " s time no longer moves: a safe step is " << safe.dt
-            << " s long, the smallest is " << std::min(asked, safe.shortest) << " s: " << safe.cause();
-    throw ComputationError(message.str());
-  }
-  if (n_short >= most_short)
-  {
-    message << "at time " << time << " s time hardly moves: " << n_short << " steps in a row took "
-            << way_of_short << " s together, where one is to take " << wanted << " s ('Time/Smallest step')"
-            << (last_refusal.empty() ? "" : "; the last one that failed: " + last_refusal);
-    throw ComputationError(message.str());
-  }
+  check_that_time_moves(time, wanted, asked, safe);
   // A step below this is lost in the time that it is added to.
   const double rounding = 4. * std::numeric_limits<double>::epsilon() * std::abs(time);
   const double limit = std::min(dt_limit, safe.dt);

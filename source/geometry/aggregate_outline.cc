@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/aggregate_outline.h>
+#include <softgrain/geometry/uncovered_arcs.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>
@@ -21,145 +22,15 @@ using Vector = dealii::Tensor<1, 2>;
 
 constexpr double full_turn = 2. * M_PI;
 constexpr double largest_step = M_PI / 8.;
-constexpr unsigned int none = static_cast<unsigned int>(-1);
+constexpr unsigned int none = UncoveredArc::none;
 
 /// A disk widened by the probe: the probe's centre stays outside of all of them and rolls along their union.
-struct Disk
-{
-  dealii::Point<2> center;
-  double radius;
-};
-
-/// The part of a disk's edge that another disk covers, as directions counted from 0 to 4 for a full turn.
-struct Covered
-{
-  double begin, end;
-  unsigned int by;
-};
-
-/// A part of a disk's edge that no other disk covers, counter-clockwise between two neighbours.
-struct Arc
-{
-  unsigned int disk, from, to; ///< `from` is none on a disk that nobody touches
-  double length;               ///< as in Covered
-  Vector begin, end;           ///< unit directions from the centre
-};
+using Disk = DiskOfUnion;
+using Arc = UncoveredArc;
 
 double cross(const Vector &a, const Vector &b)
 {
   return a[0] * b[1] - a[1] * b[0];
-}
-
-/// Grows with the angle of @p v from 0 to 4, without trigonometry.
-double direction_number(const Vector &v)
-{
-  const double t = v[1] / (std::abs(v[0]) + std::abs(v[1]));
-  return v[0] < 0. ? 2. - t : (v[1] < 0. ? 4. + t : t);
-}
-
-/// Unit direction from the centre of @p disk to where the edges of both cross: where @p other begins to cover
-/// it going counter-clockwise (@p side = -1), or where it ends (+1).
-Vector crossing(const Disk &disk, const Disk &other, const double side)
-{
-  const Vector d = other.center - disk.center;
-  const double distance2 = d.norm_square();
-  const double along =
-      0.5 * (distance2 + (disk.radius - other.radius) * (disk.radius + other.radius)) / distance2;
-  const double across = std::sqrt(std::max(0., disk.radius * disk.radius / distance2 - along * along));
-  return Vector({along * d[0] - side * across * d[1], along * d[1] + side * across * d[0]}) / disk.radius;
-}
-
-/// All uncovered arcs of the union of @p disks.
-std::vector<Arc> uncovered_arcs(const std::vector<Disk> &disks)
-{
-  const unsigned int n = disks.size();
-  // Pairs that meet, by sweeping along the longer side of the aggregate.
-  dealii::Point<2> lower = disks[0].center, upper = lower;
-  double largest = 0.;
-  for (const Disk &disk : disks)
-  {
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      lower[d] = std::min(lower[d], disk.center[d]);
-      upper[d] = std::max(upper[d], disk.center[d]);
-    }
-    largest = std::max(largest, disk.radius);
-  }
-  const unsigned int axis = upper[0] - lower[0] >= upper[1] - lower[1] ? 0 : 1;
-  std::vector<unsigned int> order(n);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](const unsigned int i, const unsigned int j)
-            { return disks[i].center[axis] < disks[j].center[axis]; });
-  std::vector<std::pair<unsigned int, unsigned int>> pairs;
-  std::vector<bool> hidden(n, false);
-  for (unsigned int a = 0; a < n; ++a)
-    for (unsigned int b = a + 1; b < n; ++b)
-    {
-      const Disk &i = disks[order[a]], &j = disks[order[b]];
-      if (j.center[axis] - i.center[axis] >= i.radius + largest)
-        break;
-      const double distance2 = (j.center - i.center).norm_square(), sum = i.radius + j.radius;
-      if (distance2 >= sum * sum)
-        continue;
-      const double difference = i.radius - j.radius;
-      if (distance2 <= difference * difference * (1. + 1e-12))
-        hidden[difference >= 0. ? order[b] : order[a]] = true;
-      else
-        pairs.emplace_back(order[a], order[b]);
-    }
-  const auto has_hidden = [&](const auto &pair) { return hidden[pair.first] || hidden[pair.second]; };
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), has_hidden), pairs.end());
-  std::vector<unsigned int> first(n + 1, 0);
-  for (const auto &[i, j] : pairs)
-  {
-    ++first[i + 1];
-    ++first[j + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Covered> covered(2 * pairs.size());
-  std::vector<unsigned int> next(first.begin(), first.end() - 1);
-  for (const auto &[i, j] : pairs)
-    for (const auto &[disk, other] : {std::make_pair(i, j), std::make_pair(j, i)})
-      covered[next[disk]++] = {direction_number(crossing(disks[disk], disks[other], -1.)),
-                               direction_number(crossing(disks[disk], disks[other], 1.)), other};
-
-  std::vector<Arc> arcs;
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    if (hidden[i])
-      continue;
-    const auto begin = covered.begin() + first[i], end = covered.begin() + first[i + 1];
-    if (begin == end)
-    {
-      arcs.push_back({i, none, none, 4., Vector({1., 0.}), Vector({1., 0.})});
-      continue;
-    }
-    const auto add = [&](const double length, const unsigned int from, const unsigned int to)
-    {
-      arcs.push_back(
-          {i, from, to, length, crossing(disks[i], disks[from], 1.), crossing(disks[i], disks[to], -1.)});
-    };
-    std::sort(begin, end, [](const Covered &a, const Covered &b) { return a.begin < b.begin; });
-    // How far the edge is covered so far, and by whom; what passes direction zero counts from the start.
-    double reach = -1.;
-    unsigned int by = none;
-    for (auto part = begin; part != end; ++part)
-      if (part->end < part->begin && part->end > reach)
-        reach = part->end, by = part->by;
-    const bool wraps = by != none;
-    for (auto part = begin; part != end; ++part)
-    {
-      if (by != none && part->begin > reach)
-        add(part->begin - reach, by, part->by);
-      const double part_end = part->end < part->begin ? part->end + 4. : part->end;
-      if (by == none || part_end > reach)
-        reach = part_end, by = part->by;
-    }
-    if (!wraps)
-      add(begin->begin + 4. - reach, by, begin->by);
-  }
-  return arcs;
 }
 
 /// The arc that goes on where an arc ends, for every arc.
@@ -292,6 +163,64 @@ bool is_inside(const Polygon &polygon, const dealii::Point<2> &point)
   }
   return inside;
 }
+
+/// The closed line of the arcs from @p start on.
+Polygon traced(const unsigned int start,
+               const std::vector<Arc> &arcs,
+               const std::vector<unsigned int> &next,
+               const std::vector<Disk> &disks,
+               const std::vector<double> &radii,
+               const double probe_radius,
+               std::vector<bool> &done)
+{
+  Polygon polygon;
+  for (unsigned int a = start; !done[a]; a = next[a])
+  {
+    done[a] = true;
+    const Arc &arc = arcs[a];
+    double angle = full_turn;
+    if (arc.from != none)
+    {
+      angle = std::atan2(cross(arc.begin, arc.end), arc.begin * arc.end);
+      if (angle < 0.)
+        angle = arc.length < 1e-6 ? 0. : angle + full_turn;
+    }
+    const dealii::Point<2> &center = disks[arc.disk].center;
+    const double radius = radii[arc.disk];
+    add_arc(polygon, center, radius, arc.begin, angle);
+    if (arc.from != none)
+    {
+      polygon.push_back(center + radius * arc.end);
+      add_bridge(polygon, arc, arcs[next[a]], disks, probe_radius);
+    }
+  }
+  return polygon;
+}
+
+using AreaAndLine = std::pair<double, Polygon>;
+
+/// Outlines, the largest first, each before its holes. A hole belongs to the smallest outline around it: a
+/// fragment may lie in the hole of a larger one.
+std::vector<Polygon> with_holes(std::vector<AreaAndLine> &outer, std::vector<AreaAndLine> &inner)
+{
+  const auto larger = [](const auto &a, const auto &b) { return a.first > b.first; };
+  std::stable_sort(outer.begin(), outer.end(), larger);
+  std::vector<std::vector<Polygon>> holes_of(outer.size());
+  for (auto &hole : inner)
+    for (std::size_t o = outer.size(); o-- > 0;)
+      if (is_inside(outer[o].second, hole.second[0]))
+      {
+        holes_of[o].push_back(std::move(hole.second));
+        break;
+      }
+  std::vector<Polygon> result;
+  for (std::size_t o = 0; o < outer.size(); ++o)
+  {
+    result.push_back(std::move(outer[o].second));
+    std::move(holes_of[o].begin(), holes_of[o].end(), std::back_inserter(result));
+  }
+  return result;
+}
 } // namespace
 
 std::vector<Polygon> aggregate_outline(const std::vector<dealii::Point<2>> &centers,
@@ -314,54 +243,19 @@ std::vector<Polygon> aggregate_outline(const std::vector<dealii::Point<2>> &cent
   const std::vector<Arc> arcs = uncovered_arcs(disks);
   const std::vector<unsigned int> next = linked(arcs, disks);
 
-  std::vector<std::pair<double, Polygon>> outer, inner;
+  std::vector<AreaAndLine> outer, inner;
   std::vector<bool> done(arcs.size(), false);
   for (unsigned int start = 0; start < arcs.size(); ++start)
   {
     if (done[start])
       continue;
-    Polygon polygon;
-    for (unsigned int a = start; !done[a]; a = next[a])
-    {
-      done[a] = true;
-      const Arc &arc = arcs[a];
-      double angle = full_turn;
-      if (arc.from != none)
-      {
-        angle = std::atan2(cross(arc.begin, arc.end), arc.begin * arc.end);
-        if (angle < 0.)
-          angle = arc.length < 1e-6 ? 0. : angle + full_turn;
-      }
-      add_arc(polygon, centers[arc.disk], radii[arc.disk], arc.begin, angle);
-      if (arc.from != none)
-      {
-        polygon.push_back(centers[arc.disk] + radii[arc.disk] * arc.end);
-        add_bridge(polygon, arc, arcs[next[a]], disks, probe_radius);
-      }
-    }
+    Polygon polygon = traced(start, arcs, next, disks, radii, probe_radius, done);
     const double area = signed_area(polygon);
     if (area > 0.)
       outer.emplace_back(area, std::move(polygon));
     else if (holes && area < 0.)
       inner.emplace_back(area, std::move(polygon));
   }
-  const auto larger = [](const auto &a, const auto &b) { return a.first > b.first; };
-  std::stable_sort(outer.begin(), outer.end(), larger);
-  // A hole belongs to the smallest outline around it: a fragment may lie in the hole of a larger one.
-  std::vector<std::vector<Polygon>> holes_of(outer.size());
-  for (auto &hole : inner)
-    for (std::size_t o = outer.size(); o-- > 0;)
-      if (is_inside(outer[o].second, hole.second[0]))
-      {
-        holes_of[o].push_back(std::move(hole.second));
-        break;
-      }
-  std::vector<Polygon> result;
-  for (std::size_t o = 0; o < outer.size(); ++o)
-  {
-    result.push_back(std::move(outer[o].second));
-    std::move(holes_of[o].begin(), holes_of[o].end(), std::back_inserter(result));
-  }
-  return result;
+  return with_holes(outer, inner);
 }
 } // namespace softgrain

@@ -8,6 +8,11 @@
 #include <string>
 #include <vector>
 
+namespace CLI
+{
+class App;
+}
+
 namespace softgrain
 {
 class Input;
@@ -41,6 +46,18 @@ private:
     script
   };
 
+  struct Words;
+  /// Options of all commands that read a parameter file.
+  void add_input(CLI::App &command, Words &words);
+  void add_run(CLI::App &app, Words &words);
+  void add_check(CLI::App &app, Words &words);
+  void add_lists(CLI::App &app);
+  /// Takes what was typed. @return an exit code where something is missing
+  std::optional<int> take(const CLI::App &chosen, const Words &words);
+
+  /// The checkpoint from which a run is to go on; empty: it begins at its start.
+  /// @throw InputError when it may not
+  std::string where_to_begin(const Input &input, const std::string &folder) const;
   /// Reads the input on all ranks, and chooses the number of threads.
   std::unique_ptr<Input> read_input() const;
   /// @return whether it came to its end

@@ -123,6 +123,10 @@ private:
 
   std::pair<std::uint32_t, std::uint32_t> range_of(std::size_t colour, unsigned int rank) const;
   void divide(const std::vector<std::uint32_t> &colour_end);
+  struct Touching;
+  Touching who_touches(const ContactOrder &contacts,
+                       const std::vector<std::uint32_t> &number_of,
+                       std::size_t n_bodies) const;
   void find_exchanges(const ContactOrder &contacts,
                       const std::vector<std::uint32_t> &number_of,
                       std::size_t n_bodies);

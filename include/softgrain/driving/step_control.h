@@ -89,6 +89,8 @@ public:
   double scale = 1.;
 
 private:
+  /// @throw ComputationError when safe steps are too short, or all of the last were
+  void check_that_time_moves(double time, double wanted, double asked, const SafeStep &safe) const;
   /// Takes note of an accepted step.
   void note(double dt, double floor);
 

@@ -174,6 +174,132 @@ void for_shared_nodes(const std::vector<Visit> &visits, const F &f)
     begin = end;
   }
 }
+
+/// One search at the nodes of a scene.
+class NodalSearch
+{
+public:
+  /// @param reach of a shape function [m]
+  NodalSearch(const ContactScene<2> &scene, double reach, bool with_gap);
+
+  void add_rows_at_walls(std::vector<Row> &rows) const;
+  void add_rows_of_bodies(std::vector<Row> &rows) const;
+
+private:
+  bool near_wall(const WallMotion<2> &wall, const Body<2> &body, const unsigned int node) const
+  {
+    return (body.field.position(node) - wall.point) * wall.normal < reach;
+  }
+  /// Asks for what nodes see that may touch a wall, or that two bodies share.
+  void ask();
+  void add_row_of_bodies(Visit first, Visit second, std::vector<Row> &rows) const;
+
+  const ContactScene<2> &scene;
+  const std::vector<Body<2>> &bodies;
+  const double h, reach;
+  const bool with_gap;
+  /// Sorted by node: the cost is that of the nodes, however many bodies there are, and the order is always
+  /// the same.
+  std::vector<Visit> visits;
+  std::vector<BodyViews> views;
+};
+
+NodalSearch::NodalSearch(const ContactScene<2> &scene, const double reach, const bool with_gap)
+    : scene(scene)
+    , bodies(scene.bodies)
+    , h(scene.cell_size)
+    , reach(reach)
+    , with_gap(with_gap)
+    , views(bodies.size())
+{
+  for (const Body<2> &body : bodies)
+    for (unsigned int i = 0; i < body.field.n_nodes(); ++i)
+      visits.push_back({body.field.lattice_node(i), body.index, i});
+  std::sort(visits.begin(), visits.end());
+  ask();
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!views[b].views.empty())
+                     look(bodies[b], views[b]);
+               });
+}
+
+void NodalSearch::ask()
+{
+  for (const Body<2> &body : bodies)
+    views[body.index].slot.assign(body.field.n_nodes(), Row::none);
+  for (const Body<2> &body : bodies)
+    if (!body.driven)
+      for (const WallMotion<2> &wall : scene.walls)
+        for (unsigned int i = 0; wall.plane && i < body.field.n_nodes(); ++i)
+          if (near_wall(wall, body, i))
+            views[body.index].ask(i);
+  for_shared_nodes(visits,
+                   [&](const Visit &a, const Visit &b)
+                   {
+                     if (bodies[a.body].driven && bodies[b.body].driven)
+                       return;
+                     views[a.body].ask(a.node);
+                     views[b.body].ask(b.node);
+                   });
+}
+
+void NodalSearch::add_rows_at_walls(std::vector<Row> &rows) const
+{
+  for (const Body<2> &body : bodies)
+    if (!body.driven)
+      for (unsigned int w = 0; w < scene.walls.size(); ++w)
+        for (unsigned int i = 0; scene.walls[w].plane && i < body.field.n_nodes(); ++i)
+        {
+          const WallMotion<2> &wall = scene.walls[w];
+          // Nodes that only boundary markers or empty corners of a stencil reach carry no mass: nothing is
+          // there yet.
+          if (!near_wall(wall, body, i) || views[body.index](i).points.empty())
+            continue;
+          Row row = start_row(body, i, h);
+          row.wall = w;
+          row.normal = wall.normal;
+          row.gap =
+              with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
+          take_pair(scene, row);
+          row.key = row_key(body.field.lattice_node(i), body.index, w, true);
+          rows.push_back(std::move(row));
+        }
+}
+
+void NodalSearch::add_row_of_bodies(Visit first, Visit second, std::vector<Row> &rows) const
+{
+  if (bodies[first.body].driven)
+    std::swap(first, second); // what is driven can only be the partner
+  const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
+  if (body.driven)
+    return;
+  const View &own = views[first.body](first.node), &other = views[second.body](second.node);
+  if (own.points.empty() || other.points.empty())
+    return;
+  const Vector normal = apart(own, other, h);
+  // Both look the same way, or neither shows a surface here: the nodes around tell them apart.
+  if (normal.norm() < 0.2)
+    return;
+  Row row = start_row(body, first.node, h);
+  row.partner = partner.index;
+  row.wall = partner.wall;
+  row.partner_weights = partner.field.extension(second.node).shared();
+  row.normal = normal / normal.norm();
+  row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
+                           extent(partner, views[partner.index], second.node, row.normal, h)
+                     : 0.;
+  take_pair(scene, row);
+  row.key = row_key(first.lattice, body.index, partner.index, false);
+  rows.push_back(std::move(row));
+}
+
+void NodalSearch::add_rows_of_bodies(std::vector<Row> &rows) const
+{
+  for_shared_nodes(visits, [&](const Visit &a, const Visit &b) { add_row_of_bodies(a, b, rows); });
+}
 } // namespace
 
 NodalContact::NodalContact(const ShapeFunction &shape, const bool gap)
@@ -189,93 +315,8 @@ NodalContact::NodalContact(const ShapeFunction &shape, const bool gap)
 void NodalContact::find(const ContactScene<2> &scene, std::vector<ContactRow<2>> &rows) const
 {
   rows.clear();
-  const double h = scene.cell_size;
-  const std::vector<Body<2>> &bodies = scene.bodies;
-
-  // Sorted by node: the cost is that of the nodes, however many bodies there are, and the order is always the
-  // same.
-  std::vector<Visit> visits;
-  for (const Body<2> &body : bodies)
-    for (unsigned int i = 0; i < body.field.n_nodes(); ++i)
-      visits.push_back({body.field.lattice_node(i), body.index, i});
-  std::sort(visits.begin(), visits.end());
-
-  std::vector<BodyViews> views(bodies.size());
-  for (const Body<2> &body : bodies)
-    views[body.index].slot.assign(body.field.n_nodes(), Row::none);
-  const auto near_wall = [&](const WallMotion<2> &wall, const Point &x)
-  { return (x - wall.point) * wall.normal < (reach - 1e-9) * h; };
-  for (const Body<2> &body : bodies)
-    if (!body.driven)
-      for (const WallMotion<2> &wall : scene.walls)
-        for (unsigned int i = 0; wall.plane && i < body.field.n_nodes(); ++i)
-          if (near_wall(wall, body.field.position(i)))
-            views[body.index].ask(i);
-  for_shared_nodes(visits,
-                   [&](const Visit &a, const Visit &b)
-                   {
-                     if (bodies[a.body].driven && bodies[b.body].driven)
-                       return;
-                     views[a.body].ask(a.node);
-                     views[b.body].ask(b.node);
-                   });
-  parallel_for(bodies.size(), 1,
-               [&](const std::size_t begin, const std::size_t end)
-               {
-                 for (std::size_t b = begin; b < end; ++b)
-                   if (!views[b].views.empty())
-                     look(bodies[b], views[b]);
-               });
-
-  for (const Body<2> &body : bodies)
-    if (!body.driven)
-      for (unsigned int w = 0; w < scene.walls.size(); ++w)
-        for (unsigned int i = 0; scene.walls[w].plane && i < body.field.n_nodes(); ++i)
-        {
-          const WallMotion<2> &wall = scene.walls[w];
-          // Nodes that only boundary markers or empty corners of a stencil reach carry no mass: nothing is
-          // there yet.
-          if (!near_wall(wall, body.field.position(i)) || views[body.index](i).points.empty())
-            continue;
-          Row row = start_row(body, i, h);
-          row.wall = w;
-          row.normal = wall.normal;
-          row.gap =
-              with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
-          take_pair(scene, row);
-          row.key = row_key(body.field.lattice_node(i), body.index, w, true);
-          rows.push_back(std::move(row));
-        }
-
-  for_shared_nodes(visits,
-                   [&](Visit first, Visit second)
-                   {
-                     if (bodies[first.body].driven)
-                       std::swap(first, second); // what is driven can only be the partner
-                     const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
-                     if (body.driven)
-                       return;
-                     const View &own = views[first.body](first.node),
-                                &other = views[second.body](second.node);
-                     if (own.points.empty() || other.points.empty())
-                       return;
-                     const Vector normal = apart(own, other, h);
-                     // Both look the same way, or neither shows a surface here: the nodes around tell them
-                     // apart.
-                     if (normal.norm() < 0.2)
-                       return;
-                     Row row = start_row(body, first.node, h);
-                     row.partner = partner.index;
-                     row.wall = partner.wall;
-                     row.partner_weights = partner.field.extension(second.node).shared();
-                     row.normal = normal / normal.norm();
-                     row.gap = with_gap
-                                   ? -extent(body, views[body.index], first.node, -row.normal, h) -
-                                         extent(partner, views[partner.index], second.node, row.normal, h)
-                                   : 0.;
-                     take_pair(scene, row);
-                     row.key = row_key(first.lattice, body.index, partner.index, false);
-                     rows.push_back(std::move(row));
-                   });
+  const NodalSearch search(scene, (reach - 1e-9) * scene.cell_size, with_gap);
+  search.add_rows_at_walls(rows);
+  search.add_rows_of_bodies(rows);
 }
 } // namespace softgrain::mpm

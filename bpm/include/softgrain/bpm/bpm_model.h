@@ -95,6 +95,9 @@ private:
   /// @throw ComputationError when ranks have come to different steps
   void check_ranks_agree(const StepReport &report) const;
   void drive_walls(double dt);
+  /// Length of steps, and what depends on it and on forces. @param contact_force of the strongest law [N/m]
+  void choose_by_attraction(const Primaries &disks, double contact_force);
+  void take_loads(Primaries &disks);
   void weigh(const Primaries &disks);
   /// What is known of why the contact solver finds no solution.
   std::string cause_of_no_solution() const;

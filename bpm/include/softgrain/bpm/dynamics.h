@@ -292,6 +292,14 @@ private:
   Overlap deepest_in_obstacles(double dt) const;
   Overlap deepest_of_all_ranks(const Overlap &here) const;
   void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
+  /// Sums of what primaries do in a step.
+  struct Work;
+  /// Adds what a primary that is free to move does.
+  void add_work(std::size_t i,
+                double dt,
+                const std::vector<std::array<double, 2>> &acceleration,
+                const std::vector<std::vector<std::array<double, 2>>> &of_loads,
+                Work &work) const;
   void account(double dt,
                const std::vector<std::array<double, 2>> &acceleration,
                const std::vector<std::vector<std::array<double, 2>>> &of_loads,
