@@ -51,6 +51,41 @@ subsection Stop
 end
 """
 
+BAR = """
+set Additional shared libraries = {libraries}
+subsection Mesh
+  set Lower     = -0.1, -0.1
+  set Upper     = 1.1, 0.25
+  set Cell size = 0.05
+end
+subsection Materials
+  set Names = gel
+  subsection gel
+    set Law     = linear_elastic
+    set Density = 1000
+    subsection Linear elastic
+      set Young's modulus = 1e5
+      set Poisson's ratio = 0
+    end
+  end
+end
+subsection Material points
+  set Shape function = linear
+end
+subsection Bodies
+  set Names = bar
+  subsection bar
+    set Shape    = rectangle
+    set Center   = 0.5, 0.075
+    set Size     = 1, 0.15
+    set Velocity = 1e-3*cos(pi*x); 0
+  end
+end
+subsection Newton
+  set Residual tolerance = 1e-12
+end
+"""
+
 LATTICE = SCENE + """
 subsection Packing
   set Method         = square_lattice
@@ -206,6 +241,41 @@ def check_ellipse():
     assert same(own, known), "time scheme or shape function: not the numbers of the same ones under other names"
 
 
+def alpha_oscillator(omega, step, n):
+    """Displacement and velocity of one mass that sets out from rest at 0 with velocity 1, by generalised-alpha."""
+    radius = 0.5
+    alpha_m, alpha_f = (2 * radius - 1) / (radius + 1), radius / (radius + 1)
+    gamma, beta = 0.5 - alpha_m + alpha_f, (1 - alpha_m + alpha_f) ** 2 / 4
+    x, v, a = 0.0, 1.0, 0.0
+    yield x, v
+    for _ in range(n):
+        known = x + step * v + step**2 * (0.5 - beta) * a
+        end = -(alpha_m * a + omega**2 * ((1 - alpha_f) * known + alpha_f * x)) / (1 - alpha_m + omega**2 * (1 - alpha_f) * beta * step**2)
+        x, v, a = known + step**2 * beta * end, v + step * ((1 - gamma) * a + gamma * end), end
+        yield x, v
+
+
+def check_alpha():
+    """A bar in its first mode is one oscillator, whose frequency with hats and lumped masses is known. Generalised-alpha, which
+    is no choice of terms, gives step by step what its recursion says, has order 2, and its books are right."""
+    cell, speed = 0.05, 10
+    omega = 2 * speed / cell * math.sin(math.pi * cell / 2)
+    off = []
+    for n in (40, 80, 160):
+        step = (2 * math.pi + 0.6) / omega / n
+        history, _ = run(f"alpha_{n}", BAR, "Time/Scheme=generalised_alpha", f"Time/Time step={step!r}", f"Stop/Steps={n}")
+        kinetic, elastic = history["kinetic_energy_J_per_m"], history["elastic_energy_J_per_m"]
+        books = [k + e + lost for k, e, lost in zip(kinetic, elastic, history["scheme_damping_J_per_m"])]
+        assert len(kinetic) == n + 1, f"generalised-alpha: {len(kinetic) - 1} steps instead of {n}"
+        for k, e, sum_, (x, v) in zip(kinetic, elastic, books, alpha_oscillator(omega, step, n)):
+            assert abs(k / kinetic[0] - v**2) < 1e-8, f"generalised-alpha: kinetic energy {k / kinetic[0]}, not {v**2}"
+            assert abs(e / kinetic[0] - (omega * x) ** 2) < 1e-8, f"generalised-alpha: elastic energy {e / kinetic[0]}, not {(omega * x)**2}"
+            assert abs(sum_ / kinetic[0] - 1) < 1e-8, f"generalised-alpha: its books are off by {sum_ / kinetic[0] - 1}"
+        off.append(abs(kinetic[-1] / kinetic[0] - math.cos(0.6) ** 2))
+    orders = [math.log2(coarse / fine) for coarse, fine in zip(off, off[1:])]
+    assert all(abs(order - 2) < 0.07 for order in orders), f"generalised-alpha: orders {orders}, not 2"
+
+
 def check_going_on():
     """A run may go on with another motion of its walls, whatever drives them."""
     _, folder = run("going_on", ELLIPSE)
@@ -273,6 +343,6 @@ def check_table():
         assert header, f"{module}.cc includes nothing of softgrain"
 
 
-for check in (check_table, check_ellipse, check_going_on, check_lattice, check_aggregate, check_sticking, check_flying):
+for check in (check_table, check_ellipse, check_alpha, check_going_on, check_lattice, check_aggregate, check_sticking, check_flying):
     check()
     print(check.__name__[6:].replace("_", " "), "as expected")

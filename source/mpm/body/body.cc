@@ -32,7 +32,7 @@ template <int dim>
 double Body<dim>::kinetic_energy() const
 {
   double sum = 0.;
-  for (unsigned int i = 0; i < mass.size(); ++i)
+  for (unsigned int i = 0; velocity.size() > 0 && i < mass.size(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
       sum += 0.5 * mass[i] * velocity[dim * i + d] * velocity[dim * i + d];
   return sum;

@@ -86,7 +86,7 @@ void lay_grid(Body<2> &body, const BuildContext &context)
   }
   body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;
-  body.rate.resize(0);
+  body.kept.resize(0);
 }
 
 std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice)

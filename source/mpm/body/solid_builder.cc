@@ -165,7 +165,7 @@ double fill_limit_of(const Shape<3> &shape, const Settings &settings)
 {
   if (settings.fill_limit > 0.)
     return settings.fill_limit;
-  return shape.round() && !settings.scheme.inertia ? 0.95 : 0.6;
+  return shape.round() && settings.scheme.ends_in_balance() ? 0.95 : 0.6;
 }
 
 /// The first grid, under points that are sorted.

@@ -47,7 +47,7 @@ void take_grid(const std::vector<double> &numbers,
     in.take(*vector, in.count());
   body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
   body.velocity_of_points = body.velocity;
-  body.rate.resize(0);
+  body.kept.resize(0);
   body.internal_force = body.displacement;
 }
 } // namespace softgrain::mpm

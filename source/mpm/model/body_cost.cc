@@ -35,7 +35,7 @@ BodyCost cost_of(const BodyGroup &body, const Settings &settings)
     return cost;
   const double per_edge = create_shape_function(settings.shape)->nodes_per_edge();
   cost.unknowns = 2. * cells * per_edge * per_edge;
-  if (!settings.scheme.implicit)
+  if (!settings.scheme.solves_equations())
     return cost;
   // Rows that span the body's shorter side, unless a sparse factorisation takes over.
   const double n = cost.unknowns, band = 2. * per_edge * body.short_edge / h;

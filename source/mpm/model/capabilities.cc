@@ -4,6 +4,7 @@
 #include <softgrain/geometry/shape.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/model/capabilities.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/scene/motion_at_start.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -26,12 +27,17 @@ struct Capability
 
 bool has_inertia(const Settings &settings)
 {
-  return settings.scheme.inertia;
+  return !settings.scheme.ends_in_balance();
 }
 
 bool looks_for_balance(const Settings &settings)
 {
-  return settings.scheme.inertia || settings.max_held_steps > 0;
+  return has_inertia(settings) || settings.max_held_steps > 0;
+}
+
+bool knows_space(const Settings &settings)
+{
+  return settings.scheme.integrator->in_space();
 }
 
 bool meets_by_rays(const Settings &settings)
@@ -86,6 +92,11 @@ std::string motion_at_start(const Scene<dim> &scene, const Settings &)
   return "";
 }
 
+std::string space(const Scene<3> &, const Settings &)
+{
+  return "'Time/Scheme' = 'SCHEME' is not allowed with 'Dimension' = '3'";
+}
+
 std::string obstacles(const Scene<2> &scene, const Settings &settings)
 {
   return scene.obstacles.empty()
@@ -118,8 +129,10 @@ const std::vector<Capability<2>> in_the_plane = {
     {obstacles, meets_by_rays, ": it sees planes only"},
     {walls_along_bodies, sees_cells, " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'"}};
 
-const std::vector<Capability<3>> in_space = {{loads_of_velocity<3>, has_inertia, no_velocity},
-                                             {motion_at_start<3>, has_inertia, no_motion}};
+const std::vector<Capability<3>> in_space = {
+    {space, knows_space, ": it must be 'quasi_static' or 'moreau_jean'"},
+    {loads_of_velocity<3>, has_inertia, no_velocity},
+    {motion_at_start<3>, has_inertia, no_motion}};
 
 template <int dim>
 void check(const std::vector<Capability<dim>> &table, const Scene<dim> &scene, const Settings &settings)
@@ -131,11 +144,11 @@ void check(const std::vector<Capability<dim>> &table, const Scene<dim> &scene, c
     const std::string asked = row.asked(scene, settings);
     if (asked.empty())
       continue;
-    std::string otherwise = row.otherwise;
+    std::string message = asked + row.otherwise;
     const std::string blank = "SCHEME";
-    if (const auto place = otherwise.find(blank); place != std::string::npos)
-      otherwise.replace(place, blank.size(), settings.scheme.name);
-    throw InputError(asked + otherwise);
+    if (const auto place = message.find(blank); place != std::string::npos)
+      message.replace(place, blank.size(), settings.scheme.name);
+    throw InputError(message);
   }
 }
 } // namespace

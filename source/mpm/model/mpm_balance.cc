@@ -70,7 +70,7 @@ struct NodalVectors
       : displacement(body.displacement)
       , velocity(body.velocity)
       , velocity_of_points(body.velocity_of_points)
-      , rate(body.rate)
+      , kept(body.kept)
       , internal_force(body.internal_force)
   {
   }
@@ -79,10 +79,10 @@ struct NodalVectors
     body.displacement = displacement;
     body.velocity = velocity;
     body.velocity_of_points = velocity_of_points;
-    body.rate = rate;
+    body.kept = kept;
     body.internal_force = internal_force;
   }
-  Eigen::VectorXd displacement, velocity, velocity_of_points, rate, internal_force;
+  Eigen::VectorXd displacement, velocity, velocity_of_points, kept, internal_force;
 };
 } // namespace
 
@@ -193,12 +193,9 @@ void MpmModel::take_moved(const StateReader &points,
       keep_outline(body);
     vectors.put(body);
     work.trial[b] = {};
-    if (b < work.matrices.size())
-    {
-      work.solvers[b].reset();
-      work.matrices[b] = {};
-      prepare_solver(body);
-    }
+    work.solvers[b].reset();
+    work.matrices[b] = {};
+    prepare_solver(body);
   }
 }
 } // namespace softgrain::mpm

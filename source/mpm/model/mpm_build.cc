@@ -75,7 +75,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
       std::make_unique<Lattice<2>>(settings.mesh_lower, settings.mesh_upper, settings.finest_cell());
   problem.shape = create_shape_function(settings.shape);
   PointNeeds needs;
-  needs.velocity = settings.scheme.inertia;
+  needs.velocity = !at_rest();
   needs.affine = settings.affine_transfer;
   for (const auto &law : laws)
   {
@@ -118,40 +118,39 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
   share_out_bodies(descriptions);
   fill_bodies(descriptions);
   work.trial.resize(state.bodies.size());
-  if (settings.scheme.implicit)
-  {
-    work.matrices.resize(state.bodies.size());
-    work.solvers.resize(state.bodies.size());
-    for (const Body<2> &body : state.bodies)
-      prepare_solver(body);
-  }
-  if (settings.scheme.inertia && settings.follows_contact())
-    choose_for_long_steps(wanted_step(), cfl_step(), problem.settings);
-  integrator = Registry<TimeIntegrator>::instance().create(settings.scheme.name);
-  if (!settings.scheme.implicit && wanted_step() > cfl_step())
-  {
-    std::ostringstream message;
-    message << "'Time/Time step' = " << settings.step.time_step
-            << " s is not allowed with 'Time/Scheme' = 'explicit': it must be below the CFL step of "
-            << cfl_step() << " s";
-    throw InputError(message.str());
-  }
+  work.matrices.resize(state.bodies.size());
+  work.solvers.resize(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    prepare_solver(body);
+  choose_for_long_steps(wanted_step(), cfl_step(), problem.settings);
+  settings.scheme.check_step(wanted_step(), cfl_step());
   state.balance.initial_momentum = momentum();
   initial_energy = energies().kinetic;
   update_momentum_scale();
 }
 
+bool MpmModel::needs_matrix(const Body<2> &body) const
+{
+  return problem.settings.scheme.solves_equations() && !body.driven && work.share.mine(body.index);
+}
+
+void MpmModel::lay_out_matrix(const Body<2> &body)
+{
+  if (needs_matrix(body))
+    lay_out_stiffness(body.field, work.matrices[body.index], problem.settings.meets_by_rays());
+}
+
 void MpmModel::prepare_solver(const Body<2> &body)
 {
-  const Settings &settings = problem.settings;
-  if (!settings.scheme.implicit || body.driven || !work.share.mine(body.index))
+  if (!needs_matrix(body))
     return;
+  const Settings &settings = problem.settings;
   const bool condensed = settings.coupling == ContactCoupling::condensed &&
                          state.bodies.size() + problem.scene.walls.size() + state.obstacles.size() > 1;
   SystemMatrix &matrix = work.matrices[body.index];
-  lay_out_stiffness(body.field, matrix, settings.meets_by_rays());
+  lay_out_matrix(body);
   std::unique_ptr<LinearSolver> solver = create_linear_solver(settings.linear_solver, matrix, 2, condensed);
-  if (condensed && !settings.scheme.inertia)
+  if (condensed && at_rest())
     solver = std::make_unique<CountingSolver>(std::move(solver));
   work.solvers[body.index] = std::make_unique<RankOneSolver>(std::move(solver));
 }

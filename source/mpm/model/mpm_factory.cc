@@ -120,14 +120,12 @@ private:
   {
     Settings settings;
     settings.parse_parameters(prm, 3);
-    if (settings.scheme.name != "quasi_static" && settings.scheme.name != "moreau_jean")
-      throw InputError("'Time/Scheme' = '" + settings.scheme.name +
-                       "' is not allowed with 'Dimension' = '3': it must be 'quasi_static' or 'moreau_jean'");
-    if (!settings.scheme.inertia && settings.chosen_way && scene.walls.empty() && scene.obstacles.empty())
+    check_capabilities(scene, settings);
+    if (settings.scheme.ends_in_balance() && settings.chosen_way && scene.walls.empty() &&
+        scene.obstacles.empty())
       throw InputError(
           "'Time/Time step' = '0' is not allowed with 'Dimension' = '3' and 'Time/Scheme' = 'quasi_static': "
           "set it, or 'Time/Wall way', greater than 0");
-    check_capabilities(scene, settings);
     SpaceModel::Laws laws;
     for (const MaterialDescription &material : scene.materials)
     {
@@ -170,7 +168,7 @@ private:
     for (const MaterialDescription &material : scene.materials)
     {
       laws.push_back(law_of<2>(material, prm));
-      if (settings.scheme.implicit && !laws.back()->symmetric_tangent())
+      if (settings.scheme.solves_equations() && !laws.back()->symmetric_tangent())
         throw InputError("'Materials/" + material.name + "/Law' = '" + material.law +
                          "' is not allowed with 'Time/Scheme' = '" + settings.scheme.name +
                          "': its tangent is not symmetric, and the linear solvers need that it is; choose "

@@ -59,9 +59,9 @@ bool remembers(const std::vector<std::shared_ptr<const constitutive::Law<2>>> &l
 double n_iterations(const Settings &settings, const RunOutline &run, const double dt, const double cfl)
 {
   const double n_bodies = run.crowd.n_bodies();
-  if (!settings.scheme.implicit)
+  if (!settings.scheme.solves_equations())
     return 1.;
-  if (!settings.scheme.inertia)
+  if (settings.scheme.ends_in_balance())
   {
     const double way = run.fastest_wall * dt / settings.finest_cell();
     const double longer = std::clamp(std::pow(way / 0.1, 0.4), 1., 1.6);
@@ -101,7 +101,7 @@ double cut_by_falls(const Scene<2> &scene, const Settings &settings, const RunOu
 {
   const double g = scene.loads.uniform(0.).norm(),
                height = (settings.mesh_upper - settings.mesh_lower).norm();
-  if (g == 0. || run.crowd.n_bodies() < 1.5 || !settings.scheme.inertia)
+  if (g == 0. || run.crowd.n_bodies() < 1.5 || settings.scheme.ends_in_balance())
     return dt;
   const double longest = run.duration > 0. ? run.duration : std::numeric_limits<double>::max();
   const double speed = 0.5 * std::min(g * longest, std::sqrt(2. * g * height));
@@ -164,22 +164,23 @@ std::vector<std::string> warnings(
       list.push_back(what + ": contact forces are 5 % off and more, 12 cells make it 3 %");
   }
   const double way = run.fastest_wall * dt / settings.finest_cell();
-  if (!settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && way > 0.5)
+  if (settings.scheme.ends_in_balance() && run.crowd.n_bodies() > 1.5 && way > 0.5)
     list.push_back("a wall moves " + text(way, " cells") +
                    " in a step: assemblies without inertia were studied with up to 0.3");
   const bool by_waves = settings.wall_way == 0. && settings.step.time_step == 0.;
-  if (!settings.scheme.inertia && by_waves && way > 0. && way < 0.02)
+  if (settings.scheme.ends_in_balance() && by_waves && way > 0. && way < 0.02)
     list.push_back(
         "a wall moves " + text(way, " cells") +
         " in a step, for steps follow 'Time/CFL multiple': there are no waves without inertia, and "
         "'Time/Wall way' = 0.1 makes " +
         text(0.1 / way, "") + " times fewer");
-  if (settings.scheme.inertia && run.crowd.n_bodies() > 1.5 && settings.scheme.implicit && way > 1.)
+  if (!settings.scheme.ends_in_balance() && run.crowd.n_bodies() > 1.5 &&
+      settings.scheme.solves_equations() && way > 1.)
     list.push_back("a wall moves " + text(way, " cells") + " in a step: steps will be cut");
-  if (settings.scheme.inertia && run.fastest_wall > 0.1 * wave_speed)
+  if (!settings.scheme.ends_in_balance() && run.fastest_wall > 0.1 * wave_speed)
     list.push_back("a wall moves at " + text(run.fastest_wall, " m/s") + ", waves at " +
                    text(wave_speed, " m/s") + ": bodies are crushed where they meet it");
-  const double approach = settings.scheme.inertia ? fastest_approach(scene) : 0.;
+  const double approach = !settings.scheme.ends_in_balance() ? fastest_approach(scene) : 0.;
   if (approach > 0.3 * wave_speed)
     list.push_back("bodies start with velocities that differ by " + text(approach, " m/s") +
                    ", waves run at " + text(wave_speed, " m/s") + ": what meets is crushed");
@@ -203,6 +204,37 @@ double cfl_of(const Scene<2> &scene,
   }
   return step;
 }
+
+/// Slabs are three cells thick and as long as the mesh.
+double points_of_slabs(const Scene<2> &scene, const Settings &settings)
+{
+  double sum = 0.;
+  for (const WallDescription<2> &wall : scene.walls)
+    if (wall.type == WallDescription<2>::Type::material_points)
+      sum += 3. * std::pow(settings.points_per_direction, 2) / settings.finest_cell() *
+             std::abs((settings.mesh_upper - settings.mesh_lower) *
+                      dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
+  return sum;
+}
+
+/// @param unknowns of all bodies, @param cfl the step in which a wave crosses a cell [s]
+SizeReport sizes_of(const Settings &settings, const Forecast &result, const double unknowns, const double cfl)
+{
+  const auto cells_along = [&settings](const unsigned int d)
+  {
+    const double length = settings.mesh_upper[d] - settings.mesh_lower[d];
+    return std::to_string(std::llround(std::ceil(length / settings.finest_cell() * (1. - 1e-9))));
+  };
+  return {{"material points", "about " + count_in_words(result.n_points)},
+          {"background mesh",
+           cells_along(0) + " x " + cells_along(1) + " cells of " + text(settings.finest_cell(), " m")},
+          {"unknowns", "about " + count_in_words(unknowns)},
+          {"shape functions", settings.shape},
+          {"time scheme", settings.scheme.name},
+          {"contact", settings.contact_geometry},
+          {"CFL step", text(cfl, " s")},
+          {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
+}
 } // namespace
 
 Forecast forecast(const Scene<2> &scene,
@@ -222,24 +254,19 @@ Forecast forecast(const Scene<2> &scene,
       factors += cost.condense_seconds; // with several bodies it is in what a point costs
     memory += group.count * cost.memory;
   }
-  // Slabs are three cells thick and as long as the mesh.
-  for (const WallDescription<2> &wall : scene.walls)
-    if (wall.type == WallDescription<2>::Type::material_points)
-      result.n_points += 3. * std::pow(settings.points_per_direction, 2) / settings.finest_cell() *
-                         std::abs((settings.mesh_upper - settings.mesh_lower) *
-                                  dealii::Tensor<1, 2>({wall.normal[1], wall.normal[0]}));
+  result.n_points += points_of_slabs(scene, settings);
   const double cfl = cfl_of(scene, settings, laws, run.crowd), points = result.n_points;
   result.step = settings.step.wanted(settings.scheme.cfl_multiple(settings.cfl_multiple) * cfl);
-  const bool waves_count =
-      settings.chosen_way && settings.scheme.inertia && (run.pressed || moved_by_more_than_walls(scene));
+  const bool waves_count = settings.chosen_way && !settings.scheme.ends_in_balance() &&
+                           (run.pressed || moved_by_more_than_walls(scene));
   if (settings.wall_way > 0. && run.fastest_wall > 0.)
     result.step =
         std::min(settings.wall_way * settings.finest_cell() / run.fastest_wall,
                  waves_count ? result.step : settings.step.wanted(std::numeric_limits<double>::max()));
   result.n_steps = run.n_steps(cut_by_falls(scene, settings, run, result.step));
   const bool friction = has_friction(scene) || rough(scene.obstacles);
-  const bool slow =
-      !settings.scheme.inertia || (settings.follows_contact() && result.step > resolves_waves_to * cfl);
+  const bool slow = settings.scheme.ends_in_balance() ||
+                    (settings.follows_contact() && result.step > resolves_waves_to * cfl);
   const bool f_bar = has_f_bar(settings, laws, run.crowd);
   double iterations = n_iterations(settings, run, result.step, cfl);
   if (slow && f_bar && remembers(laws, run.crowd))
@@ -247,8 +274,8 @@ Forecast forecast(const Scene<2> &scene,
   double of_point = BodyCost::point_seconds + (run.crowd.n_bodies() > 1.5 ? BodyCost::contact_seconds : 0.);
   if (f_bar)
     of_point *= fitted::f_bar_point_factor;
-  double seconds = settings.scheme.implicit ? iterations * (of_point * points + factors)
-                                            : fitted::explicit_seconds * points;
+  double seconds = settings.scheme.solves_equations() ? iterations * (of_point * points + factors)
+                                                      : fitted::explicit_seconds * points;
   seconds *= factor_of_contacts(settings, run, slow, friction, !scene.obstacles.empty());
   if (settings.grid_update == GridUpdate::every_step)
     seconds += fitted::grid_seconds * points;
@@ -264,20 +291,7 @@ Forecast forecast(const Scene<2> &scene,
                         : 0.,
                     fitted::divided_work, fitted::divided_memory, run.crowd.n_bodies()};
   result.warnings = warnings(scene, settings, run, result.step, cfl);
-  const auto cells_along = [&settings](const unsigned int d)
-  {
-    const double length = settings.mesh_upper[d] - settings.mesh_lower[d];
-    return std::to_string(std::llround(std::ceil(length / settings.finest_cell() * (1. - 1e-9))));
-  };
-  result.sizes = {{"material points", "about " + count_in_words(points)},
-                  {"background mesh", cells_along(0) + " x " + cells_along(1) + " cells of " +
-                                          text(settings.finest_cell(), " m")},
-                  {"unknowns", "about " + count_in_words(unknowns)},
-                  {"shape functions", settings.shape},
-                  {"time scheme", settings.scheme.name},
-                  {"contact", settings.contact_geometry},
-                  {"CFL step", text(cfl, " s")},
-                  {"time step", text(result.step, " s = ") + text(result.step / cfl, " CFL steps")}};
+  result.sizes = sizes_of(settings, result, unknowns, cfl);
   return result;
 }
 } // namespace softgrain::mpm

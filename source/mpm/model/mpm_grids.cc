@@ -64,8 +64,7 @@ void MpmModel::renew_grids()
           body.velocity[2 * i + d] = work.drive[b][d];
       continue;
     }
-    if (problem.settings.scheme.implicit && work.share.mine(b))
-      lay_out_stiffness(body.field, work.matrices[b], problem.settings.meets_by_rays());
+    lay_out_matrix(body);
   }
   work.share.for_mine(
       state.bodies,

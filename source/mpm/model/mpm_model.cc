@@ -38,7 +38,7 @@ double MpmModel::cfl_step() const
 bool MpmModel::waves_count() const
 {
   const Settings &settings = problem.settings;
-  return settings.chosen_way && settings.scheme.inertia && (moved_by_more || !all_are_told(state.walls));
+  return settings.chosen_way && !at_rest() && (moved_by_more || !all_are_told(state.walls));
 }
 
 double MpmModel::fastest_driven_body() const
@@ -70,7 +70,7 @@ double MpmModel::wanted_step() const
 
 StepReport MpmModel::advance(const double dt_limit)
 {
-  if (!keeps_state_before_step())
+  if (!at_rest())
     return try_steps(dt_limit);
   write_state(before_step, false);
   try
@@ -92,7 +92,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   bool cut_by_law = false;
   const auto try_step = [&](const double dt) -> Attempt
   {
-    const StepOutcome outcome = integrator->step(problem, state, work, dt, wanted);
+    const StepOutcome outcome = settings.scheme.integrator->step(problem, state, work, dt, wanted);
     report.newton_iterations += outcome.newton_iterations;
     report.contact_sweeps += outcome.contact_sweeps;
     law_cuts += outcome.law_asks;
@@ -105,7 +105,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
     held_steps += outcome.held_steps;
     if (outcome.held_steps > 0)
       settled_step = steps + 1;
-    last_unbalanced = !settings.scheme.inertia   ? outcome.unbalanced
+    last_unbalanced = at_rest()                  ? outcome.unbalanced
                       : settings.meets_by_rays() ? unbalanced_force(problem, state, work, dt, work.load)
                                                  : 0.;
     // A law that has just asked for this length would refuse a longer one.
@@ -126,7 +126,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
     report.n_contacts += work.contact.carries_force(r);
   renew_grids();
-  if (!problem.settings.scheme.implicit && steps % 20 == 0)
+  if (!settings.scheme.solves_equations() && steps % 20 == 0)
     check_energy();
   update_momentum_scale();
   check_ranks_agree(report);
@@ -153,13 +153,13 @@ std::string MpmModel::fastest_body() const
 void MpmModel::settle(StepReport &report)
 {
   // Explicit steps and those with inertia end where they should; what has been settled stays so.
-  if (problem.settings.scheme.inertia || settled_step == steps)
+  if (!at_rest() || settled_step == steps)
     return;
   settled_step = steps;
   StepOutcome outcome;
   try
   {
-    outcome = integrator->settle(problem, state, work, last_dt);
+    outcome = problem.settings.scheme.integrator->settle(problem, state, work, last_dt);
   }
   catch (...)
   {
@@ -180,7 +180,7 @@ void MpmModel::settle(StepReport &report)
 
 void MpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  softgrain::take_drives(state.walls, drives, state.time, problem.settings.scheme.inertia);
+  softgrain::take_drives(state.walls, drives, state.time, !at_rest());
 }
 
 void MpmModel::check_energy() const

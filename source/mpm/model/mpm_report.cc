@@ -32,7 +32,7 @@ dealii::Tensor<1, 2> MpmModel::momentum() const
 
 double MpmModel::momentum_error() const
 {
-  if (!problem.settings.scheme.inertia)
+  if (at_rest())
     return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.;
   for (const Body<2> &body : state.bodies)
@@ -44,7 +44,7 @@ double MpmModel::momentum_error() const
 
 double MpmModel::energy_of_rounding() const
 {
-  const double strain = problem.settings.scheme.inertia ? rounded_strain : unresolved_strain;
+  const double strain = at_rest() ? unresolved_strain : rounded_strain;
   double sum = 0.;
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
@@ -55,7 +55,7 @@ double MpmModel::energy_of_rounding() const
 Energies MpmModel::energies() const
 {
   Energies energies;
-  if (problem.settings.scheme.inertia)
+  if (!at_rest())
   {
     for (const Body<2> &body : state.bodies)
       if (!body.driven)

@@ -220,14 +220,13 @@ bool MpmModel::laws_limit_step() const
 double MpmModel::rotational_energy() const
 {
   double energy = 0.;
-  if (problem.settings.scheme.inertia)
-    for (const Body<2> &body : state.bodies)
-      if (!body.driven)
-      {
-        const Eigen::VectorXd r = whole_rotation(body);
-        const double rate = r.dot(body.velocity);
-        energy += 0.5 * rate * rate * rotary_inertia(body, r);
-      }
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven && body.velocity.size() > 0)
+    {
+      const Eigen::VectorXd r = whole_rotation(body);
+      const double rate = r.dot(body.velocity);
+      energy += 0.5 * rate * rate * rotary_inertia(body, r);
+    }
   return energy;
 }
 
@@ -243,7 +242,7 @@ std::vector<std::pair<std::string, double>> MpmModel::extra_history() const
       {"rotational_energy_J_per_m", rotational_energy()},
       of_loss(loss::scheme),
       of_loss(loss::regularisation)};
-  if (!problem.settings.scheme.inertia)
+  if (at_rest())
     columns.insert(columns.end(), {{"held_steps", held_steps}, of_loss(loss::released)});
   if (laws_limit_step())
     columns.emplace_back("law_cuts", law_cuts);

@@ -40,6 +40,12 @@ std::vector<double> flat(const Eigen::VectorXd &v)
   return {v.data(), v.data() + v.size()};
 }
 
+/// Where a checkpoint keeps a body.
+std::string place_of(const Body<2> &body)
+{
+  return "mpm/bodies/" + body.name + "/";
+}
+
 /// Reads a list back into a vector.
 void unflat(const StateReader &in, const std::string &name, Eigen::VectorXd &values)
 {
@@ -100,21 +106,21 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
   save_points(out, of_all);
   for (const Body<2> &body : state.bodies)
   {
-    const std::string at = "mpm/bodies/" + body.name + "/";
+    const std::string at = place_of(body);
     out.write(at + "boundary_grid_position", flat(body.boundary.grid_position));
     out.write(at + "boundary_position", flat(body.boundary.position));
     out.write(at + "nodes/displacement", flat(body.displacement));
     out.write(at + "nodes/velocity", flat(body.velocity));
     out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
     out.write(at + "nodes/internal_force", flat(body.internal_force));
-    if (body.rate.size() > 0)
-      out.write(at + "nodes/rate", flat(body.rate));
+    if (body.kept.size() > 0)
+      out.write(at + "nodes/rate", flat(body.kept));
     if (state.repeats())
       out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
   }
 }
 
-void MpmModel::read_state(StateReader &in, const bool of_all)
+void MpmModel::read_progress(const StateReader &in)
 {
   const std::vector<double> scalars = in.read_doubles("mpm/scalars", 5);
   load_walls(in, "mpm/walls", state.walls);
@@ -135,6 +141,10 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
   Balance &b = state.balance;
   b.load(in, "mpm/balance/common");
   b.subgrid_energy = own[0];
+}
+
+void MpmModel::read_contacts(const StateReader &in)
+{
   const std::vector<std::uint64_t> keys = in.read_keys("mpm/contact/keys", ListSize::rows_of(1));
   const std::size_t components = problem.slippery() ? 1 : 2;
   const std::vector<double> impulses = in.read_doubles("mpm/contact/impulses", components * keys.size());
@@ -154,11 +164,37 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     for (unsigned int b = 0; b < state.bodies.size(); ++b)
       state.resistance.push_back(dealii::Tensor<1, 2>({resistance[2 * b], resistance[2 * b + 1]}));
   }
+}
 
+void MpmModel::read_nodes(const StateReader &in, Body<2> &body)
+{
+  const std::string at = place_of(body);
+  unflat(in, at + "boundary_position", body.boundary.position);
+  // The grid that has been laid says how many nodes there are.
+  unflat(in, at + "nodes/displacement", body.displacement);
+  unflat(in, at + "nodes/velocity", body.velocity);
+  unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
+  body.internal_force.resize(body.field.n_dofs());
+  unflat(in, at + "nodes/internal_force", body.internal_force);
+  body.kept.resize(in.contains(at + "nodes/rate") ? body.field.n_dofs() : 0);
+  if (body.kept.size() > 0)
+    unflat(in, at + "nodes/rate", body.kept);
+  if (!state.repeats())
+    return;
+  const std::vector<double> home = in.read_doubles(at + "home", 2);
+  for (const double number : home)
+    if (number != static_cast<int>(number))
+      in.refuse(at + "home", "copies of a cell have whole numbers");
+  body.home = {{static_cast<int>(home[0]), static_cast<int>(home[1])}};
+}
+
+void MpmModel::read_state(StateReader &in, const bool of_all)
+{
+  read_progress(in);
+  read_contacts(in);
   load_points(in, of_all);
   state.order_points();
   const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
-  const auto place_of = [](const Body<2> &body) { return "mpm/bodies/" + body.name + "/"; };
   for (Body<2> &body : state.bodies)
   {
     unflat(in, place_of(body) + "boundary_grid_position", body.boundary.grid_position);
@@ -170,27 +206,8 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     share_grids(all_bodies());
   for (Body<2> &body : state.bodies)
   {
-    const std::string at = place_of(body);
-    unflat(in, at + "boundary_position", body.boundary.position);
-    // The grid that has been laid says how many nodes there are.
-    unflat(in, at + "nodes/displacement", body.displacement);
-    unflat(in, at + "nodes/velocity", body.velocity);
-    unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
-    body.internal_force.resize(body.field.n_dofs());
-    unflat(in, at + "nodes/internal_force", body.internal_force);
-    body.rate.resize(in.contains(at + "nodes/rate") ? body.field.n_dofs() : 0);
-    if (body.rate.size() > 0)
-      unflat(in, at + "nodes/rate", body.rate);
-    if (state.repeats())
-    {
-      const std::vector<double> home = in.read_doubles(at + "home", 2);
-      for (const double number : home)
-        if (number != static_cast<int>(number))
-          in.refuse(at + "home", "copies of a cell have whole numbers");
-      body.home = {{static_cast<int>(home[0]), static_cast<int>(home[1])}};
-    }
-    if (problem.settings.scheme.implicit && !body.driven && work.share.mine(body.index))
-      lay_out_stiffness(body.field, work.matrices[body.index], problem.settings.meets_by_rays());
+    read_nodes(in, body);
+    lay_out_matrix(body);
   }
   work.outlines.clear();
   if (problem.settings.meets_by_rays())

@@ -216,7 +216,7 @@ void check_refinement(const Settings &settings)
   if (!create_shape_function(settings.shape)->may_hang())
     throw InputError(name + " is not allowed with 'Material points/Shape function' = '" + settings.shape +
                      "', which needs cells of one size: choose 'linear' or 'quadratic'");
-  if (!settings.scheme.implicit)
+  if (!settings.scheme.solves_equations())
     throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name +
                      "', whose steps the smallest cells would limit: leave it at 0");
   if (settings.grid_update != GridUpdate::never)
@@ -230,7 +230,7 @@ void check_shape_function(const Settings &settings)
   const std::unique_ptr<ShapeFunction> function = create_shape_function(settings.shape);
   const std::string name = "'Material points/Shape function' = '" + settings.shape + "'";
   const std::string negative = ": it is negative in places, and so may be the mass of a node; choose ";
-  if (!function->nowhere_negative() && settings.scheme.inertia)
+  if (!function->nowhere_negative() && !settings.scheme.ends_in_balance())
     throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name + "'" + negative +
                      "'quasi_static', or another shape function");
   if (settings.points_per_direction < function->least_points())
@@ -239,6 +239,66 @@ void check_shape_function(const Settings &settings)
                      "' is not allowed with 'Shape function' = '" + settings.shape +
                      "': a cell has deformations that strain none of so few points; choose " +
                      std::to_string(function->least_points()) + " or more");
+}
+
+void parse_points(const dealii::ParameterHandler &prm, const unsigned int dimension, Settings &settings)
+{
+  settings.shape = prm.get("Shape function");
+  settings.points_per_direction = prm.get_integer("Points per direction");
+  settings.fill_limit = prm.get_double("Fill limit");
+  if (settings.fill_limit == 0. && dimension == 2)
+    settings.fill_limit = 0.6;
+  const std::string update = prm.get("Grid update");
+  settings.grid_update = update == "never"        ? GridUpdate::never
+                         : update == "every step" ? GridUpdate::every_step
+                                                  : GridUpdate::distortion;
+  settings.distortion_limit = prm.get_double("Distortion limit");
+  settings.affine_transfer = prm.get("Transfer") == "apic";
+  settings.pic_fraction = prm.get_double("PIC fraction");
+  settings.f_bar = prm.get("F-bar");
+  if (settings.grid_update == GridUpdate::never && (settings.affine_transfer || settings.pic_fraction > 0.))
+    throw InputError(
+        "'Material points/Transfer' and 'PIC fraction' have no effect with 'Grid update' = 'never': "
+        "leave them at flip and 0, or choose another 'Grid update'");
+}
+
+void parse_contact(dealii::ParameterHandler &prm, Settings &settings)
+{
+  settings.contact_geometry = prm.get("Geometry");
+  settings.coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
+  if (settings.contact_geometry == "automatic")
+    settings.contact_geometry = "rays";
+  if (settings.regularisation == 0.)
+    settings.regularisation = 1e-4;
+  settings.by_rays = Registry<ContactGeometryKind>::instance().create(settings.contact_geometry)->by_rays();
+  settings.nodal_gap = prm.get_bool("Nodal gap");
+  settings.marker_spacing = prm.get_double("Marker spacing");
+  settings.largest_penetration = prm.get_double("Largest penetration");
+  settings.subgrid = prm.get_bool("Sub-grid compliance");
+  ContactSettings common;
+  common.parse_parameters(prm);
+  settings.contact_solver.tolerance = common.tolerance;
+  settings.contact_solver.max_sweeps = common.max_sweeps;
+  settings.contact_solver.relaxation = common.relaxation;
+  settings.contact_solver.algorithm = contact::algorithms().at(common.algorithm);
+  settings.failed_problem_directory = prm.get("Keep failed problems in");
+}
+
+/// What contact asks of grids and schemes. @throw InputError
+void check_contact(const Settings &settings)
+{
+  if (Registry<ContactGeometryKind>::instance().create(settings.contact_geometry)->at_nodes() &&
+      settings.grid_update != GridUpdate::every_step)
+    throw InputError("'Contact/Geometry' = '" + settings.contact_geometry +
+                     "' needs 'Material points/Grid update' = 'every step': bodies share "
+                     "nodes only where the grid lies under all of them now");
+  if (!settings.by_rays && settings.scheme.ends_in_balance())
+    throw InputError("'Contact/Geometry' = '" + settings.contact_geometry +
+                     "' is not allowed with 'Time/Scheme' = '" + settings.scheme.name +
+                     "', which has no masses: it must be 'rays'");
+  if (settings.by_rays && settings.coupling == ContactCoupling::lumped && settings.scheme.solves_equations())
+    throw InputError("'Contact/Solver' = 'lumped' needs 'Contact/Geometry' = 'nodes': rays are solved "
+                     "with the matrices of the bodies");
 }
 } // namespace
 
@@ -296,28 +356,7 @@ void Settings::parse_mesh(const dealii::ParameterHandler &prm, const unsigned in
 void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned int dimension)
 {
   in_section(prm, "Mesh", [&] { parse_mesh(prm, dimension); });
-  in_section(
-      prm, "Material points",
-      [&]
-      {
-        shape = prm.get("Shape function");
-        points_per_direction = prm.get_integer("Points per direction");
-        fill_limit = prm.get_double("Fill limit");
-        if (fill_limit == 0. && dimension == 2)
-          fill_limit = 0.6;
-        const std::string update = prm.get("Grid update");
-        grid_update = update == "never"        ? GridUpdate::never
-                      : update == "every step" ? GridUpdate::every_step
-                                               : GridUpdate::distortion;
-        distortion_limit = prm.get_double("Distortion limit");
-        affine_transfer = prm.get("Transfer") == "apic";
-        pic_fraction = prm.get_double("PIC fraction");
-        f_bar = prm.get("F-bar");
-        if (grid_update == GridUpdate::never && (affine_transfer || pic_fraction > 0.))
-          throw InputError(
-              "'Material points/Transfer' and 'PIC fraction' have no effect with 'Grid update' = 'never': "
-              "leave them at flip and 0, or choose another 'Grid update'");
-      });
+  in_section(prm, "Material points", [&] { parse_points(prm, dimension, *this); });
   parse_time_parameters(prm, *this);
   in_section(prm, "Quasi-static",
              [&]
@@ -345,41 +384,8 @@ void Settings::parse_parameters(dealii::ParameterHandler &prm, const unsigned in
                linear_solver.max_iterations = prm.get_integer("Maximum iterations");
                linear_solver.automatic_dofs = prm.get_integer("Automatic limit");
              });
-  in_section(
-      prm, "Contact",
-      [&]
-      {
-        contact_geometry = prm.get("Geometry");
-        coupling = prm.get("Solver") == "condensed" ? ContactCoupling::condensed : ContactCoupling::lumped;
-        if (contact_geometry == "automatic")
-          contact_geometry = "rays";
-        if (regularisation == 0.)
-          regularisation = 1e-4;
-        const auto kind = Registry<ContactGeometryKind>::instance().create(contact_geometry);
-        by_rays = kind->by_rays();
-        nodal_gap = prm.get_bool("Nodal gap");
-        marker_spacing = prm.get_double("Marker spacing");
-        largest_penetration = prm.get_double("Largest penetration");
-        subgrid = prm.get_bool("Sub-grid compliance");
-        ContactSettings common;
-        common.parse_parameters(prm);
-        contact_solver.tolerance = common.tolerance;
-        contact_solver.max_sweeps = common.max_sweeps;
-        contact_solver.relaxation = common.relaxation;
-        contact_solver.algorithm = contact::algorithms().at(common.algorithm);
-        failed_problem_directory = prm.get("Keep failed problems in");
-        if (kind->at_nodes() && grid_update != GridUpdate::every_step)
-          throw InputError("'Contact/Geometry' = '" + contact_geometry +
-                           "' needs 'Material points/Grid update' = 'every step': bodies share "
-                           "nodes only where the grid lies under all of them now");
-        if (!by_rays && !scheme.inertia)
-          throw InputError("'Contact/Geometry' = '" + contact_geometry +
-                           "' is not allowed with 'Time/Scheme' = '" + scheme.name +
-                           "', which has no masses: it must be 'rays'");
-        if (by_rays && coupling == ContactCoupling::lumped && scheme.implicit)
-          throw InputError("'Contact/Solver' = 'lumped' needs 'Contact/Geometry' = 'nodes': rays are solved "
-                           "with the matrices of the bodies");
-      });
+  in_section(prm, "Contact", [&] { parse_contact(prm, *this); });
+  check_contact(*this);
   check_shape_function(*this);
   check_refinement(*this);
 }

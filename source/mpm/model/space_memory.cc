@@ -250,7 +250,7 @@ void SpaceModel::save(StateWriter &out) const
   save_laws(state, out);
   if (!loads.empty())
     state.load_work.save(out, "space/loads");
-  if (settings.scheme.inertia)
+  if (!at_rest())
     save_motion(state, out);
 }
 
@@ -294,7 +294,7 @@ void SpaceModel::load(StateReader &in)
   load_laws(in, state);
   if (!loads.empty())
     state.load_work.load(in, "space/loads");
-  if (settings.scheme.inertia)
+  if (!at_rest())
     load_motion(in, n_dofs, state);
 }
 } // namespace softgrain::mpm

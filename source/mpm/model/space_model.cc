@@ -108,8 +108,6 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
   state.obstacles = make_obstacles(scene);
   for (const Obstacle<3> &obstacle : state.obstacles)
     check_thickness(obstacle.description, settings.cell_size);
-  if (!this->settings.scheme.inertia)
-    return;
   choose_for_long_steps(wanted_step(), cfl_step(), this->settings);
   state.motion.impulse = momentum();
 }
@@ -151,7 +149,7 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
 
 void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) const
 {
-  if (!settings.scheme.inertia)
+  if (at_rest())
     return;
   // Formulas are taken at the nodes, so that affine motions are exact.
   const std::vector<Expression> formulas = vector_expression(description.velocity, {"x", "y", "z"}, 3);
@@ -181,16 +179,16 @@ double SpaceModel::wanted_step() const
     for (const SpaceWall &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
-      const double dt = std::min(told, settings.scheme.inertia ? cfl_step() : 1e3 * settings.cell_size),
+      const double dt = std::min(told, at_rest() ? 1e3 * settings.cell_size : cfl_step()),
                    speed = fastest_of(wall, state.time, dt);
       if (speed > 0.)
         by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
     }
-  if (settings.wall_way > 0. && !settings.scheme.inertia)
+  if (settings.wall_way > 0. && at_rest())
     if (const double speed = fastest_obstacle(std::min(told, 1e3 * settings.cell_size)); speed > 0.)
       by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
   const double by_waves = settings.step.wanted(settings.cfl_multiple * cfl_step());
-  if (settings.scheme.inertia && (by_walls == longest || (settings.chosen_way && moved_by_more)))
+  if (!at_rest() && (by_walls == longest || (settings.chosen_way && moved_by_more)))
     return std::min(by_waves, by_walls);
   return std::min(told, by_walls);
 }
@@ -210,8 +208,8 @@ Attempt
 SpaceModel::try_step(const double dt, const double wanted, const std::size_t cuts_before, StepReport &report)
 {
   const SpaceMotion planned = motion(dt);
-  const StepOutcome outcome = settings.scheme.inertia ? moving_step(state, scene(), planned, dt)
-                                                      : SpaceAtRest(state, scene(), planned).go(dt, wanted);
+  const StepOutcome outcome = at_rest() ? SpaceAtRest(state, scene(), planned).go(dt, wanted)
+                                        : moving_step(state, scene(), planned, dt);
   note(outcome, report);
   state.law_cuts += outcome.law_asks;
   if (!outcome.accepted)
@@ -249,7 +247,7 @@ StepReport SpaceModel::advance(const double dt_limit)
   const double wanted = std::min(wanted_step(), dt_limit);
   const std::size_t law_cuts = state.law_cuts;
   SafeStep safe;
-  if (!settings.scheme.inertia)
+  if (at_rest())
     keep_before();
   else if (const double limit = safe_step_in_space(state.bodies, state.obstacles, state.time, wanted);
            limit < wanted)
@@ -276,7 +274,7 @@ StepReport SpaceModel::advance(const double dt_limit)
 
 void SpaceModel::settle(StepReport &report)
 {
-  if (last_dt == 0. || settings.scheme.inertia)
+  if (last_dt == 0. || !at_rest())
     return;
   const auto not_booked = [this]()
   {

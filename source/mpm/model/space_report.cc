@@ -27,8 +27,7 @@ Energies SpaceModel::energies() const
   {
     energies.elastic +=
         measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
-    if (settings.scheme.inertia)
-      energies.kinetic += body.kinetic_energy();
+    energies.kinetic += body.kinetic_energy();
   }
   energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
@@ -51,7 +50,7 @@ dealii::Tensor<1, 3> SpaceModel::momentum() const
 double SpaceModel::momentum_error() const
 {
   const double scale = std::max(state.motion.largest_momentum, state.motion.impulse.norm());
-  if (!settings.scheme.inertia || scale == 0.)
+  if (at_rest() || scale == 0.)
     return std::numeric_limits<double>::quiet_NaN();
   return (momentum() - state.motion.impulse).norm() / scale;
 }
@@ -143,7 +142,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
                   [](const Body<3> &body) { return body.law->limits_step(); }))
     columns.emplace_back("law_cuts", state.law_cuts);
-  if (!settings.scheme.inertia)
+  if (at_rest())
     return columns;
   double rotational = 0.;
   for (const Body<3> &body : state.bodies)

@@ -69,7 +69,7 @@ void SpaceModel::book_wall(const std::size_t w,
 {
   SpaceWall &wall = driven[w];
   const WallMotion<3> &moves = motion.walls[w];
-  const dealii::Tensor<1, 3> before = settings.scheme.inertia ? state.wall_force[w] : wall.force;
+  const dealii::Tensor<1, 3> before = at_rest() ? wall.force : state.wall_force[w];
   const bool loaded = motion.pressure[w].has_value();
   wall.speed = loaded ? (state.loaded[w].way - wall.travel) / dt : moves.velocity;
   wall.slide = moves.slide;
@@ -100,7 +100,7 @@ void SpaceModel::book(const SpaceMotion &motion, const double dt)
   for (std::size_t w = 0; w < driven.size(); ++w)
     book_wall(w, motion, dt, works);
   follow_loads();
-  if (settings.scheme.inertia)
+  if (!at_rest())
     return;
   book_obstacles(motion, works);
   state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;

@@ -22,10 +22,11 @@ constexpr double usual_cfl_multiple = 20.;
 void choose_steps(Settings &settings)
 {
   // Without inertia there are no waves.
-  const bool by_waves = settings.cfl_multiple > 0. && settings.scheme.inertia;
+  const bool by_waves = settings.cfl_multiple > 0. && !settings.scheme.ends_in_balance();
   if (settings.cfl_multiple == 0.)
     settings.cfl_multiple = usual_cfl_multiple;
-  if (by_waves || settings.wall_way > 0. || settings.step.time_step > 0. || !settings.scheme.implicit)
+  if (by_waves || settings.wall_way > 0. || settings.step.time_step > 0. ||
+      !settings.scheme.solves_equations())
     return;
   settings.wall_way = usual_wall_way;
   settings.chosen_way = true;
@@ -65,7 +66,7 @@ void parse_time_parameters(dealii::ParameterHandler &prm, Settings &settings)
   settings.step.parse_parameters(prm);
   settings.cfl_multiple = prm.get_double("CFL multiple");
   settings.wall_way = prm.get_double("Wall way");
-  if (settings.wall_way > 0. && !settings.scheme.implicit)
+  if (settings.wall_way > 0. && !settings.scheme.solves_equations())
     throw InputError("'Time/Wall way' = '" + prm.get("Wall way") + "' is not allowed with 'Time/Scheme' = '" +
                      settings.scheme.name + "', whose steps waves limit: leave it at 0");
   choose_steps(settings);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/model/unused_settings.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 
 #include <algorithm>
 
@@ -24,13 +25,13 @@ std::vector<std::string> unused_settings(const ParameterSection &all, const Sett
                     by_geometry = "'Contact/Geometry' = '" + settings.contact_geometry + "'";
   const std::pair<std::string, std::vector<Readers>> list[] = {
       {by_scheme,
-       {{scheme.name == "moreau_jean", "Time", {"Theta"}},
-        {!scheme.inertia, "Quasi-static", {"Regularisation", "Unbalanced force", "Held steps"}},
-        {scheme.implicit, "Newton", {}},
-        {scheme.implicit, "Linear solver", {}}}},
+       {{scheme.integrator->reads_theta(), "Time", {"Theta"}},
+        {scheme.ends_in_balance(), "Quasi-static", {"Regularisation", "Unbalanced force", "Held steps"}},
+        {scheme.solves_equations(), "Newton", {}},
+        {scheme.solves_equations(), "Linear solver", {}}}},
       {by_geometry,
        {{!rays, "Newton", {"Displacement tolerance", "Energy tolerance"}},
-        {!rays || !scheme.implicit,
+        {!rays || !scheme.solves_equations(),
          "Contact",
          {"Tolerance", "Maximum sweeps", "Relaxation", "Algorithm", "Keep failed problems in"}},
         {!rays, "Contact", {"Nodal gap", "Solver"}}}}};

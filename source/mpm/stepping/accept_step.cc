@@ -5,6 +5,7 @@
 #include <softgrain/mpm/stepping/account_loads.h>
 #include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/step_rows.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,31 +54,21 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
     state.balance.cell_work += (momentum + 0.5 * mass * change) * change;
   }
 }
-} // namespace
 
-void accept_step(const Problem &problem, State &state, Workspace &work, FoundStep &step)
+/// What nodes do, of all bodies; @p cell takes them along.
+void move_bodies(const Problem &problem,
+                 State &state,
+                 const Workspace &work,
+                 FoundStep &step,
+                 const std::optional<CellMotion> &cell)
 {
   const double dt = step.plan.dt;
-  const std::vector<WallMotion<2>> &motion = step.motion;
-  state.balance.losses.add(step.losses);
-  state.balance.sums.add(step.sums);
-  state.resistance = step.resistance;
-  account_contacts(problem, state, work, step, dt);
-  if (state.adhesion.remembers())
-  {
-    if (!problem.settings.meets_by_rays()) // rays have memories of their own
-      note_contacts(state, work, step.increment, motion, dt);
-    state.adhesion.finish_step();
-  }
-  account_loads(state, work, step);
   for (Body<2> &body : state.bodies)
     if (body.driven)
     {
       body.translate(dt * work.drive[body.index]);
       move_boundary(body);
     }
-  std::vector<double> law_loss(state.bodies.size(), 0.), law_supply = law_loss;
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
   std::vector<dealii::Point<2>> centers;
   if (cell && cell->deforms())
     for (const Body<2> &body : state.bodies)
@@ -86,10 +77,10 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
       [&](Body<2> &body)
       {
         Eigen::VectorXd &v = step.velocity[body.index];
+        body.kept = problem.settings.scheme.integrator->kept(
+            {body, step.plan, v, step.rate[body.index], step.external[body.index]});
         std::swap(body.internal_force, step.internal_force[body.index]);
         body.displacement += step.increment[body.index];
-        if (!problem.settings.scheme.inertia && !step.plan.held)
-          body.rate = step.rate[body.index];
         if (cell && cell->deforms())
           body.translate(dt * cell->velocity(centers[body.index]));
         if (body.velocity.size() > 0)
@@ -97,6 +88,12 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
         if (body.field.knows_markers())
           move_boundary(body);
       });
+}
+
+/// What points do, each rank for its own, and what their laws have lost and got.
+void move_points(const Problem &problem, State &state, const Workspace &work)
+{
+  std::vector<double> law_loss(state.bodies.size(), 0.), law_supply = law_loss;
   work.share.for_mine(
       state.bodies,
       [&](Body<2> &body)
@@ -117,15 +114,41 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     state.balance.losses.add(loss::law, lost);
   for (const double supply : law_supply)
     state.balance.growth_work += supply;
-  if (cell && problem.settings.scheme.inertia)
-    measure_against_cell(state, *cell, dt);
+}
+
+void move_walls(State &state, const FoundStep &step, const std::optional<CellMotion> &cell)
+{
+  const double dt = step.plan.dt;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    state.walls[w].travel += dt * motion[w].velocity;
+    state.walls[w].travel += dt * step.motion[w].velocity;
     state.walls[w].accept_pressure();
     if (state.walls[w].repeats())
       state.walls[w].offset = cell->offset_after(dt);
   }
+}
+} // namespace
+
+void accept_step(const Problem &problem, State &state, Workspace &work, FoundStep &step)
+{
+  const double dt = step.plan.dt;
+  state.balance.losses.add(step.losses);
+  state.balance.sums.add(step.sums);
+  state.resistance = step.resistance;
+  account_contacts(problem, state, work, step);
+  if (state.adhesion.remembers())
+  {
+    if (!problem.settings.meets_by_rays()) // rays have memories of their own
+      note_contacts(state, work, step.increment, step.motion, dt);
+    state.adhesion.finish_step();
+  }
+  account_loads(state, work, step);
+  const std::optional<CellMotion> cell = state.cell_motion(step.motion);
+  move_bodies(problem, state, work, step, cell);
+  move_points(problem, state, work);
+  if (cell && !step.balanced)
+    measure_against_cell(state, *cell, dt);
+  move_walls(state, step, cell);
   if (!step.plan.held)
     state.time += dt;
   state.memory = work.contact.memory(dt);

@@ -9,110 +9,180 @@
 
 namespace softgrain::mpm
 {
-void account_contacts(
-    const Problem &problem, State &state, const Workspace &work, const FoundStep &step, const double dt)
+namespace
 {
-  const std::vector<WallMotion<2>> &motion = step.motion;
-  std::vector<dealii::Tensor<1, 2>> force_before;
+using Vector = dealii::Tensor<1, 2>;
+
+/// The books of the contacts of one step.
+class ContactAccounts
+{
+public:
+  /// Walls and obstacles move, and have not felt anything yet.
+  ContactAccounts(State &state, const Workspace &work, const FoundStep &step);
+
+  void book_rows();
+  void load_sides_of_cell();
+  /// From balance to balance: what obstacles, walls and contacts did beside the work of the forces at the
+  /// end.
+  void book_means();
+
+private:
+  void book_row(const ContactWork &contact, unsigned int row, unsigned int component);
+  void book_partner(const ContactRow<2> &row, const Vector &direction, double impulse, double acting);
+  void give(Wall &wall, const Vector &given);
+  /// The part of the velocity of a wall with which it does work, not its load [m/s].
+  Vector working_velocity(const Wall &wall) const
+  {
+    return step.balanced ? wall.velocity() : wall.prescribed_velocity();
+  }
+  void book_obstacle(unsigned int o, std::vector<DrivenWork> &driven);
+  void book_wall(unsigned int w, std::vector<DrivenWork> &driven);
+
+  State &state;
+  const Workspace &work;
+  const FoundStep &step;
+  const double dt;
+  std::vector<Vector> force_before;                   ///< on walls
+  std::vector<std::pair<Vector, double>> felt_before; ///< by obstacles: force and torque
+  const std::optional<CellMotion> cell;
+  dealii::Tensor<2, 2> virial;
+};
+
+ContactAccounts::ContactAccounts(State &state, const Workspace &work, const FoundStep &step)
+    : state(state), work(work), step(step), dt(step.plan.dt), cell(state.cell_motion(step.motion))
+{
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     force_before.push_back(state.walls[w].force);
     state.walls[w].force = 0.;
-    state.walls[w].speed = motion[w].rate;
-    state.walls[w].slide_speed = motion[w].slide;
+    state.walls[w].speed = step.motion[w].rate;
+    state.walls[w].slide_speed = step.motion[w].slide;
   }
-  std::vector<std::pair<dealii::Tensor<1, 2>, double>> felt_before; // by obstacles: force and torque
   for (Obstacle<2> &obstacle : state.obstacles)
   {
     felt_before.emplace_back(obstacle.force, obstacle.torque);
     obstacle.arrive();
   }
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
-  dealii::Tensor<2, 2> virial;
-  // From balance to balance forces change steadily: their work is that of the mean of both ends.
-  const bool balanced = !problem.settings.scheme.inertia;
-  const auto give = [&](Wall &wall, const dealii::Tensor<1, 2> &given)
+}
+
+void ContactAccounts::give(Wall &wall, const Vector &given)
+{
+  wall.give(given, dt);
+  state.balance.wall_impulse += given;
+  wall.work += given * working_velocity(wall);
+}
+
+void ContactAccounts::book_partner(const ContactRow<2> &row,
+                                   const Vector &direction,
+                                   const double impulse,
+                                   const double acting)
+{
+  const Vector given = impulse * direction;
+  if (row.obstacle)
   {
-    wall.give(given, dt);
+    Obstacle<2> &obstacle = state.obstacles[row.wall - state.walls.size()];
+    obstacle.give(given, row.place, dt);
     state.balance.wall_impulse += given;
-    wall.work += given * (balanced ? wall.velocity() : wall.prescribed_velocity());
-  };
-  state.balance.subgrid_energy = step.dents;
-  state.balance.adhesion_work += step.adhesion_work;
-  const auto &rows = work.contact.contact_rows();
-  const unsigned int components = work.contact.n_components();
-  const std::vector<double> &P = work.contact.impulses();
-  const ContactWork contact(problem, state, work, dt, step.rate, motion);
-  for (unsigned int r = 0; r < rows.size(); ++r)
-    for (unsigned int c = 0; c < components; ++c)
-    {
-      if (!contact.acts(r, c))
-        continue;
-      const double impulse = P[r * components + c], acting = contact.acting(r, c);
-      const dealii::Tensor<1, 2> given = impulse * rows[r].direction(c);
-      if (rows[r].obstacle)
-      {
-        Obstacle<2> &obstacle = state.obstacles[rows[r].wall - state.walls.size()];
-        obstacle.give(given, rows[r].place, dt);
-        state.balance.wall_impulse += given;
-        if (!balanced)
-          obstacle.work += acting * (rows[r].partner_velocity * rows[r].direction(c));
-      }
-      else if (rows[r].wall != ContactRow<2>::none)
-        give(state.walls[rows[r].wall], given);
-      else if (rows[r].partner != ContactRow<2>::none && state.bodies[rows[r].partner].driven)
-      {
-        state.balance.wall_impulse += given;
-        state.balance.driven_work += acting * (rows[r].direction(c) * work.drive[rows[r].partner]);
-      }
-      if (cell)
-        virial += impulse / dt * outer_product(rows[r].direction(c), rows[r].branch);
-      if (c == 0 && !balanced)
-      {
-        const double pulled = contact.adhesion_work(r);
-        state.balance.adhesion_work += pulled;
-        state.balance.contact_loss += pulled - rows[r].work_beyond;
-      }
-      // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
-      // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
-      if (c > 0 || !balanced)
-        state.balance.contact_loss -= acting * contact.parting(r, c);
-    }
+    if (!step.balanced)
+      obstacle.work += acting * (row.partner_velocity * direction);
+  }
+  else if (row.wall != ContactRow<2>::none)
+    give(state.walls[row.wall], given);
+  else if (row.partner != ContactRow<2>::none && state.bodies[row.partner].driven)
+  {
+    state.balance.wall_impulse += given;
+    state.balance.driven_work += acting * (direction * work.drive[row.partner]);
+  }
+}
+
+void ContactAccounts::book_row(const ContactWork &contact, const unsigned int r, const unsigned int c)
+{
+  const ContactRow<2> &row = work.contact.contact_rows()[r];
+  const Vector direction = row.direction(c);
+  const double impulse = work.contact.impulses()[r * work.contact.n_components() + c],
+               acting = contact.acting(r, c);
+  book_partner(row, direction, impulse, acting);
   if (cell)
+    virial += impulse / dt * outer_product(direction, row.branch);
+  if (c == 0 && !step.balanced)
   {
-    load_sides(state.walls, cell->cell, virial);
-    for (Wall &wall : state.walls)
-      if (wall.repeats())
-        wall.work -= dt * (wall.force * (balanced ? wall.velocity() : wall.prescribed_velocity()));
+    const double pulled = contact.adhesion_work(r);
+    state.balance.adhesion_work += pulled;
+    state.balance.contact_loss += pulled - row.work_beyond;
   }
+  // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
+  // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.
+  if (c > 0 || !step.balanced)
+    state.balance.contact_loss -= acting * contact.parting(r, c);
+}
+
+void ContactAccounts::book_rows()
+{
+  const ContactWork contact(state, work, dt, step.rate, step.motion, step.balanced);
+  for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
+    for (unsigned int c = 0; c < work.contact.n_components(); ++c)
+      if (contact.acts(r, c))
+        book_row(contact, r, c);
+}
+
+void ContactAccounts::load_sides_of_cell()
+{
+  if (!cell)
+    return;
+  load_sides(state.walls, cell->cell, virial);
+  for (Wall &wall : state.walls)
+    if (wall.repeats())
+      wall.work -= dt * (wall.force * working_velocity(wall));
+}
+
+void ContactAccounts::book_obstacle(const unsigned int o, std::vector<DrivenWork> &driven)
+{
+  Obstacle<2> &obstacle = state.obstacles[o];
+  const ObstacleMotion<2> &way = obstacle.way;
+  if (way.dt == 0.)
+    return;
+  const auto &[force, torque] = felt_before[o];
+  const Vector shift = way.end.shift - way.start.shift;
+  const double angle = way.end.angle - way.start.angle;
+  obstacle.work -= 0.5 * (force + obstacle.force) * shift + 0.5 * (torque + obstacle.torque) * angle;
+  driven.push_back({&obstacle.work,
+                    0.5 * std::abs((obstacle.force - force) * shift + (obstacle.torque - torque) * angle)});
+}
+
+void ContactAccounts::book_wall(const unsigned int w, std::vector<DrivenWork> &driven)
+{
+  Wall &wall = state.walls[w];
+  double change = 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+  if (wall.slide_speed != 0.)
+    change += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
+  wall.work += change;
+  driven.push_back({&wall.work, std::abs(change)});
+}
+
+void ContactAccounts::book_means()
+{
   std::vector<DrivenWork> driven;
-  for (unsigned int o = 0; balanced && o < state.obstacles.size(); ++o)
-  {
-    Obstacle<2> &obstacle = state.obstacles[o];
-    const ObstacleMotion<2> &way = obstacle.way;
-    if (way.dt == 0.)
-      continue;
-    const dealii::Tensor<1, 2> shift = way.end.shift - way.start.shift;
-    const double angle = way.end.angle - way.start.angle;
-    obstacle.work -= 0.5 * (felt_before[o].first + obstacle.force) * shift +
-                     0.5 * (felt_before[o].second + obstacle.torque) * angle;
-    driven.push_back({&obstacle.work, 0.5 * std::abs((obstacle.force - felt_before[o].first) * shift +
-                                                     (obstacle.torque - felt_before[o].second) * angle)});
-  }
-  if (balanced)
-    for (unsigned int w = 0; w < state.walls.size(); ++w)
-    {
-      Wall &wall = state.walls[w];
-      double change = 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
-      if (wall.slide_speed != 0.)
-        change += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
-      wall.work += change;
-      driven.push_back({&wall.work, std::abs(change)});
-    }
+  for (unsigned int o = 0; o < state.obstacles.size(); ++o)
+    book_obstacle(o, driven);
+  for (unsigned int w = 0; w < state.walls.size(); ++w)
+    book_wall(w, driven);
   if (const double share = give_kinks(step.kinks, driven); share > 0.)
     state.balance.contact_loss += share * step.kinks.of_slides;
+}
+} // namespace
+
+void account_contacts(const Problem &problem, State &state, const Workspace &work, const FoundStep &step)
+{
+  ContactAccounts accounts(state, work, step);
+  state.balance.subgrid_energy = step.dents;
+  state.balance.adhesion_work += step.adhesion_work;
+  accounts.book_rows();
+  accounts.load_sides_of_cell();
+  if (step.balanced)
+    accounts.book_means();
   for (const FreeWall<2> &free : work.contact.free_walls.list)
-    account_free_wall(problem, state, free, free.slides() ? motion[free.wall].slide : motion[free.wall].rate,
-                      dt, problem.settings.scheme.implicit);
+    account_free_wall(problem, state, free,
+                      free.slides() ? step.motion[free.wall].slide : step.motion[free.wall].rate,
+                      step.plan.dt);
 }
 } // namespace softgrain::mpm

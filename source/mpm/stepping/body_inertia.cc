@@ -45,6 +45,12 @@ Eigen::VectorXd BodyInertia<dim>::increment(const Body<dim> &body, const Eigen::
 }
 
 template <int dim>
+Eigen::VectorXd BodyInertia<dim>::end_velocity(const Body<dim> &body, const Eigen::VectorXd &way) const
+{
+  return (way / dt - (1. - theta) * body.velocity) / theta;
+}
+
+template <int dim>
 void BodyInertia<dim>::find_missing(const Body<dim> &body,
                                     const Eigen::VectorXd &v,
                                     const Eigen::VectorXd &increment,
@@ -102,21 +108,16 @@ double BodyInertia<dim>::damping(const Body<dim> &body,
 }
 
 template <int dim>
-double BodyInertia<dim>::largest_momentum(const Body<dim> &body) const
+typename BodyTerms<dim>::Momentum BodyInertia<dim>::momentum_of_nodes(const Body<dim> &body) const
 {
-  double largest = 0.;
+  typename BodyTerms<dim>::Momentum momentum;
   for (unsigned int i = 0; i < body.mass.size(); ++i)
-    largest = std::max(largest, body.mass[i] * body.velocity.template segment<dim>(dim * i).norm());
-  return largest;
-}
-
-template <int dim>
-double BodyInertia<dim>::summed_momentum(const Body<dim> &body) const
-{
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += body.mass[i] * body.velocity.template segment<dim>(dim * i).norm();
-  return sum;
+  {
+    const double of_node = body.mass[i] * body.velocity.template segment<dim>(dim * i).norm();
+    momentum.largest = std::max(momentum.largest, of_node);
+    momentum.sum += of_node;
+  }
+  return momentum;
 }
 
 template class BodyInertia<2>;

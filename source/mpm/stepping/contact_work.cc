@@ -24,18 +24,18 @@ std::string partner_of(const State &state, const ContactRow<2> &row)
 }
 } // namespace
 
-ContactWork::ContactWork(const Problem &problem,
-                         const State &state,
+ContactWork::ContactWork(const State &state,
                          const Workspace &work,
                          const double dt,
                          const std::vector<Eigen::VectorXd> &rate,
-                         const std::vector<WallMotion<2>> &motion)
-    : problem(problem)
-    , state(state)
+                         const std::vector<WallMotion<2>> &motion,
+                         const bool balanced)
+    : state(state)
     , work(work)
     , dt(dt)
     , motion(motion)
     , cell(state.cell_motion(motion))
+    , balanced(balanced)
     , components(work.contact.n_components())
 {
   if (!work.contact.contact_rows().empty())
@@ -51,8 +51,7 @@ bool ContactWork::acts(const unsigned int row, const unsigned int component) con
 double ContactWork::acting(const unsigned int row, const unsigned int component) const
 {
   const double impulse = work.contact.impulses()[row * components + component];
-  // From balance to balance forces change steadily: their work is that of the mean of both ends.
-  if (problem.settings.scheme.inertia)
+  if (!balanced)
     return impulse;
   const auto before = state.memory.impulses.find(work.contact.contact_rows()[row].key);
   const double old =
@@ -163,7 +162,7 @@ std::string why_contact_gives(const Problem &problem,
   for (unsigned int b = 0; b < rate.size(); ++b)
     if (work.share.mine(b))
       rate[b] = increment[b] / dt;
-  return why_contact_gives(problem, state, work, ContactWork(problem, state, work, dt, rate, motion),
+  return why_contact_gives(problem, state, work, ContactWork(state, work, dt, rate, motion, false),
                            increment);
 }
 } // namespace softgrain::mpm

@@ -59,6 +59,58 @@ void solve_contacts(const Problem &problem,
           v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
       });
 }
+
+/// What forces and loads do to the velocities @p v in a step, without contact.
+void push_freely(const State &state, const double dt, const Vectors &external, Vectors &v)
+{
+  state.for_moving_bodies(
+      [&](const Body<2> &body)
+      {
+        const Eigen::VectorXd &load = external[body.index];
+        for (unsigned int i = 0; i < body.mass.size(); ++i)
+        {
+          auto velocity = v[body.index].segment<2>(2 * i);
+          velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
+          if (load.size() > 0)
+            velocity += dt / body.mass[i] * load.segment<2>(2 * i);
+        }
+      });
+}
+
+/// Internal forces at the end of the step. @return why they are not found or not taken
+std::string find_forces(const Problem &problem,
+                        const State &state,
+                        Workspace &work,
+                        const double dt,
+                        const Vectors &increment,
+                        Vectors &forces,
+                        StepOutcome &outcome)
+{
+  std::vector<StressOutcome> stress(state.bodies.size());
+  const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
+  SharedOutcomes outcomes(work.share, stress);
+  work.share.for_mine(
+      state.bodies,
+      [&](const Body<2> &body)
+      {
+        const unsigned int b = body.index;
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
+                                    {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
+        if (stress[b].good())
+          internal_force(body, work.trial[b], forces[b]);
+      },
+      [&](BodyShare::Message &message)
+      {
+        message.add(state.bodies, forces);
+        outcomes.add_to(message);
+      });
+  outcomes.take();
+  for (const Body<2> &body : state.bodies)
+    if (!stress[body.index].good())
+      return why_not(body, stress[body.index]);
+  heed_laws(state.bodies, stress, outcome);
+  return outcome.law_asks ? outcome.reason : "";
+}
 } // namespace
 
 StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work, const double dt)
@@ -79,18 +131,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   }
   else
     find_rows(problem, state, work, motion, dt);
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const Eigen::VectorXd &load = external[body.index];
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-        {
-          auto velocity = v[body.index].segment<2>(2 * i);
-          velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
-          if (load.size() > 0)
-            velocity += dt / body.mass[i] * load.segment<2>(2 * i);
-        }
-      });
+  push_freely(state, dt, external, v);
   outcome.reason = or_why_it_failed(
       [&]()
       {
@@ -103,35 +144,10 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
 
   dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
   Vectors forces(n_bodies);
-  std::vector<StressOutcome> stress(n_bodies);
-  const double half_dt = problem.settings.grid_update == GridUpdate::every_step ? 0.5 * dt : 0.;
   for (unsigned int b = 0; b < n_bodies; ++b)
     increment[b] = dt * v[b];
-  SharedOutcomes outcomes(work.share, stress);
-  work.share.for_mine(
-      state.bodies,
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
-        if (stress[b].good())
-          internal_force(body, work.trial[b], forces[b]);
-      },
-      [&](BodyShare::Message &message)
-      {
-        message.add(state.bodies, forces);
-        outcomes.add_to(message);
-      });
-  outcomes.take();
-  for (unsigned int b = 0; b < n_bodies; ++b)
-    if (!stress[b].good())
-    {
-      outcome.reason = why_not(state.bodies[b], stress[b]);
-      return outcome;
-    }
-  heed_laws(state.bodies, stress, outcome);
-  if (outcome.law_asks)
+  outcome.reason = find_forces(problem, state, work, dt, increment, forces, outcome);
+  if (!outcome.reason.empty())
     return outcome;
   if (!work.contact.empty())
     for (const double g : end_gaps(state, work, increment, motion, dt))
@@ -144,7 +160,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
     rate[b] = 0.5 * (state.bodies[b].velocity + v[b]);
-  const ContactWork contact(problem, state, work, dt, rate, motion);
+  const ContactWork contact(state, work, dt, rate, motion, false);
   outcome.reason = why_contact_gives(problem, state, work, contact, increment);
   if (!outcome.reason.empty())
     return outcome;

@@ -47,13 +47,12 @@ double MovingEquations::rounding(const Body<3> &body, const double contact) cons
 void MovingEquations::assemble_exact(const Body<3> &body)
 {
   const unsigned int b = body.index;
-  const double theta = settings.scheme.theta;
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
-  add_stiffness(body, work.trial[b], theta * theta * plan.dt * plan.dt, matrix);
+  add_stiffness(body, work.trial[b], inertia[b].stiffness_weight(), matrix);
   inertia[b].add_mass(body, matrix);
   if (body.loads.see_velocity())
-    add_load_tangent(body, loads, increment[b], theta * plan.dt, matrix);
+    add_load_tangent(body, loads, increment[b], settings.scheme.theta * plan.dt, matrix);
   // A ball that is pulled has no stiffness against a turn to be taken back.
   const double weight = inertia[b].held_weight(body, work.trial[b]);
   work.solvers[b]->set_update(weight > 0. ? Eigen::MatrixXd(inertia[b].held())

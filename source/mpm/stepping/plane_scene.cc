@@ -38,7 +38,7 @@ std::vector<PlaneScene::Vector> PlaneScene::ways_of_bodies() const
 std::vector<double> PlaneScene::own_ways() const
 {
   std::vector<double> ways;
-  if (!problem.settings.scheme.inertia)
+  if (problem.settings.scheme.ends_in_balance())
     return ways;
   for (const auto &way :
        work.share.numbers<1>(state.bodies, [&](const Body<2> &body)

@@ -31,7 +31,7 @@ void resist(
 void stop_flight(const Problem &problem, const double dt, FreeWall<2> &free)
 {
   const double most = problem.settings.wall_motion * problem.lattice->cell_size() / dt;
-  if (problem.settings.scheme.implicit && std::abs(free.free_speed) > most)
+  if (problem.settings.scheme.solves_equations() && std::abs(free.free_speed) > most)
     free.stop = std::max(most, 2. * std::abs(free.start_speed));
 }
 
@@ -47,25 +47,28 @@ FreeWall<2> free_wall(const State &state, const unsigned int w, const dealii::Te
   return free;
 }
 
-/// Puts its shear stress on a wall that is free to slide.
-void shear_wall(
-    const Problem &problem, State &state, Workspace &work, const StepPlan &plan, const unsigned int w)
+/// Makes a wall that is free along @p way an unknown of the step. @param load on it that way [N/m]
+/// @param speed that way at the start [m/s] @param own its step with its mass, without contact
+void add_free_wall(const Problem &problem,
+                   const State &state,
+                   Workspace &work,
+                   const StepPlan &plan,
+                   const double load,
+                   const double speed,
+                   FreeWallStep (*const own)(const Wall &, double, double, double),
+                   FreeWall<2> free)
 {
-  Wall &wall = state.walls[w];
-  const bool inertia = problem.settings.scheme.inertia;
-  const double time = state.time + (inertia || plan.held ? 0. : plan.dt);
-  wall.shear(wall.demanded_shear(time, inertia ? plan.dt : 0.), pressed_length(state.walls, w));
-  FreeWall<2> free = free_wall(state, w, wall.tangent());
-  if (inertia)
+  const TimeScheme &scheme = problem.settings.scheme;
+  if (scheme.ends_in_balance())
+    resist(problem, state, plan, load, free);
+  else
   {
-    const FreeWallStep step = free_slide_step(wall, plan.dt, problem.settings.scheme.theta);
+    const FreeWallStep step = own(state.walls[free.wall], plan.dt, scheme.theta, 0.);
     free.mass = step.mass;
     free.free_speed = step.free_speed;
-    free.start_speed = wall.slide_speed;
+    free.start_speed = speed;
     stop_flight(problem, plan.dt, free);
   }
-  else
-    resist(problem, state, plan, wall.slide_load, free);
   free.speed = free.start_speed;
   work.contact.free_walls.list.push_back(free);
 }
@@ -73,35 +76,25 @@ void shear_wall(
 
 void press_walls(const Problem &problem, State &state, Workspace &work, const StepPlan &plan)
 {
-  const TimeScheme &scheme = problem.settings.scheme;
-  const double dt = plan.dt;
-  std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
-  list.clear();
+  // Balance is at the end of a step, motion takes the mean.
+  const bool at_end = problem.settings.scheme.ends_in_balance();
+  const double time = state.time + (at_end && !plan.held ? plan.dt : 0.), over = at_end ? 0. : plan.dt;
+  work.contact.free_walls.list.clear();
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     Wall &wall = state.walls[w];
+    const double length = pressed_length(state.walls, w);
     if (wall.slides_freely())
-      shear_wall(problem, state, work, plan, w);
+    {
+      wall.shear(wall.demanded_shear(time, over), length);
+      add_free_wall(problem, state, work, plan, wall.slide_load, wall.slide_speed, &free_slide_step,
+                    free_wall(state, w, wall.tangent()));
+    }
     if (wall.prescribed())
       continue;
-    // Balance is at the end of a step, motion takes the mean.
-    const double asked = scheme.inertia
-                             ? asked_pressure(state.walls, w, state.time, dt)
-                             : asked_pressure(state.walls, w, state.time + (plan.held ? 0. : dt), 0.);
-    wall.press(asked, pressed_length(state.walls, w));
-    FreeWall<2> free = free_wall(state, w, wall.normal());
-    if (scheme.inertia)
-    {
-      const FreeWallStep step = free_wall_step(wall, dt, scheme.theta);
-      free.mass = step.mass;
-      free.free_speed = step.free_speed;
-      free.start_speed = wall.speed;
-      stop_flight(problem, dt, free);
-    }
-    else
-      resist(problem, state, plan, wall.load, free);
-    free.speed = free.start_speed;
-    list.push_back(free);
+    wall.press(asked_pressure(state.walls, w, time, over), length);
+    add_free_wall(problem, state, work, plan, wall.load, wall.speed, &free_wall_step,
+                  free_wall(state, w, wall.normal()));
   }
 }
 
@@ -117,8 +110,7 @@ void follow_free_walls(const Problem &problem, const Workspace &work, std::vecto
       continue;
     }
     here.velocity = scheme.over_step(free.start_speed, free.speed);
-    // The impulses of an explicit step act between the velocities before and after.
-    here.rate = scheme.implicit ? here.velocity : 0.5 * (free.start_speed + free.speed);
+    here.rate = scheme.at_work(free.start_speed, free.speed);
   }
 }
 
@@ -133,27 +125,21 @@ void settle_free_walls(const Problem &problem,
       work.drive[state.walls[free.wall].body] = motion[free.wall].mean_velocity();
 }
 
-void account_free_wall(const Problem &problem,
-                       State &state,
-                       const FreeWall<2> &free,
-                       const double rate,
-                       const double dt,
-                       const bool scheme_damping)
+void account_free_wall(
+    const Problem &problem, State &state, const FreeWall<2> &free, const double rate, const double dt)
 {
   Wall &wall = state.walls[free.wall];
   const bool slides = free.slides();
   const TimeScheme &scheme = problem.settings.scheme;
-  (slides ? wall.slide_speed : wall.speed) = scheme.inertia ? free.speed : rate;
-  if (!scheme.inertia)
+  (slides ? wall.slide_speed : wall.speed) = scheme.ends_in_balance() ? rate : free.speed;
+  if (scheme.ends_in_balance())
     return;
   const double load = slides ? wall.slide_load : wall.load, mass = slides ? wall.slide_mass : wall.mass,
                damping = slides ? wall.slide_damping : wall.damping;
   const double moving = scheme.over_step(free.start_speed, free.speed);
   wall.work += dt * load * rate;
   state.balance.wall_damping_loss += dt * damping * moving * rate;
-  const double change = free.speed - free.start_speed;
-  if (scheme_damping)
-    state.balance.losses.add(loss::scheme, (scheme.theta - 0.5) * mass * change * change);
+  state.balance.losses.add(loss::scheme, scheme.loss_of_wall(mass, free.speed - free.start_speed));
 }
 
 namespace

@@ -17,7 +17,7 @@ RayEquations<dim>::RayEquations(const RayWorld<dim> &world,
     : world(world)
     , plan(plan)
     , h(world.cell_size)
-    , inertia(world.settings.scheme.inertia)
+    , inertia(!world.settings.scheme.ends_in_balance())
     , theta(world.settings.scheme.theta)
     , equations(equations)
     , scene{world.bodies, world.surfaces, world.motion, h, world.subgrid, 0.5 * h}
@@ -69,17 +69,9 @@ typename RayEquations<dim>::Vectors RayEquations<dim>::free_way() const
 {
   Vectors ways = at_rest;
   for (const Body<dim> &body : world.bodies)
-    if (const Eigen::VectorXd &rate = inertia ? body.velocity : body.rate; !body.driven && rate.size() > 0)
+    if (const Eigen::VectorXd &rate = inertia ? body.velocity : body.kept; !body.driven && rate.size() > 0)
       ways[body.index] = plan.dt * rate;
   return ways;
-}
-
-template <int dim>
-Eigen::VectorXd RayEquations<dim>::end_velocity(const unsigned int b, const Eigen::VectorXd &way) const
-{
-  if (!inertia || world.bodies[b].driven)
-    return way / plan.dt;
-  return (way / plan.dt - (1. - theta) * world.bodies[b].velocity) / theta;
 }
 
 template <int dim>
@@ -96,8 +88,9 @@ bool RayEquations<dim>::evaluate(const Vectors &to)
 {
   move_free_walls();
   trial.resize(to.size());
-  for (unsigned int b = 0; b < to.size(); ++b)
-    trial[b] = end_velocity(b, to[b]);
+  for (const Body<dim> &body : world.bodies)
+    if (!body.driven && world.share.mine(body.index))
+      trial[body.index] = equations.end_velocity(body, to[body.index]);
   not_met = none;
   return equations.evaluate(trial) && meet(to);
 }

@@ -295,7 +295,7 @@ bool RayNewton<dim>::begin()
   const bool adheres = scene.adhesion != nullptr;
   const bool goes_on =
       inertia || (!plan.held && std::any_of(world.bodies.begin(), world.bodies.end(),
-                                            [](const Body<dim> &body) { return body.rate.size() > 0; }));
+                                            [](const Body<dim> &body) { return body.kept.size() > 0; }));
   if (goes_on || adheres)
     if (!meet(way))
       leave_unmet_rays();

@@ -40,6 +40,8 @@ public:
   void accept(State &state_to_change);
 
 private:
+  std::vector<StepEquations::Told> tell_ends();
+  void note_rays(FoundStep &found, State &state_to_change) const;
   void find_free_walls() override;
   void move_free_walls() override;
   double other_way() const override { return plane.largest_way(); }
@@ -151,9 +153,9 @@ void RayStep::hand_over_rows()
   work.contact.reinit(std::move(rows), work.share, false, state.bodies, plan.dt, memory);
 }
 
-void RayStep::accept(State &state_to_change)
+// Of a body: what the scheme or what resists takes from it, and what resists it.
+std::vector<StepEquations::Told> RayStep::tell_ends()
 {
-  // Of a body: what the scheme or what resists takes from it, and what resists it.
   std::vector<StepEquations::Told> told(way.size(), std::array<double, 5>{});
   work.share.for_mine(
       state.bodies,
@@ -171,6 +173,30 @@ void RayStep::accept(State &state_to_change)
         message.add(state.bodies, trial);
         step_equations.tell(told, message);
       });
+  return told;
+}
+
+// What rays of a step without inertia tell, and what they are for the next step.
+void RayStep::note_rays(FoundStep &found, State &state_to_change) const
+{
+  for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
+  {
+    frames[f].add_kinks(force[f], rubbing[f], found.kinks);
+    found.dents += frames[f].dent_energy(force[f]);
+    found.adhesion_work += frames[f].adhesion_work(scene);
+    for (const unsigned int side : {0, 1})
+      if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)
+        state_to_change.held_back[b] += frames[f].pull_to_come(scene);
+  }
+  std::vector<ContactFrame<2>> &kept = state_to_change.frames;
+  kept.clear();
+  for (unsigned int f = 0; f < frames.size(); ++f)
+    kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
+}
+
+void RayStep::accept(State &state_to_change)
+{
+  const std::vector<StepEquations::Told> told = tell_ends();
   Vectors rate(way.size());
   LoadTimes at_work = step_equations.load_times();
   if (!plan.held && !inertia)
@@ -184,6 +210,7 @@ void RayStep::accept(State &state_to_change)
                   plan.held || inertia ? equations.external
                                        : external_forces(state.bodies, work.share, at_work),
                   at_work};
+  found.balanced = !inertia;
   if (!inertia)
     state_to_change.held_back.resize(way.size());
   for (unsigned int b = 0; b < way.size(); ++b)
@@ -198,20 +225,7 @@ void RayStep::accept(State &state_to_change)
     }
     outcome.largest_move = std::max(outcome.largest_move, way[b].lpNorm<Eigen::Infinity>());
   }
-  for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
-  {
-    frames[f].add_kinks(force[f], rubbing[f], found.kinks);
-    found.dents += frames[f].dent_energy(force[f]);
-    found.adhesion_work += frames[f].adhesion_work(scene);
-  }
-  for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
-    for (const unsigned int side : {0, 1})
-      if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)
-        state_to_change.held_back[b] += frames[f].pull_to_come(scene);
-  std::vector<ContactFrame<2>> &kept = state_to_change.frames;
-  kept.clear();
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
+  note_rays(found, state_to_change);
   accept_step(problem, state_to_change, work, found);
 }
 } // namespace

@@ -103,7 +103,7 @@ double time_of_way(const double way, const double speed, const double accelerati
 /// Acceleration by which bodies fall [m/s²]; without inertia time only orders the steps.
 double pull_of(const Problem &problem, const State &state)
 {
-  return problem.settings.scheme.inertia ? problem.scene.loads.uniform(state.time).norm() : 0.;
+  return problem.settings.scheme.ends_in_balance() ? 0. : problem.scene.loads.uniform(state.time).norm();
 }
 
 /// The longest step, up to @p dt, in which @p flight comes nearer to no wall by more than @p reach.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/stepping/body_inertia.h>
-#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,21 +46,9 @@ StepEquations::StepEquations(const Problem &problem,
         const unsigned int b = body.index;
         if (!work.share.mine(b))
           return;
-        // A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
-        // choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut
-        // cells of its rim do not know that. Other bodies are resisted like everything that moves, if they
-        // are resisted.
-        const bool round_and_smooth = body.boundary.circular && problem.slippery();
-        if (!scheme.inertia)
-        {
-          scheme_terms[b] = std::make_unique<BodyResistance>(body, plan, round_and_smooth,
-                                                             state.resistance.empty() ? dealii::Tensor<1, 2>()
-                                                                                      : state.resistance[b]);
-          return;
-        }
-        auto inertia = std::make_unique<BodyInertia<2>>();
-        inertia->begin(body, scheme, dt, round_and_smooth, external[b]);
-        scheme_terms[b] = std::move(inertia);
+        scheme_terms[b] = scheme.integrator->terms_of(
+            {body, scheme, this->plan, body.boundary.circular && problem.slippery(), external[b],
+             state.resistance.empty() ? dealii::Tensor<1, 2>() : state.resistance[b]});
       });
 }
 
@@ -152,7 +139,7 @@ void StepEquations::measure(const Body<2> &body, const Eigen::VectorXd &v)
   Eigen::VectorXd contact = Eigen::VectorXd::Zero(body.field.n_dofs());
   work.contact.add_impulses(b, contact);
   double scale = std::max(contact.norm(), dt * internal[b].norm());
-  scale = std::max(scale, 1e-6 * scheme_terms[b]->largest_momentum(body));
+  scale = std::max(scale, 1e-6 * scheme_terms[b]->momentum_of_nodes(body).largest);
   if (external[b].size() > 0)
     scale = std::max(scale, dt * external[b].norm());
   // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.

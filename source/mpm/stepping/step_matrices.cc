@@ -25,7 +25,7 @@ void StepEquations::assemble_exact(const Body<2> &body)
   const unsigned int b = body.index;
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
-  add_stiffness(body, work.trial[b], scheme.theta * scheme.theta * dt * dt, matrix);
+  add_stiffness(body, work.trial[b], scheme_terms[b]->stiffness_weight(), matrix);
   scheme_terms[b]->add_mass(body, matrix);
   if (body.loads.see_velocity())
     add_load_tangent(body, loads, increment[b], scheme.theta * dt, matrix);

@@ -43,7 +43,7 @@ double StepEquations::rounding(const Body<2> &body, const double contact) const
       summed_in_forces(body, work.trial[b], problem.settings.finest_cell(), contact, internal[b].norm(), dt);
   if (external[b].size() > 0)
     summed += dt * external[b].norm();
-  summed += scheme_terms[b]->summed_momentum(body);
+  summed += scheme_terms[b]->momentum_of_nodes(body).sum;
   return std::numeric_limits<double>::epsilon() * summed;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/body_inertia.h>
+#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
@@ -11,6 +13,13 @@ SOFTGRAIN_DEFINE_REGISTRY(softgrain::mpm::TimeIntegrator)
 
 namespace softgrain::mpm
 {
+std::unique_ptr<BodyTerms<2>> TimeIntegrator::terms_of(const BodyStart &start) const
+{
+  auto inertia = std::make_unique<BodyInertia<2>>();
+  inertia->begin(start.body, start.scheme, start.plan.dt, start.nothing_turns_it, start.load);
+  return inertia;
+}
+
 StepOutcome TimeIntegrator::settle(const Problem &, State &, Workspace &, double) const
 {
   StepOutcome nothing;
@@ -20,11 +29,21 @@ StepOutcome TimeIntegrator::settle(const Problem &, State &, Workspace &, double
 
 std::string TimeScheme::in_words() const
 {
-  if (!inertia || !implicit)
+  if (steps != Steps::implicit_motion)
     return name;
   std::ostringstream text;
   text << name << ", theta " << theta;
   return text.str();
+}
+
+void TimeScheme::check_step(const double step, const double cfl) const
+{
+  if (solves_equations() || step <= cfl)
+    return;
+  std::ostringstream message;
+  message << "'Time/Time step' = " << step << " s is not allowed with 'Time/Scheme' = '" << name
+          << "': it must be below the CFL step of " << cfl << " s";
+  throw InputError(message.str());
 }
 
 TimeScheme TimeScheme::create(const std::string &name, const double theta)
@@ -32,8 +51,10 @@ TimeScheme TimeScheme::create(const std::string &name, const double theta)
   if (!(theta >= 0.5 && theta <= 1.))
     throw InputError("'Time/Theta' = " + std::to_string(theta) +
                      " is not allowed: a number from 0.5 to 1 is needed");
-  TimeScheme scheme = Registry<TimeIntegrator>::instance().create(name)->terms(theta);
+  const std::shared_ptr<const TimeIntegrator> integrator = Registry<TimeIntegrator>::instance().create(name);
+  TimeScheme scheme = integrator->terms(theta);
   scheme.name = name;
+  scheme.integrator = integrator;
   return scheme;
 }
 
@@ -53,19 +74,23 @@ public:
 class MoreauJean final : public ImplicitWithInertia
 {
 public:
-  TimeScheme terms(const double theta) const override { return {"", theta, true, true}; }
+  TimeScheme terms(const double theta) const override
+  {
+    return {"", theta, TimeScheme::Steps::implicit_motion, {}};
+  }
+  bool in_space() const override { return true; }
 };
 
 class Newmark final : public ImplicitWithInertia
 {
 public:
-  TimeScheme terms(double) const override { return {"", 0.5, true, true}; }
+  TimeScheme terms(double) const override { return {"", 0.5, TimeScheme::Steps::implicit_motion, {}}; }
 };
 
 class SymplecticEuler final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 1., true, false}; }
+  TimeScheme terms(double) const override { return {"", 1., TimeScheme::Steps::explicit_motion, {}}; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {
@@ -76,7 +101,17 @@ public:
 class QuasiStatic final : public TimeIntegrator
 {
 public:
-  TimeScheme terms(double) const override { return {"", 1., false, true}; }
+  TimeScheme terms(double) const override { return {"", 1., TimeScheme::Steps::balance, {}}; }
+  bool in_space() const override { return true; }
+  std::unique_ptr<BodyTerms<2>> terms_of(const BodyStart &start) const override
+  {
+    return std::make_unique<BodyResistance>(start.body, start.plan, start.nothing_turns_it, start.resistance);
+  }
+  /// From which the next step sets out.
+  Eigen::VectorXd kept(const BodyEnd &end) const override
+  {
+    return end.plan.held ? end.before.kept : end.rate;
+  }
   StepOutcome step(const Problem &problem,
                    State &state,
                    Workspace &work,

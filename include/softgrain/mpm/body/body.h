@@ -90,9 +90,9 @@ struct Body
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
   Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
   Eigen::VectorXd velocity_of_points; ///< what the points brought when the grid was built [m/s]; likewise
-  /// Mean over the last step that was not held, without inertia, from which the next sets out [m/s]; empty:
-  /// there was none on this grid.
-  Eigen::VectorXd rate;
+  /// What the time scheme keeps of the nodes from the last step, see TimeIntegrator::kept(): without inertia
+  /// the mean velocity over the last one that was not held [m/s]; empty: there was none on this grid.
+  Eigen::VectorXd kept;
   Eigen::VectorXd internal_force; ///< end of the last step [N]
 
   /// Copy of the cell that repeats from which it has been brought to where it is.
@@ -106,7 +106,7 @@ struct Body
   dealii::Tensor<1, dim> momentum() const;
   /// Centre of mass [m].
   dealii::Point<dim> center() const;
-  double kinetic_energy() const;
+  double kinetic_energy() const; ///< likewise [J m^(dim-3)]
   /// Takes it along as a whole, but for its boundary [m].
   void translate(const dealii::Tensor<1, dim> &way);
 };

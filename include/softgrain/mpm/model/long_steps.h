@@ -10,9 +10,12 @@ namespace softgrain::mpm
 constexpr double resolves_waves_to = 20.5;
 
 /// What is best where a step does not resolve waves and inertia hardly holds what contacts do not, unless it
-/// is given. @param step, cfl_step the step that is wanted, and in which a wave goes through a cell [s]
+/// is given; nothing for schemes that know no waves. @param step, cfl_step the step that is wanted, and in
+/// which a wave goes through a cell [s]
 inline void choose_for_long_steps(const double step, const double cfl_step, Settings &settings)
 {
+  if (settings.scheme.ends_in_balance() || !settings.follows_contact())
+    return;
   if (settings.theta == 0. && step > resolves_waves_to * cfl_step)
     settings.scheme = TimeScheme::create(settings.scheme.name, 0.8);
 }

@@ -81,8 +81,9 @@ private:
   StepReport try_steps(double dt_limit);
   /// Name, place and speed of the fastest body, for messages.
   std::string fastest_body() const;
-  /// Whether steps keep the state before them: held steps may end early, and leave nothing behind then.
-  bool keeps_state_before_step() const { return !problem.settings.scheme.inertia; }
+  /// Whether steps end in balance. They keep the state before them: held steps may end early, and leave
+  /// nothing behind then.
+  bool at_rest() const { return problem.settings.scheme.ends_in_balance(); }
   void renew_grids();
   /// Distortions of the grids of all bodies, see grid_distortion(); found only where they are asked for.
   std::vector<double> grid_distortions() const;
@@ -98,8 +99,12 @@ private:
   void take_moved(const StateReader &points, const std::vector<char> &comes, const std::vector<char> &goes);
   /// Keeps what all ranks know of a body whose points have gone to another one.
   void keep_outline(Body<2> &body);
-  /// Matrix and solver of a body of this rank, where steps need them.
+  /// Whether this rank needs the matrix of a body.
+  bool needs_matrix(const Body<2> &body) const;
+  /// Matrix and solver of a body, where this rank needs them.
   void prepare_solver(const Body<2> &body);
+  /// The same matrix for another grid.
+  void lay_out_matrix(const Body<2> &body);
   std::vector<unsigned int> all_bodies() const;
   /// Moves the points of these bodies along with their grids and lays new ones.
   void lay_grids_anew(const std::vector<unsigned int> &bodies);
@@ -111,6 +116,9 @@ private:
   void save_points(StateWriter &out, bool of_all) const;
   /// Reads back what write_state() has written, of the points of all ranks or of those here.
   void read_state(StateReader &in, bool of_all);
+  void read_progress(const StateReader &in);
+  void read_contacts(const StateReader &in);
+  void read_nodes(const StateReader &in, Body<2> &body);
   void load_points(const StateReader &in, bool of_all);
   /// Mean stress of every body times its volume, and the volume, each from the body's rank.
   std::vector<std::array<double, 4>> stress_sums() const;
@@ -137,11 +145,10 @@ private:
   std::size_t steps = 0;
   bool moved_by_more = false; ///< whether bodies are moved by more than walls
   StepControl step_control{1.5};
-  std::unique_ptr<const TimeIntegrator> integrator;
   std::uint64_t held_steps = 0;
   std::uint64_t law_cuts = 0;   ///< steps that were tried again shorter because a law asked for it
   std::size_t settled_step = 0; ///< the last step after which settle() had its way
-  MemoryState before_step;      ///< if keeps_state_before_step()
+  MemoryState before_step;      ///< if at_rest()
   double last_unbalanced = 0.;
   double last_dt = 0.;
   double initial_energy = 0.; ///< [J/m]

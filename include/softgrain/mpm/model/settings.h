@@ -101,17 +101,17 @@ struct Settings
   }
 
   /// Whether what the grid misses of light contacts is added: it is measured for B-splines.
-  bool subgrid_compliance() const { return subgrid && !scheme.inertia && shape == "bspline"; }
+  bool subgrid_compliance() const { return subgrid && scheme.ends_in_balance() && shape == "bspline"; }
 
   /// Whether contact is solved with what the matrices of bodies say of their rows, else with nodal masses.
-  bool condenses() const { return scheme.implicit && coupling == ContactCoupling::condensed; }
+  bool condenses() const { return scheme.solves_equations() && coupling == ContactCoupling::condensed; }
 
   /// Whether surfaces are met by rays, see ContactFrame.
   bool meets_by_rays() const { return by_rays; }
 
   /// Whether contact follows bodies through a step: rays of an implicit one see all that bodies come to meet;
   /// other rows are those of its start or its middle.
-  bool follows_contact() const { return by_rays && scheme.implicit; }
+  bool follows_contact() const { return by_rays && scheme.solves_equations(); }
 
   /// Declares the sections Mesh, Material points, Time, Newton, Linear solver and the rest of Contact.
   static void declare_parameters(dealii::ParameterHandler &prm);

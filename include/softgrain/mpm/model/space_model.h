@@ -77,6 +77,8 @@ private:
     PointStore<3> store;
   };
 
+  /// Whether steps end in balance.
+  bool at_rest() const { return settings.scheme.ends_in_balance(); }
   void add_body(const BodyDescription<3> &description,
                 const std::shared_ptr<const constitutive::Law<3>> &law,
                 double density);

@@ -27,6 +27,9 @@ struct FoundStep
   ContactKinks kinks = {};                           ///< without inertia
   double dents = 0;                                  ///< energy in what the grid misses of them [J/m]
   double adhesion_work = 0;                          ///< likewise without inertia [J/m]
+  /// It leads from balance to balance: forces change steadily, and their work is that of the mean of both
+  /// ends.
+  bool balanced = false;
 };
 
 /**

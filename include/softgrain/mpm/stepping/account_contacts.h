@@ -7,9 +7,8 @@
 namespace softgrain::mpm
 {
 /// The part of accept_step() that books what walls and obstacles feel and the work done at the contacts
-/// during a step of @p dt [s].
-void account_contacts(
-    const Problem &problem, State &state, const Workspace &work, const FoundStep &step, double dt);
+/// during a step.
+void account_contacts(const Problem &problem, State &state, const Workspace &work, const FoundStep &step);
 } // namespace softgrain::mpm
 
 #endif

@@ -30,6 +30,7 @@ public:
   void note_load(const Body<dim> &body, const Eigen::VectorXd &load) override;
 
   Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const override;
+  Eigen::VectorXd end_velocity(const Body<dim> &body, const Eigen::VectorXd &way) const override;
   void find_missing(const Body<dim> &body,
                     const Eigen::VectorXd &v,
                     const Eigen::VectorXd &increment,
@@ -37,6 +38,7 @@ public:
                     const Eigen::VectorXd &load,
                     Eigen::VectorXd &missing) override;
 
+  double stiffness_weight() const override { return theta * theta * dt * dt; }
   void add_mass(const Body<dim> &body, SystemMatrix &matrix) const override
   {
     matrix.add_mass<dim>(body.mass, 1.);
@@ -53,8 +55,7 @@ public:
   {
     return held_work(increment);
   }
-  double largest_momentum(const Body<dim> &body) const override;
-  double summed_momentum(const Body<dim> &body) const override;
+  typename BodyTerms<dim>::Momentum momentum_of_nodes(const Body<dim> &body) const override;
   /// What the torque takes that keeps the spin [J m^(dim-3)].
   double held_work(const Eigen::VectorXd &increment) const
   {

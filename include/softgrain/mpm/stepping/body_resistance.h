@@ -37,12 +37,17 @@ public:
                  const dealii::Tensor<1, 2> &before);
 
   Eigen::VectorXd increment(const Body<2> &body, const Eigen::VectorXd &v) const override;
+  Eigen::VectorXd end_velocity(const Body<2> &, const Eigen::VectorXd &way) const override
+  {
+    return way / dt;
+  }
   void find_missing(const Body<2> &body,
                     const Eigen::VectorXd &v,
                     const Eigen::VectorXd &increment,
                     const Eigen::VectorXd &internal,
                     const Eigen::VectorXd &load,
                     Eigen::VectorXd &missing) override;
+  double stiffness_weight() const override { return dt * dt; }
   void add_mass(const Body<2> &body, SystemMatrix &matrix) const override;
   double held_weight(const Body<2> &, const StepState<2> &) const override { return weight; }
   const WholeRotation<2> &held() const override { return rotation; }

@@ -24,6 +24,8 @@ public:
 
   /// Displacement over the step for the end velocity @p v [m].
   virtual Eigen::VectorXd increment(const Body<dim> &body, const Eigen::VectorXd &v) const = 0;
+  /// The end velocity for a displacement over the step [m/s].
+  virtual Eigen::VectorXd end_velocity(const Body<dim> &body, const Eigen::VectorXd &way) const = 0;
 
   /// Loads that see the velocity change from trial to trial: tells it those of the next one.
   virtual void note_load(const Body<dim> &, const Eigen::VectorXd &) {}
@@ -36,6 +38,8 @@ public:
                             const Eigen::VectorXd &load,
                             Eigen::VectorXd &missing) = 0;
 
+  /// Factor on the stiffness in Newton's matrix of the step [s^2].
+  virtual double stiffness_weight() const = 0;
   /// Adds what goes with the velocity of nodes to a matrix that has the stiffness.
   virtual void add_mass(const Body<dim> &body, SystemMatrix &matrix) const = 0;
   /// Stiffness against a turn that goes with it, of the columns held() [N s^2 m^(dim-2)].
@@ -51,10 +55,14 @@ public:
   /// What regularising forces take in a step [J m^(dim-3)].
   virtual double regularisation_work(const Body<dim> &body, const Eigen::VectorXd &increment) const = 0;
 
-  /// Momentum of the nodes at the start that the scheme knows of: of the one with most, and of all by its
-  /// amount; against them impulses are measured [N s m^(dim-3)].
-  virtual double largest_momentum(const Body<dim> &) const { return 0.; }
-  virtual double summed_momentum(const Body<dim> &) const { return 0.; }
+  /// Amounts of momentum of the nodes at the start; against them impulses are measured [N s m^(dim-3)].
+  struct Momentum
+  {
+    double largest = 0.; ///< of a node
+    double sum = 0.;     ///< of all
+  };
+  /// None where bodies have no velocity.
+  virtual Momentum momentum_of_nodes(const Body<dim> &) const { return {}; }
 
   /// What resists the motion of the body at the end of a step without inertia [N m^(dim-3)].
   virtual dealii::Tensor<1, dim> resistance(const Body<dim> &, const Eigen::VectorXd &) const { return {}; }

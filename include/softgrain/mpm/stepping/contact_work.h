@@ -20,12 +20,13 @@ public:
   /// @param dt     length of the step [s]
   /// @param rate   mean velocity of the nodes, with which impulses do their work [m/s]
   /// @param motion of the walls
-  ContactWork(const Problem &problem,
-              const State &state,
+  /// @param balanced see FoundStep
+  ContactWork(const State &state,
               const Workspace &work,
               double dt,
               const std::vector<Eigen::VectorXd> &rate,
-              const std::vector<WallMotion<2>> &motion);
+              const std::vector<WallMotion<2>> &motion,
+              bool balanced);
 
   /// Whether a component of a row does anything.
   bool acts(unsigned int row, unsigned int component) const;
@@ -45,12 +46,12 @@ public:
   Gift gift() const;
 
 private:
-  const Problem &problem;
   const State &state;
   const Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
   const std::optional<CellMotion> cell;
+  const bool balanced;
   const unsigned int components;
   std::vector<double> relative; ///< of bodies, and of what is driven [m/s]
 };

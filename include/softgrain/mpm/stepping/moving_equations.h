@@ -24,6 +24,10 @@ public:
 
   double rounding(const Body<3> &body, double contact) const override;
   void assemble_exact(const Body<3> &body) override;
+  Eigen::VectorXd end_velocity(const Body<3> &body, const Eigen::VectorXd &way) const override
+  {
+    return inertia[body.index].end_velocity(body, way);
+  }
   /// What the scheme takes from a body in the step as last evaluated [J].
   double damping(unsigned int b, const Eigen::VectorXd &v) const
   {

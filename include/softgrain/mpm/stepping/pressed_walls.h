@@ -21,13 +21,8 @@ void settle_free_walls(const Problem &problem,
                        std::vector<WallMotion<2>> &motion);
 
 /// Books the work of the load of a free wall over a step, what its damping and the scheme take, and its speed
-/// at the end. @param scheme_damping takes part in it: impulses act at theta in the step
-void account_free_wall(const Problem &problem,
-                       State &state,
-                       const FreeWall<2> &free,
-                       double rate,
-                       double dt,
-                       bool scheme_damping);
+/// at the end.
+void account_free_wall(const Problem &problem, State &state, const FreeWall<2> &free, double rate, double dt);
 
 /// Largest difference of the force on a free wall from its load, over the load or, where that is less, over
 /// the smallest force that counts (dimensionless); `quasi_static`.

@@ -98,7 +98,7 @@ protected:
   const RayWorld<dim> world;
   const StepPlan &plan;
   const double h;
-  const bool inertia;
+  const bool inertia; ///< else the step ends in balance
   const double theta; ///< of TimeScheme: a change of the end velocity times theta dt is one of the way
   BodyEquations<dim> &equations;
   FrameScene<dim> scene;
@@ -106,8 +106,9 @@ protected:
   RayForces force;          ///< normal forces of rays [N/m^(3-dim)]
   RayFriction<dim> rubbing; ///< their friction
   FrameSystem<dim> system;
-  Vectors at_rest, way, trial; ///< no way, that of the step [m], and the velocity for it [m/s]
-  double residual = 0.;        ///< largest unbalanced force of a body or a wall over the largest force on one
+  Vectors at_rest, way; ///< no way, and that of the step [m]
+  Vectors trial;        ///< the velocity for it, of the bodies of this rank [m/s]
+  double residual = 0.; ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
       0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
@@ -116,7 +117,6 @@ protected:
 
 private:
   double walls_way() const;
-  Eigen::VectorXd end_velocity(unsigned int b, const Eigen::VectorXd &way) const;
   double unbalanced_free_walls() const;
   double momentum_of_nodes(const Body<dim> &body) const;
   void measure_frame(unsigned int f, double &wrong_friction);

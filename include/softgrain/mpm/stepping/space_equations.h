@@ -53,6 +53,10 @@ public:
 
   bool evaluate(const Vectors &v) override;
   std::string why_not() const override;
+  Eigen::VectorXd end_velocity(const Body<3> &, const Eigen::VectorXd &way) const override
+  {
+    return way / plan.dt;
+  }
   const Eigen::VectorXd &missing(const unsigned int b) const override { return missing_impulse[b]; }
   double rounding(const Body<3> &body, double contact) const override;
   void assemble_exact(const Body<3> &body) override;

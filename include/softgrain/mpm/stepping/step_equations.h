@@ -38,6 +38,11 @@ public:
   /// or deforms by too much over the step.
   bool evaluate(const Vectors &v) override;
 
+  Eigen::VectorXd end_velocity(const Body<2> &body, const Eigen::VectorXd &way) const override
+  {
+    return scheme_terms[body.index]->end_velocity(body, way);
+  }
+
   /// A way from end velocities @p x, for which increments were @p from.
   struct Way
   {
