@@ -111,15 +111,9 @@ void SpaceModel::book_obstacles(const SpaceMotion &motion, std::vector<DrivenWor
 {
   for (unsigned int o = 0; o < state.obstacles.size(); ++o)
   {
-    Obstacle<3> &obstacle = state.obstacles[o];
     const Obstacle<3> &before = before_step.progress.obstacles[o];
-    obstacle.way = motion.obstacles[o];
-    const dealii::Tensor<1, 3> shift = obstacle.way.end.shift - obstacle.way.start.shift;
-    const double angle = obstacle.way.end.angle - obstacle.way.start.angle;
-    obstacle.work -=
-        0.5 * (before.force + obstacle.force) * shift + 0.5 * (before.torque + obstacle.torque) * angle;
-    works.push_back({&obstacle.work, 0.5 * std::abs((obstacle.force - before.force) * shift +
-                                                    (obstacle.torque - before.torque) * angle)});
+    state.obstacles[o].way = motion.obstacles[o];
+    book_obstacle(state.obstacles[o], before.force, before.torque, works);
   }
 }
 } // namespace softgrain::mpm

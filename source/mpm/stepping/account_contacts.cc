@@ -35,7 +35,6 @@ private:
   {
     return step.balanced ? wall.velocity() : wall.prescribed_velocity();
   }
-  void book_obstacle(unsigned int o, std::vector<DrivenWork> &driven);
   void book_wall(unsigned int w, std::vector<DrivenWork> &driven);
 
   State &state;
@@ -135,20 +134,6 @@ void ContactAccounts::load_sides_of_cell()
       wall.work -= dt * (wall.force * working_velocity(wall));
 }
 
-void ContactAccounts::book_obstacle(const unsigned int o, std::vector<DrivenWork> &driven)
-{
-  Obstacle<2> &obstacle = state.obstacles[o];
-  const ObstacleMotion<2> &way = obstacle.way;
-  if (way.dt == 0.)
-    return;
-  const auto &[force, torque] = felt_before[o];
-  const Vector shift = way.end.shift - way.start.shift;
-  const double angle = way.end.angle - way.start.angle;
-  obstacle.work -= 0.5 * (force + obstacle.force) * shift + 0.5 * (torque + obstacle.torque) * angle;
-  driven.push_back({&obstacle.work,
-                    0.5 * std::abs((obstacle.force - force) * shift + (obstacle.torque - torque) * angle)});
-}
-
 void ContactAccounts::book_wall(const unsigned int w, std::vector<DrivenWork> &driven)
 {
   Wall &wall = state.walls[w];
@@ -163,7 +148,7 @@ void ContactAccounts::book_means()
 {
   std::vector<DrivenWork> driven;
   for (unsigned int o = 0; o < state.obstacles.size(); ++o)
-    book_obstacle(o, driven);
+    book_obstacle(state.obstacles[o], felt_before[o].first, felt_before[o].second, driven);
   for (unsigned int w = 0; w < state.walls.size(); ++w)
     book_wall(w, driven);
   if (const double share = give_kinks(step.kinks, driven); share > 0.)
