@@ -4,6 +4,7 @@
 #include <softgrain/contact/frictional_newton.h>
 #include <softgrain/contact/residual.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -88,6 +89,30 @@ classify_by_impulses(const Problem &problem, const std::vector<double> &complian
   return contacts;
 }
 
+/// Numbers of the components of closed contacts among these; -1 for the others.
+template <unsigned int n>
+std::vector<int> numbers_of_closed(const std::vector<Contact<n>> &contacts)
+{
+  std::vector<int> local(n * contacts.size(), -1);
+  int size = 0;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int c = 0; c < n; ++c)
+      if (contacts[i].closed)
+        local[i * n + c] = size++;
+  return local;
+}
+
+/// How many entries of the matrix are in rows and columns that have numbers.
+std::size_t entries_of(const Matrix &W, const std::vector<int> &local)
+{
+  std::size_t sum = 0;
+  for (unsigned int row = 0; row < local.size(); ++row)
+    if (local[row] >= 0)
+      for (Matrix::InnerIterator entry(W, row); entry; ++entry)
+        sum += local[entry.col()] >= 0;
+  return sum;
+}
+
 /// The Newton step; false when its system is singular.
 template <unsigned int n>
 bool newton_step(const Matrix &W,
@@ -99,24 +124,17 @@ bool newton_step(const Matrix &W,
                  const Eigen::VectorXd &w,
                  Eigen::VectorXd &step)
 {
-  std::vector<int> local(P.size(), -1);
-  unsigned int size = 0;
-  std::size_t n_entries = 0;
+  const std::vector<int> local = numbers_of_closed<n>(contacts);
+  const unsigned int size =
+      std::count_if(local.begin(), local.end(), [](const int number) { return number >= 0; });
   step = Eigen::VectorXd::Zero(P.size());
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    for (unsigned int c = 0; c < n; ++c)
-      if (contacts[i].closed)
-        local[i * n + c] = size++;
-      else
-        step[i * n + c] = -P[i * n + c];
+  for (unsigned int row = 0; row < local.size(); ++row)
+    if (local[row] < 0)
+      step[row] = -P[row];
   if (size == 0)
     return true;
   const Eigen::VectorXd from_opened = W * step;
-  for (unsigned int row = 0; row < local.size(); ++row)
-    if (local[row] >= 0)
-      for (Matrix::InnerIterator entry(W, row); entry; ++entry)
-        n_entries += local[entry.col()] >= 0;
-
+  const std::size_t n_entries = entries_of(W, local);
   ActiveSystem system(size, n_entries + 3 * size, false);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   // adds factor * ((W + ε D) dP)_from to the equation of row `to`

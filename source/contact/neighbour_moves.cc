@@ -190,6 +190,32 @@ bool NeighbourList::is_outdated(const std::vector<std::array<double, 2>> &positi
   return come_near(moves, movers, tell);
 }
 
+namespace
+{
+/// Whether a mover has a neighbour, meets itself across the cell, or may meet another one.
+template <class Moves, class Mover>
+bool meet_each_other(const Moves &moves, const std::vector<Mover> &movers, const double gap)
+{
+  for (std::size_t m = 0; m < movers.size(); ++m)
+  {
+    if (movers[m].has_neighbours || !moves.fits(movers[m], 2. * movers[m].radius + gap))
+      return true;
+    for (std::size_t other = 0; other < m; ++other)
+    {
+      // The other as a disk around its box.
+      const auto &box = movers[other].box;
+      const std::array<double, 2> middle = {
+          {0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])}};
+      if (moves.meets(movers[m], middle,
+                      movers[m].radius + movers[other].radius + gap +
+                          0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1])))
+        return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
 bool NeighbourList::come_near(const Moves &moves, std::vector<Mover> &movers, const Tell &tell)
 {
   // By the number of the disk: which mover it belongs to, or none.
@@ -227,21 +253,7 @@ bool NeighbourList::come_near(const Moves &moves, std::vector<Mover> &movers, co
     for (std::size_t m = 0; m < movers.size(); ++m)
       movers[m].join(&other[m * n_numbers]);
 
-  bool near = false;
-  for (std::size_t m = 0; m < movers.size() && !near; ++m)
-  {
-    near = movers[m].has_neighbours || !moves.fits(movers[m], 2. * movers[m].radius + range.gap);
-    for (std::size_t other = 0; other < m && !near; ++other)
-    {
-      // The other as a disk around its box.
-      const Bounds &box = movers[other].box;
-      const std::array<double, 2> middle = {
-          {0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])}};
-      near = moves.meets(movers[m], middle,
-                         movers[m].radius + movers[other].radius + range.gap +
-                             0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]));
-    }
-  }
+  bool near = meet_each_other(moves, movers, range.gap);
   for (std::size_t i = 0; i < built_at.size() && !near; ++i)
     if (const Mover *const mover = mover_of(i))
     {
