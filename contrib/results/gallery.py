@@ -23,6 +23,7 @@ DRAWING = {
     "patch_test": ["--range", "0", "3e5"],
     "plastic_block": ["--range", "0", "3e8"],
     "pull_off": ["--frame", "5"],
+    "swelling_gels_mpm": ["--field", "volume_ratio"],
     "triaxial_spheres": ["--cut", "y=5e-3"],
     "twelve_plastic_spheres": ["--field", "equivalent_plastic_strain", "--view", "-60", "20"],
     "two_disks": ["--frame", "3"],
