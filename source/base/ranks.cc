@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/failure.h>
 #include <softgrain/base/interruption.h>
-#include <softgrain/base/mistakes.h>
 #include <softgrain/base/ranks.h>
 #include <softgrain/base/scattered_numbers.h>
 
@@ -14,90 +14,13 @@
 #include <ctime>
 #include <iostream>
 #include <limits>
-#include <new>
 #include <numeric>
-#include <sstream>
 #include <thread>
 
 namespace softgrain
 {
 namespace
 {
-/// What a rank may throw, so that the others throw the same.
-enum class Failure
-{
-  none,
-  input,
-  inputs, ///< several mistakes, a line each
-  computation,
-  interrupted,
-  memory,
-  other
-};
-
-Failure kind_of(const std::exception_ptr &failure, std::string &text)
-{
-  if (!failure)
-    return Failure::none;
-  try
-  {
-    std::rethrow_exception(failure);
-  }
-  catch (const InputErrors &errors)
-  {
-    text = errors.what();
-    return Failure::inputs;
-  }
-  catch (const InputError &error)
-  {
-    text = error.what();
-    return Failure::input;
-  }
-  catch (const ComputationError &error)
-  {
-    text = error.what();
-    return Failure::computation;
-  }
-  catch (const Interrupted &)
-  {
-    return Failure::interrupted;
-  }
-  catch (const std::bad_alloc &)
-  {
-    return Failure::memory;
-  }
-  catch (const std::exception &error)
-  {
-    text = error.what();
-    return Failure::other;
-  }
-}
-
-[[noreturn]] void fail(const Failure kind, const std::string &text)
-{
-  switch (kind)
-  {
-  case Failure::input:
-    throw InputError(text);
-  case Failure::inputs:
-  {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);)
-      lines.push_back(line);
-    throw InputErrors(lines);
-  }
-  case Failure::computation:
-    throw ComputationError(text);
-  case Failure::interrupted:
-    throw Interrupted();
-  case Failure::memory:
-    throw std::bad_alloc();
-  default:
-    throw std::runtime_error(text);
-  }
-}
-
 double seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -119,6 +42,84 @@ public:
 private:
   RankTimes &times;
   const double begin, processor_begin;
+};
+
+/// Pieces that go from their owners to all at once. Numbers stand rank after rank: whether it failed and
+/// whether it was asked to stop, then its pieces in the order of the list.
+class ExchangeOfPieces
+{
+public:
+  using Some = std::vector<Ranks::Piece>::const_iterator;
+
+  /// @param all where the numbers stand
+  ExchangeOfPieces(const Some begin, const Some end, const unsigned int n, std::vector<double> &all)
+      : begin(begin), end(end), starts(n, 0), at(n), all(all)
+  {
+    std::vector<std::size_t> count(n, 1);
+    for (Some piece = begin; piece != end; ++piece)
+      count[piece->owner] += piece->size;
+    const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
+    if (total > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
+    counts.assign(count.begin(), count.end());
+    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+    all.resize(total);
+    for (unsigned int r = 0; r < n; ++r)
+      at[r] = all.data() + starts[r];
+  }
+
+  /// Puts down what this rank has.
+  void pack(const unsigned int here, const bool failed)
+  {
+    *at[here] = (failed ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
+    double *own = at[here] + 1;
+    for (Some piece = begin; piece != end; ++piece)
+      if (piece->owner == here)
+        own = std::copy_n(piece->begin, piece->size, own);
+  }
+
+  void send()
+  {
+    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
+                   MPI_COMM_WORLD);
+  }
+
+  std::size_t bytes_from_others(const unsigned int here) const
+  {
+    return (all.size() - counts[here]) * sizeof(double);
+  }
+
+  /// Tells a request to stop that has come to any rank. @return the lowest rank that failed, or their number
+  unsigned int take_flags()
+  {
+    unsigned int failed = at.size();
+    for (unsigned int r = at.size(); r-- > 0;)
+    {
+      const double flags = *at[r]++;
+      if (flags == 1. || flags == 3.)
+        tell_interruption();
+      if (flags >= 2.)
+        failed = r;
+    }
+    return failed;
+  }
+
+  /// Brings what the others have to its places, after take_flags().
+  void unpack(const unsigned int here)
+  {
+    for (Some piece = begin; piece != end; ++piece)
+    {
+      if (piece->owner != here)
+        std::copy_n(at[piece->owner], piece->size, piece->begin);
+      at[piece->owner] += piece->size;
+    }
+  }
+
+private:
+  const Some begin, end;
+  std::vector<int> counts, starts;
+  std::vector<double *> at; ///< where the next number of every rank is
+  std::vector<double> &all;
 };
 } // namespace
 
@@ -142,69 +143,32 @@ double processor_seconds()
 
 void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const
 {
-  using Some = std::vector<Piece>::const_iterator;
   std::string text;
   const Failure kind = kind_of(failure, text);
-  const auto exchange_some = [&](const Some begin, const Some end)
+  // Not all at once: what is exchanged takes memory on every rank.
+  constexpr std::size_t most_at_once = 1 << 18;
+  auto first = pieces.begin();
+  do
   {
-    std::vector<std::size_t> count(n, 1);
-    for (Some piece = begin; piece != end; ++piece)
-      count[piece->owner] += piece->size;
-    const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t(0));
-    if (total > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-      throw ComputationError("ranks have to exchange more than 2^31 numbers at once: use fewer bodies");
-    std::vector<int> counts(count.begin(), count.end()), starts(n, 0);
-    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-    // Rank after rank: whether it failed, whether it was asked to stop, and its pieces in the order of the
-    // list.
-    all.resize(total);
-    std::vector<double *> at(n);
-    for (unsigned int r = 0; r < n; ++r)
-      at[r] = all.data() + starts[r];
-    *at[rank] = (kind != Failure::none ? 2. : 0.) + (interruption_noted() ? 1. : 0.);
-    double *own = at[rank] + 1;
-    for (Some piece = begin; piece != end; ++piece)
-      if (piece->owner == rank)
-        own = std::copy_n(piece->begin, piece->size, own);
+    auto end = first;
+    for (std::size_t size = 0; end != pieces.end() && (end == first || size + end->size <= most_at_once);
+         ++end)
+      size += end->size;
+    ExchangeOfPieces some(first, end, n, all);
+    some.pack(rank, kind != Failure::none);
     {
       const Wait wait(times);
-      MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-                     MPI_COMM_WORLD);
+      some.send();
     }
-    times.bytes += (total - count[rank]) * sizeof(double);
-    unsigned int failed = n;
-    for (unsigned int r = n; r-- > 0;)
-    {
-      const double flags = *at[r]++;
-      if (flags == 1. || flags == 3.)
-        tell_interruption();
-      if (flags >= 2.)
-        failed = r;
-    }
-    if (failed < n)
+    times.bytes += some.bytes_from_others(rank);
+    if (const unsigned int failed = some.take_flags(); failed < n)
     {
       const std::string message = share(std::to_string(static_cast<int>(kind)) + text, failed);
       if (failure)
         std::rethrow_exception(failure);
       fail(static_cast<Failure>(message.at(0) - '0'), message.substr(1));
     }
-    for (Some piece = begin; piece != end; ++piece)
-    {
-      if (piece->owner != rank)
-        std::copy_n(at[piece->owner], piece->size, piece->begin);
-      at[piece->owner] += piece->size;
-    }
-  };
-  // Not all at once: what is exchanged takes memory on every rank.
-  constexpr std::size_t most_at_once = 1 << 18;
-  Some first = pieces.begin();
-  do
-  {
-    Some end = first;
-    for (std::size_t size = 0; end != pieces.end() && (end == first || size + end->size <= most_at_once);
-         ++end)
-      size += end->size;
-    exchange_some(first, end);
+    some.unpack(rank);
     first = end;
   } while (first != pieces.end());
   if (all.size() > most_at_once + n)

@@ -113,6 +113,84 @@ std::size_t entries_of(const Matrix &W, const std::vector<int> &local)
   return sum;
 }
 
+/// The equations of the Newton step for the components of closed contacts.
+template <unsigned int n>
+class NewtonEquations
+{
+public:
+  /// All are kept by reference. @param step known of the components of open contacts, 0 elsewhere
+  NewtonEquations(const Matrix &W,
+                  const std::vector<double> &compliance,
+                  const std::vector<int> &local,
+                  const unsigned int size,
+                  const double epsilon,
+                  const Eigen::VectorXd &step)
+      : W(W)
+      , compliance(compliance)
+      , local(local)
+      , epsilon(epsilon)
+      , from_opened(W * step)
+      , system(size, entries_of(W, local) + 3 * size, false)
+      , b(Eigen::VectorXd::Zero(size))
+  {
+  }
+
+  /// Adds those of contact @p i. Rows are in units of velocity, so that pivoting compares like with like.
+  void add(const unsigned int i,
+           const Contact<n> &contact,
+           const double mu,
+           const Eigen::VectorXd &P,
+           const Eigen::VectorXd &w)
+  {
+    add_row(i * n, i * n, 1.);
+    b[local[i * n]] -= w[i * n];
+    for (unsigned int c = 1; c < n; ++c)
+    {
+      const unsigned int row = i * n + c;
+      if (!contact.slips)
+      {
+        add_row(row, row, 1.);
+        b[local[row]] -= w[row];
+        continue;
+      }
+      const double unit = compliance[i];
+      b[local[row]] += unit * (mu * P[i * n] * contact.m[c - 1] - P[row]);
+      system.add(local[row], local[i * n], -unit * mu * contact.m[c - 1]);
+      system.add(local[row], local[row], unit);
+      if constexpr (n > 2)
+        for (unsigned int d = 1; d < n; ++d)
+        {
+          const double normal_part = (c == d ? 1. : 0.) - contact.m[c - 1] * contact.m[d - 1];
+          system.add(local[row], local[i * n + d], -unit * contact.k * normal_part);
+          add_row(row, i * n + d, unit * contact.turn * normal_part);
+          // F_t itself: the part of P_t - ρ w_t across m is 0, so only the value of mu P_n m - P_t stays
+        }
+    }
+  }
+
+  /// @return whether there is a solution
+  bool solve(Eigen::VectorXd &solution) { return system.solve_general(b, solution); }
+
+private:
+  /// Adds factor * ((W + ε D) dP)_from to the equation of row @p to.
+  void add_row(const unsigned int to, const unsigned int from, const double factor)
+  {
+    for (Matrix::InnerIterator entry(W, from); entry; ++entry)
+      if (local[entry.col()] >= 0)
+        system.add(local[to], local[entry.col()], factor * entry.value());
+    system.add(local[to], local[from], factor * epsilon * compliance[from / n]);
+    b[local[to]] -= factor * from_opened[from];
+  }
+
+  const Matrix &W;
+  const std::vector<double> &compliance;
+  const std::vector<int> &local;
+  const double epsilon;
+  const Eigen::VectorXd from_opened; ///< W times what is known of the step
+  ActiveSystem system;
+  Eigen::VectorXd b;
+};
+
 /// The Newton step; false when its system is singular.
 template <unsigned int n>
 bool newton_step(const Matrix &W,
@@ -133,52 +211,12 @@ bool newton_step(const Matrix &W,
       step[row] = -P[row];
   if (size == 0)
     return true;
-  const Eigen::VectorXd from_opened = W * step;
-  const std::size_t n_entries = entries_of(W, local);
-  ActiveSystem system(size, n_entries + 3 * size, false);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
-  // adds factor * ((W + ε D) dP)_from to the equation of row `to`
-  const auto add_row = [&](const unsigned int to, const unsigned int from, const double factor)
-  {
-    for (Matrix::InnerIterator entry(W, from); entry; ++entry)
-      if (local[entry.col()] >= 0)
-        system.add(local[to], local[entry.col()], factor * entry.value());
-    system.add(local[to], local[from], factor * epsilon * compliance[from / n]);
-    b[local[to]] -= factor * from_opened[from];
-  };
+  NewtonEquations<n> equations(W, compliance, local, size, epsilon, step);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     if (contacts[i].closed)
-    {
-      const Contact<n> &contact = contacts[i];
-      const double mu = problem.friction_of(i);
-      // rows in units of velocity, so that pivoting compares like with like
-      add_row(i * n, i * n, 1.);
-      b[local[i * n]] -= w[i * n];
-      for (unsigned int c = 1; c < n; ++c)
-      {
-        const unsigned int row = i * n + c;
-        if (!contact.slips)
-        {
-          add_row(row, row, 1.);
-          b[local[row]] -= w[row];
-          continue;
-        }
-        const double unit = compliance[i];
-        b[local[row]] += unit * (mu * P[i * n] * contact.m[c - 1] - P[row]);
-        system.add(local[row], local[i * n], -unit * mu * contact.m[c - 1]);
-        system.add(local[row], local[row], unit);
-        if constexpr (n > 2)
-          for (unsigned int d = 1; d < n; ++d)
-          {
-            const double normal_part = (c == d ? 1. : 0.) - contact.m[c - 1] * contact.m[d - 1];
-            system.add(local[row], local[i * n + d], -unit * contact.k * normal_part);
-            add_row(row, i * n + d, unit * contact.turn * normal_part);
-            // F_t itself: the part of P_t - ρ w_t across m is 0, so only the value of mu P_n m - P_t stays
-          }
-      }
-    }
+      equations.add(i, contacts[i], problem.friction_of(i), P, w);
   Eigen::VectorXd solution;
-  if (!system.solve_general(b, solution))
+  if (!equations.solve(solution))
     return false;
   for (unsigned int row = 0; row < local.size(); ++row)
     if (local[row] >= 0)

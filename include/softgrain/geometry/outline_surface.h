@@ -34,6 +34,8 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
+  /// Number of pieces, which is that of the vertices.
+  unsigned int n_pieces() const { return vertex.size(); }
   /// Length of the chord from vertex @p piece to the next [m].
   double length(const unsigned int piece) const { return chord[piece]; }
 

@@ -24,6 +24,116 @@ unsigned int of_side(const Frame &frame, const unsigned int side)
 {
   return side == 0 ? frame.partner : frame.body;
 }
+
+/// What rays of frames lie on.
+struct Surfaces
+{
+  Surfaces(const std::vector<Body<2>> &bodies,
+           const unsigned int n_walls,
+           const std::vector<Obstacle<2>> &obstacles)
+      : n_walls(n_walls)
+  {
+    for (const Body<2> &body : bodies)
+      outlines.push_back(outline_of(body));
+    for (const Obstacle<2> &obstacle : obstacles)
+      lines.push_back(surface_of(obstacle));
+  }
+
+  unsigned int n_walls;
+  std::vector<OutlineSurface> outlines; ///< of bodies
+  std::vector<LineSurface> lines;       ///< of obstacles, which count on after the walls
+};
+
+/// The lists of save_frames() in a state that is read. Every function refuses what cannot be.
+class FrameLists
+{
+public:
+  FrameLists(const StateReader &in, const std::string &name)
+      : in(in)
+      , name(name)
+      , who(in.read_integers(name + "/who", ListSize::rows_of(counts_of_frame)))
+      , pieces(in.read_integers(name + "/pieces", ListSize::rows_of(counts_of_ray)))
+      , where(in.read_doubles(name + "/where", n_frames() * numbers_of_frame))
+      , rays(in.read_doubles(name + "/rays", n_rays() * numbers_of_ray))
+  {
+    if (in.contains(name + "/adhesion"))
+      adhesion = in.read_doubles(name + "/adhesion", 2 * n_rays());
+  }
+
+  std::size_t n_frames() const { return who.size() / counts_of_frame; }
+  std::size_t n_rays() const { return pieces.size() / counts_of_ray; }
+  std::size_t n_rays_of(const std::size_t f) const { return who[counts_of_frame * f + 3]; }
+  /// Frame @p f without its rays.
+  Frame frame(std::size_t f, const Surfaces &surfaces) const;
+  /// Ray @p r of all, which is one of @p frame.
+  Frame::RayPlace ray(std::size_t r, const Frame &frame, const Surfaces &surfaces) const;
+
+private:
+  const StateReader &in;
+  const std::string &name;
+  std::vector<std::uint64_t> who, pieces;
+  std::vector<double> where, rays, adhesion; ///< the last is empty where nothing adheres
+};
+
+Frame FrameLists::frame(const std::size_t f, const Surfaces &surfaces) const
+{
+  const std::uint64_t *names = &who[counts_of_frame * f];
+  const std::size_t n_bodies = surfaces.outlines.size();
+  const bool at_wall = names[1] == Frame::none;
+  if (names[0] >= n_bodies ||
+      (at_wall ? names[2] >= surfaces.n_walls + surfaces.lines.size() : names[1] >= n_bodies))
+    in.refuse(name + "/who", "there is no such body, wall or obstacle");
+  if (names[4] > 1 && names[4] != Frame::none)
+    in.refuse(name + "/who", "a frame has two sides");
+  Frame frame;
+  frame.body = names[0];
+  frame.partner = names[1];
+  frame.corner = names[4];
+  frame.id = names[5];
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    frame.image[d] = static_cast<int>(names[6 + d]);
+    frame.home[d] = static_cast<int>(names[8 + d]);
+  }
+  frame.wall = at_wall ? names[2] : Frame::none;
+  const double *numbers = &where[numbers_of_frame * f];
+  frame.origin = dealii::Point<2>(numbers[0], numbers[1]);
+  frame.direction = dealii::Tensor<1, 2>({numbers[2], numbers[3]});
+  frame.across[0] = dealii::Tensor<1, 2>({frame.direction[1], -frame.direction[0]});
+  frame.spacing = numbers[4];
+  frame.log_full_width = {{numbers[5], numbers[6]}};
+  return frame;
+}
+
+Frame::RayPlace FrameLists::ray(const std::size_t r, const Frame &frame, const Surfaces &surfaces) const
+{
+  Frame::RayPlace ray;
+  const std::uint64_t *piece = &pieces[counts_of_ray * r];
+  const double *numbers = &rays[numbers_of_ray * r];
+  ray.index[0] = static_cast<int>(numbers[0]);
+  ray.force = numbers[1];
+  ray.friction[0] = numbers[2];
+  if (!adhesion.empty())
+  {
+    ray.pull = adhesion[2 * r];
+    ray.memory = adhesion[2 * r + 1];
+  }
+  if (frame.partner == Frame::none && frame.wall >= surfaces.n_walls)
+  {
+    const LineSurface &line = surfaces.lines[frame.wall - surfaces.n_walls];
+    if (piece[0] >= line.n_pieces())
+      in.refuse(name + "/pieces", "the obstacle has no such piece");
+    ray.place[0] = line.at(piece[0], numbers[3]);
+  }
+  for (unsigned int side = 0; side < 2; ++side)
+    if (const unsigned int b = of_side(frame, side); b != Frame::none)
+    {
+      if (piece[side] >= surfaces.outlines[b].n_pieces())
+        in.refuse(name + "/pieces", "the outline has no such piece");
+      ray.place[side] = surfaces.outlines[b].at(piece[side], numbers[3 + side]);
+    }
+  return ray;
+}
 } // namespace
 
 void save_frames(StateWriter &out,
@@ -67,83 +177,19 @@ void load_frames(const StateReader &in,
                  const std::vector<Obstacle<2>> &obstacles,
                  std::vector<Frame> &frames)
 {
-  const std::vector<std::uint64_t> who = in.read_integers(name + "/who", ListSize::rows_of(counts_of_frame));
-  const std::size_t n = who.size() / counts_of_frame;
-  const std::vector<double> where = in.read_doubles(name + "/where", n * numbers_of_frame);
-  const std::vector<std::uint64_t> pieces =
-      in.read_integers(name + "/pieces", ListSize::rows_of(counts_of_ray));
-  const std::size_t n_rays = pieces.size() / counts_of_ray;
-  const std::vector<double> rays = in.read_doubles(name + "/rays", n_rays * numbers_of_ray);
-  const bool adhere = in.contains(name + "/adhesion");
-  const std::vector<double> adhesion =
-      adhere ? in.read_doubles(name + "/adhesion", 2 * n_rays) : std::vector<double>();
-  std::vector<OutlineSurface> outlines;
-  for (const Body<2> &body : bodies)
-    outlines.push_back(outline_of(body));
-  std::vector<LineSurface> lines;
-  for (const Obstacle<2> &obstacle : obstacles)
-    lines.push_back(surface_of(obstacle));
-  frames.assign(n, Frame());
+  const FrameLists lists(in, name);
+  const Surfaces surfaces(bodies, n_walls, obstacles);
+  frames.clear();
   std::size_t next = 0;
-  for (std::size_t f = 0; f < n; ++f)
+  for (std::size_t f = 0; f < lists.n_frames(); ++f)
   {
-    Frame &frame = frames[f];
-    const std::uint64_t *names = &who[counts_of_frame * f];
-    const bool at_wall = names[1] == Frame::none;
-    if (names[0] >= bodies.size() ||
-        (at_wall ? names[2] >= n_walls + obstacles.size() : names[1] >= bodies.size()))
-      in.refuse(name + "/who", "there is no such body, wall or obstacle");
-    if (names[4] > 1 && names[4] != Frame::none)
-      in.refuse(name + "/who", "a frame has two sides");
-    if (names[3] > n_rays - next)
+    frames.push_back(lists.frame(f, surfaces));
+    if (lists.n_rays_of(f) > lists.n_rays() - next)
       in.refuse(name + "/who", "frames have more rays than there are");
-    frame.body = names[0];
-    frame.partner = names[1];
-    frame.corner = names[4];
-    frame.id = names[5];
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      frame.image[d] = static_cast<int>(names[6 + d]);
-      frame.home[d] = static_cast<int>(names[8 + d]);
-    }
-    frame.wall = at_wall ? names[2] : Frame::none;
-    const double *numbers = &where[numbers_of_frame * f];
-    frame.origin = dealii::Point<2>(numbers[0], numbers[1]);
-    frame.direction = dealii::Tensor<1, 2>({numbers[2], numbers[3]});
-    frame.across[0] = dealii::Tensor<1, 2>({frame.direction[1], -frame.direction[0]});
-    frame.spacing = numbers[4];
-    frame.log_full_width = {{numbers[5], numbers[6]}};
-    for (const std::size_t end = next + names[3]; next < end; ++next)
-    {
-      Frame::RayPlace ray;
-      const double *of_ray = &rays[numbers_of_ray * next];
-      ray.index[0] = static_cast<int>(of_ray[0]);
-      ray.force = of_ray[1];
-      ray.friction[0] = of_ray[2];
-      if (adhere)
-      {
-        ray.pull = adhesion[2 * next];
-        ray.memory = adhesion[2 * next + 1];
-      }
-      if (at_wall && frame.wall >= n_walls)
-      {
-        const LineSurface &line = lines[frame.wall - n_walls];
-        if (pieces[counts_of_ray * next] >= line.n_pieces())
-          in.refuse(name + "/pieces", "the obstacle has no such piece");
-        ray.place[0] = line.at(pieces[counts_of_ray * next], of_ray[3]);
-      }
-      for (unsigned int side = 0; side < 2; ++side)
-        if (of_side(frame, side) != Frame::none)
-        {
-          const std::uint64_t piece = pieces[counts_of_ray * next + side];
-          if (piece >= bodies[of_side(frame, side)].boundary.grid_position.size())
-            in.refuse(name + "/pieces", "the outline has no such piece");
-          ray.place[side] = outlines[of_side(frame, side)].at(piece, of_ray[3 + side]);
-        }
-      frame.rays.push_back(ray);
-    }
+    for (const std::size_t end = next + lists.n_rays_of(f); next < end; ++next)
+      frames.back().rays.push_back(lists.ray(next, frames.back(), surfaces));
   }
-  if (next != n_rays)
+  if (next != lists.n_rays())
     in.refuse(name + "/pieces", "there are more rays than frames have");
 }
 

@@ -91,8 +91,11 @@ std::optional<typename FrameLayout<dim>::Met> FrameLayout<dim>::meet_both(const 
   return met;
 }
 
+/// Puts the origin of a frame to the middle of the samples that are nearest to each other. Of a side along a
+/// wall all are. @return the places of those closest to it
 template <int dim>
-void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
+typename FrameLayout<dim>::Places FrameLayout<dim>::begin_at_samples(const FrameStretch<dim> &stretch,
+                                                                     ContactFrame<dim> &frame) const
 {
   const bool wall = partner == nullptr;
   const auto gap_of = [&](const auto &pair)
@@ -109,7 +112,6 @@ void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim
   double nearest = std::numeric_limits<double>::max();
   for (const auto &pair : stretch.facing)
     nearest = std::min(nearest, gap_of(pair));
-  // Of a side along a wall all samples are nearest: the frame begins in their middle.
   Vector sum;
   unsigned int n_nearest = 0;
   for (const auto &pair : stretch.facing)
@@ -119,27 +121,41 @@ void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim
       ++n_nearest;
     }
   frame.origin = dealii::Point<dim>(sum / n_nearest);
-  std::array<const SurfacePlace<dim> *, 2> guess{};
-  double closest = std::numeric_limits<double>::max(); // of these to that middle
+  Places places;
+  double closest = std::numeric_limits<double>::max();
   for (const auto &pair : stretch.facing)
     if (const double way = middle_of(pair).distance(frame.origin);
         gap_of(pair) <= nearest + scene.same_gap() && way < closest)
     {
       closest = way;
-      guess = {{wall ? nullptr : &partner->samples[pair[0]].place, &body.samples[pair[1]].place}};
+      if (!wall)
+        places[0] = partner->samples[pair[0]].place;
+      places[1] = body.samples[pair[1]].place;
     }
-  // From a corner there is no way to the side beyond it, so the middle is looked for from both.
-  std::vector<Places> starts(1);
-  for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
-    for (unsigned int s = 0, n = starts.size(); s < n; ++s)
-    {
-      starts[s][side] = *guess[side];
-      if (guess[side]->at_edge)
+  return places;
+}
+
+/// Places from which the middle is looked for: from a corner there is no way to the side beyond it, so there
+/// they are on both.
+template <int dim>
+std::vector<typename FrameLayout<dim>::Places>
+FrameLayout<dim>::on_both_sides_of_corners(const Places &places, const ContactFrame<dim> &frame) const
+{
+  std::vector<Places> starts(1, places);
+  for (unsigned int side = partner == nullptr ? 1 : 0; side < 2; ++side)
+    if (places[side].at_edge)
+      for (unsigned int s = 0, n = starts.size(); s < n; ++s)
       {
         starts.push_back(starts[s]);
-        starts.back()[side] = scene.surface_of(frame, side).beyond_edge(*guess[side]);
+        starts.back()[side] = scene.surface_of(frame, side).beyond_edge(places[side]);
       }
-    }
+  return starts;
+}
+
+template <int dim>
+void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
+{
+  const std::vector<Places> starts = on_both_sides_of_corners(begin_at_samples(stretch, frame), frame);
   if (starts.size() == 1)
   {
     find_middle(starts.front(), frame);

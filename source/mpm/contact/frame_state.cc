@@ -38,48 +38,64 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
   find_pair(scene);
-  double sum = 0., pressed = 0.;
+  double sum = 0.;
   for (const auto &ray : frame.rays)
-  {
     sum += ray.force;
-    pressed += std::max(0., ray.force);
-  }
   dent_at_start = subgrid(dent, sum) * sum;
   if (inertia())
   {
     opens = share_that_opens(scene);
     softness *= opens; // in short steps masses yield much less than matter
   }
+  weigh_rays(scene);
+  find_mean(scene);
+}
+
+template <int dim>
+void FrameState<dim>::weigh_rays(const FrameScene<dim> &scene)
+{
   weight.assign(rays.size(), 0.);
+  double pressed = 0.;
+  for (const auto &ray : frame.rays)
+    pressed += std::max(0., ray.force);
   if (pressed > 0.)
+  {
     for (unsigned int k = 0; k < rays.size(); ++k)
       weight[k] = std::max(0., frame.rays[k].force) / pressed;
-  else
-  {
-    // The rays that will be pressed first, all those of a flat side.
-    std::vector<double> heights;
-    for (unsigned int k = 0; k < rays.size(); ++k)
-    {
-      double height = 0.;
-      for (unsigned int side = 0; side < 2; ++side)
-        if (body(side) != none)
-        {
-          const SurfacePlace<dim> &place = frame.rays[k].place[side];
-          const Body<dim> &b = scene.bodies[body(side)];
-          const Vector x = place.position + b.field.functions_at(place.position).at(b.displacement) +
-                           away(side) - frame.origin;
-          height += sign(side) * (x * frame.direction);
-        }
-        else if (line != nullptr && side == 0)
-          height -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
-      heights.push_back(height);
-    }
-    const double nearest = *std::min_element(heights.begin(), heights.end()) + scene.same_gap();
-    const double n =
-        std::count_if(heights.begin(), heights.end(), [&](const double g) { return g <= nearest; });
-    for (unsigned int k = 0; k < rays.size(); ++k)
-      weight[k] = heights[k] <= nearest ? 1. / n : 0.;
+    return;
   }
+  // The rays that will be pressed first, all those of a flat side.
+  std::vector<double> gaps;
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    gaps.push_back(gap_at_places(scene, k));
+  const double nearest = *std::min_element(gaps.begin(), gaps.end()) + scene.same_gap();
+  const double n = std::count_if(gaps.begin(), gaps.end(), [&](const double g) { return g <= nearest; });
+  for (unsigned int k = 0; k < rays.size(); ++k)
+    weight[k] = gaps[k] <= nearest ? 1. / n : 0.;
+}
+
+/// The gap of a ray between the places that lie under it as the step begins, without meeting them anew [m].
+template <int dim>
+double FrameState<dim>::gap_at_places(const FrameScene<dim> &scene, const unsigned int k) const
+{
+  double gap = 0.;
+  for (unsigned int side = 0; side < 2; ++side)
+    if (body(side) != none)
+    {
+      const SurfacePlace<dim> &place = frame.rays[k].place[side];
+      const Body<dim> &b = scene.bodies[body(side)];
+      const Vector x = place.position + b.field.functions_at(place.position).at(b.displacement) + away(side) -
+                       frame.origin;
+      gap += sign(side) * (x * frame.direction);
+    }
+    else if (line != nullptr && side == 0)
+      gap -= (line->placed(frame.rays[k].place[0], 0.) - frame.origin) * frame.direction;
+  return gap;
+}
+
+template <int dim>
+void FrameState<dim>::find_mean(const FrameScene<dim> &scene)
+{
   for (unsigned int side = 0; side < 2; ++side)
     if (unknown(side) != none && share(side) > 0.)
       for (unsigned int k = 0; k < rays.size(); ++k)

@@ -127,6 +127,34 @@ void FrameSystem<dim>::add_dent(const FrameState<dim> &frame,
   }
 }
 
+/// What walls under loads do to columns of a frame from @p first on; those of its motion begin at @p motion.
+template <int dim>
+void FrameSystem<dim>::add_ways(const FrameScene<dim> &scene,
+                                const FrameState<dim> &frame,
+                                const std::vector<double> &force,
+                                const unsigned int first,
+                                const unsigned int motion)
+{
+  for (unsigned int w = 0; w < ways.size(); ++w)
+  {
+    const std::array<typename FrameState<dim>::Vector, 2> moves = ways[w].moves(scene, frame);
+    if (moves[0].norm_square() + moves[1].norm_square() == 0.)
+      continue;
+    for (unsigned int i = first; i < columns.size(); ++i)
+      if (columns[i].kind != Column::motion)
+        own.emplace_back(i, w,
+                         columns[i].kind == Column::ray ? frame.gap_by(columns[i].ray_number, moves)
+                         : columns[i].kind == Column::slide
+                             ? columns[i].axis * frame.slide_by(columns[i].ray_number, moves)
+                             : -frame.motion_by(moves)[columns[i].ray_number]);
+    for (unsigned int m = 0; m < dim - 1 && frame.rides(); ++m)
+      own.emplace_back(motion + m, w,
+                       frame.twice_by(force, {{frame.as_motion(m), frame.as_motion(m)}}, moves));
+    for (unsigned int v = 0; v <= w; ++v)
+      own.emplace_back(w, v, frame.twice_by(force, ways[v].moves(scene, frame), moves));
+  }
+}
+
 template <int dim>
 void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
                                    const std::vector<FrameState<dim>> &frames,
@@ -168,24 +196,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     add_motion(frame, force[f], first, f);
   if (frame.dent_slope() != 0.)
     add_dent(frame, first, motion_of_rays);
-  for (unsigned int w = 0; w < ways.size(); ++w)
-  {
-    const std::array<typename FrameState<dim>::Vector, 2> moves = ways[w].moves(scene, frame);
-    if (moves[0].norm_square() + moves[1].norm_square() == 0.)
-      continue;
-    for (unsigned int i = first; i < columns.size(); ++i)
-      if (columns[i].kind != Column::motion)
-        own.emplace_back(i, w,
-                         columns[i].kind == Column::ray ? frame.gap_by(columns[i].ray_number, moves)
-                         : columns[i].kind == Column::slide
-                             ? columns[i].axis * frame.slide_by(columns[i].ray_number, moves)
-                             : -frame.motion_by(moves)[columns[i].ray_number]);
-    for (unsigned int m = 0; m < dim - 1 && frame.rides(); ++m)
-      own.emplace_back(motion + m, w,
-                       frame.twice_by(force[f], {{frame.as_motion(m), frame.as_motion(m)}}, moves));
-    for (unsigned int v = 0; v <= w; ++v)
-      own.emplace_back(w, v, frame.twice_by(force[f], ways[v].moves(scene, frame), moves));
-  }
+  add_ways(scene, frame, force[f], first, motion);
   for (unsigned int side = 0; side < 2; ++side)
     if (frame.unknown(side) != FrameState<dim>::none && !(side == 1 && frame.unknown(0) == frame.unknown(1)))
     {
@@ -193,6 +204,44 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
       for (unsigned int i = first; i < columns.size(); ++i)
         of_body[b].push_back(i);
     }
+}
+
+/// Calls add(node, vector) for all that a column does to the nodes of body @p b.
+template <int dim>
+template <class Add>
+void FrameSystem<dim>::for_nodes(const FrameScene<dim> &scene,
+                                 const std::vector<FrameState<dim>> &frames,
+                                 const Column &column,
+                                 const unsigned int b,
+                                 const RayForces &force,
+                                 const Add &add) const
+{
+  if (column.kind == Column::wall)
+  {
+    for (const auto &[f, side] : frames_of[b])
+      frames[f].for_mixed(side, force[f], ways[column.ray_number].moves(scene, frames[f])[side], add);
+    return;
+  }
+  const FrameState<dim> &frame = frames[column.frame];
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    if (frame.body(side) != b)
+      continue;
+    switch (column.kind)
+    {
+    case Column::ray:
+      frame.for_gradient(column.ray_number, side, 1., add);
+      break;
+    case Column::slide:
+      frame.for_slide(column.ray_number, side, column.axis, add);
+      break;
+    case Column::motion:
+      frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
+      break;
+    default:
+      frame.for_mean(side, column.ray_number, -1., add);
+    }
+  }
 }
 
 template <int dim>
@@ -213,37 +262,10 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
   // One buffer for all columns of a thread, and no stable sort: both would ask for memory for every column.
   static thread_local std::vector<Entry> entries;
   entries.clear();
-  const auto add = [&](const unsigned int node, const Vector &value) {
-    entries.push_back({node, static_cast<unsigned int>(entries.size()), value});
-  };
-  if (column.kind == Column::wall)
-  {
-    for (const auto &[f, side] : frames_of[b])
-      frames[f].for_mixed(side, force[f], ways[column.ray_number].moves(scene, frames[f])[side], add);
-  }
-  else
-  {
-    const FrameState<dim> &frame = frames[column.frame];
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      if (frame.body(side) != b)
-        continue;
-      switch (column.kind)
-      {
-      case Column::ray:
-        frame.for_gradient(column.ray_number, side, 1., add);
-        break;
-      case Column::slide:
-        frame.for_slide(column.ray_number, side, column.axis, add);
-        break;
-      case Column::motion:
-        frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
-        break;
-      default:
-        frame.for_mean(side, column.ray_number, -1., add);
-      }
-    }
-  }
+  for_nodes(scene, frames, column, b, force,
+            [&](const unsigned int node, const Vector &value) {
+              entries.push_back({node, static_cast<unsigned int>(entries.size()), value});
+            });
   std::sort(entries.begin(), entries.end(),
             [](const Entry &x, const Entry &y)
             { return x.node < y.node || (x.node == y.node && x.number < y.number); });
@@ -258,13 +280,9 @@ void FrameSystem<dim>::gather(const FrameScene<dim> &scene,
   }
 }
 
+/// Forgets the columns of the last state, and begins with those of walls under loads.
 template <int dim>
-void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
-                                const std::vector<FrameState<dim>> &frames,
-                                const RayForces &force,
-                                const RayFriction<dim> &rubbing,
-                                const double within,
-                                const std::vector<Eigen::VectorXd> &way_without)
+void FrameSystem<dim>::begin_columns(const RayForces &force, const RayFriction<dim> &rubbing)
 {
   columns.clear();
   own.clear();
@@ -276,7 +294,7 @@ void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
   gap.clear();
   found = force;
   found_rubbing = rubbing;
-  slipping.resize(frames.size());
+  slipping.resize(force.size());
   n_motions = 0;
   any_slides = false;
   for (unsigned int w = 0; w < ways.size(); ++w)
@@ -286,6 +304,17 @@ void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
     gap.push_back(ways[w].load - ways[w].stiffness * ways[w].at);
     own.emplace_back(w, w, -ways[w].stiffness);
   }
+}
+
+template <int dim>
+void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
+                                const std::vector<FrameState<dim>> &frames,
+                                const RayForces &force,
+                                const RayFriction<dim> &rubbing,
+                                const double within,
+                                const std::vector<Eigen::VectorXd> &way_without)
+{
+  begin_columns(force, rubbing);
   for (unsigned int f = 0; f < frames.size(); ++f)
     add_columns(scene, frames, force, rubbing, f, within);
   for (unsigned int w = 0; w < ways.size(); ++w)

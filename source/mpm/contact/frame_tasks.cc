@@ -50,23 +50,22 @@ Boxes<dim> boxes_of(const FrameScene<dim> &scene, const std::vector<SampledSurfa
   return boxes;
 }
 
-/// Of a body that may have folded on itself.
+/// All tasks, as they are found.
 template <int dim>
-FrameTask<dim> task_with_itself(const unsigned int b)
+class TaskList
 {
-  FrameTask<dim> task;
-  task.named.body = task.named.partner = b;
-  return task;
-}
-} // namespace
+public:
+  using Image = typename PeriodicCell<dim>::Image;
 
-template <int dim>
-std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
-                                             const std::vector<SampledSurface<dim>> &samples)
-{
-  const Boxes<dim> boxes = boxes_of(scene, samples);
-  std::vector<FrameTask<dim>> tasks;
-  const auto add = [&](unsigned int body, unsigned int partner, typename PeriodicCell<dim>::Image image)
+  TaskList(const FrameScene<dim> &scene, const std::vector<SampledSurface<dim>> &samples)
+      : scene(scene), samples(samples), boxes(boxes_of(scene, samples))
+  {
+  }
+
+  const std::vector<dealii::BoundingBox<dim>> &box() const { return boxes.box; }
+
+  /// Adds a pair of bodies, if one of them can move.
+  void add_pair(unsigned int body, unsigned int partner, Image image)
   {
     const std::vector<Body<dim>> &bodies = scene.bodies;
     if (bodies[body].driven && bodies[partner].driven)
@@ -78,56 +77,75 @@ std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
       for (int &n : image)
         n = -n;
     }
-    FrameTask<dim> task;
-    task.named.body = body;
+    FrameTask<dim> &task = add(body);
     task.named.partner = partner;
     for (unsigned int d = 0; d < dim; ++d)
       task.named.image[d] = image[d] + boxes.fold[body][d] - boxes.fold[partner][d] + bodies[body].home[d] -
                             bodies[partner].home[d];
     task.apart = scene.apart(task.named);
-    tasks.push_back(std::move(task));
-  };
-  const auto tree = dealii::pack_rtree_of_indices(boxes.box);
-  for (unsigned int b = 0; b < samples.size(); ++b)
+  }
+
+  /// Adds body @p b, which can move, with walls, obstacles and itself where it may have folded.
+  void add_alone(const unsigned int b)
   {
-    for (unsigned int w = 0; w < scene.walls.size() && !scene.bodies[b].driven; ++w)
+    for (unsigned int w = 0; w < scene.walls.size(); ++w)
       if (scene.walls[w].plane)
-      {
-        FrameTask<dim> task;
-        task.named.body = b;
-        task.named.wall = w;
-        tasks.push_back(std::move(task));
-      }
-    for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size() && !scene.bodies[b].driven;
-         ++o)
+        add(b).named.wall = w;
+    for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
     {
-      FrameTask<dim> task;
-      task.named.body = b;
+      FrameTask<dim> &task = add(b);
       task.named.wall = scene.walls.size() + o;
       task.near = boxes.box[b];
       task.near.extend(0.5 * scene.reach + scene.cell_size);
-      tasks.push_back(std::move(task));
     }
     if constexpr (dim == 2)
-      if (!scene.bodies[b].driven && is_folded(samples[b]))
-        tasks.push_back(task_with_itself<dim>(b));
+      if (is_folded(samples[b]))
+        add(b).named.partner = b;
+  }
+
+  std::vector<FrameTask<dim>> tasks;
+
+private:
+  FrameTask<dim> &add(const unsigned int body)
+  {
+    tasks.emplace_back();
+    tasks.back().named.body = body;
+    return tasks.back();
+  }
+
+  const FrameScene<dim> &scene;
+  const std::vector<SampledSurface<dim>> &samples;
+  const Boxes<dim> boxes;
+};
+} // namespace
+
+template <int dim>
+std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
+                                             const std::vector<SampledSurface<dim>> &samples)
+{
+  TaskList<dim> list(scene, samples);
+  const auto tree = dealii::pack_rtree_of_indices(list.box());
+  for (unsigned int b = 0; b < samples.size(); ++b)
+  {
+    if (!scene.bodies[b].driven)
+      list.add_alone(b);
     std::vector<unsigned int> near;
-    tree.query(boost::geometry::index::intersects(boxes.box[b]), std::back_inserter(near));
+    tree.query(boost::geometry::index::intersects(list.box()[b]), std::back_inserter(near));
     std::sort(near.begin(), near.end());
     for (const unsigned int a : near)
       if (a < b)
-        add(b, a, {});
+        list.add_pair(b, a, {});
   }
   if constexpr (dim == 2)
     if (scene.cell != nullptr)
-      for (const ImagePair &pair : pairs_across(boxes.box, scene.cell->cell))
+      for (const ImagePair &pair : pairs_across(list.box(), scene.cell->cell))
       {
         if (pair.a == pair.b)
           throw ComputationError("the cell that repeats has become too small: body '" +
                                  scene.bodies[pair.a].name + "' meets itself");
-        add(pair.a, pair.b, pair.image);
+        list.add_pair(pair.a, pair.b, pair.image);
       }
-  return tasks;
+  return std::move(list.tasks);
 }
 
 template std::vector<FrameTask<2>> find_frame_tasks(const FrameScene<2> &,

@@ -217,20 +217,76 @@ std::size_t leaps(const StepState<dim> &s, const std::size_t begin, const std::s
   return end;
 }
 
-/// What the law says against point @p p, when it can.
+/// What the law gets for @p n points from @p first on.
 template <int dim>
-std::string refusal(const Body<dim> &body, const StepState<dim> &s, const Trial &trial, const std::size_t p)
+constitutive::Inputs<dim> inputs_of(const Body<dim> &body,
+                                    const StepState<dim> &s,
+                                    const Trial &trial,
+                                    const std::size_t first,
+                                    const std::size_t n)
 {
-  const auto *law = dynamic_cast<const constitutive::Refusal<dim> *>(body.law.get());
-  if (law == nullptr)
-    return "";
   constitutive::Inputs<dim> in;
-  in.n_points = 1;
-  in.deformation_gradient = &s.gradient[p];
-  in.history_old = s.history_old.empty() ? nullptr : &s.history_old[p * body.law->n_history()];
+  in.n_points = n;
+  in.deformation_gradient = &s.gradient[first];
+  in.increment = s.increment.empty() ? nullptr : &s.increment[first];
+  in.history_old = s.history_old.empty() ? nullptr : &s.history_old[first * body.law->n_history()];
   in.dt = trial.dt;
   in.time = trial.time;
-  return law->why_refused(in);
+  return in;
+}
+
+/// Where the law puts what is wished, for the points from @p first on.
+template <int dim>
+constitutive::Outputs<dim>
+outputs_of(const Body<dim> &body, const Wishes &wishes, const std::size_t first, StepState<dim> &s)
+{
+  const unsigned int n_history = body.law->n_history();
+  constitutive::Outputs<dim> out;
+  out.stress = &s.stress[first];
+  if (wishes.trial.tangent)
+    out.tangent = &s.tangent[first];
+  if (wishes.measures)
+  {
+    out.energy = &s.energy[first];
+    out.out_of_plane_stress = &s.out_of_plane_stress[first];
+  }
+  if (n_history > 0)
+  {
+    out.history_new = &s.history[first * n_history];
+    out.dissipation = &s.dissipation[first];
+    out.supply = s.supply.empty() ? nullptr : &s.supply[first];
+  }
+  return out;
+}
+
+/// Lowers @p least to @p value where that is less, whatever other threads do.
+template <typename Number>
+void lower(std::atomic<Number> &least, const Number value)
+{
+  for (Number known = least.load(); value < known && !least.compare_exchange_weak(known, value);)
+    ;
+}
+
+/// What came out, where @p bad_point is the first point that is refused.
+template <int dim>
+StressOutcome outcome_of(const Body<dim> &body,
+                         const StepState<dim> &s,
+                         const Trial &trial,
+                         const std::size_t bad_point,
+                         const double share)
+{
+  StressOutcome outcome;
+  outcome.bad_point = bad_point;
+  outcome.share = share;
+  if (outcome.good())
+    return outcome;
+  if (const auto *law = dynamic_cast<const constitutive::Refusal<dim> *>(body.law.get()))
+    outcome.refusal = law->why_refused(inputs_of(body, s, trial, bad_point, 1));
+  std::ostringstream place;
+  place << body.points[bad_point].position();
+  outcome.place = place.str();
+  outcome.leaps = determinant(s.gradient[bad_point]) > 0.;
+  return outcome;
 }
 
 template <int dim>
@@ -249,8 +305,8 @@ StressOutcome evaluate(const Body<dim> &body,
   if (half_dt > 0. && body.small_strain() && body.velocity.size() > 0)
     body.field.prolongate(body.velocity, nodal_velocity);
 
-  const unsigned int n_history = body.law->n_history();
   const bool limits_step = wishes.trial.dt > 0. && body.law->limits_step();
+  // The smallest index, so that the message does not depend on the number of threads.
   std::atomic<std::size_t> bad{StressOutcome::none};
   std::atomic<double> share{1.};
   const auto work = [&](const std::size_t begin, const std::size_t end)
@@ -264,57 +320,19 @@ StressOutcome evaluate(const Body<dim> &body,
     const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
     if (n == 0)
       return;
-    constitutive::Inputs<dim> in;
-    in.n_points = n;
-    in.deformation_gradient = &s.gradient[first];
-    in.increment = s.increment.empty() ? nullptr : &s.increment[first];
-    in.dt = wishes.trial.dt;
-    in.time = wishes.trial.time;
-    constitutive::Outputs<dim> out;
-    out.stress = &s.stress[first];
-    if (wishes.trial.tangent)
-      out.tangent = &s.tangent[first];
-    if (wishes.measures)
-    {
-      out.energy = &s.energy[first];
-      out.out_of_plane_stress = &s.out_of_plane_stress[first];
-    }
-    if (n_history > 0)
-    {
-      in.history_old = &s.history_old[first * n_history];
-      out.history_new = &s.history[first * n_history];
-      out.dissipation = &s.dissipation[first];
-      out.supply = s.supply.empty() ? nullptr : &s.supply[first];
-    }
     double allowed = 1.;
+    constitutive::Outputs<dim> out = outputs_of(body, wishes, first, s);
     if (limits_step)
       out.step_share = &allowed;
-    std::size_t good = body.law->update(in, out);
-    for (double least = share.load(); allowed < least && !share.compare_exchange_weak(least, allowed);)
-      ;
+    std::size_t good = body.law->update(inputs_of(body, s, wishes.trial, first, n), out);
+    lower(share, allowed);
     if (good == n && wishes.trial.max_strain > 0.)
       good = leaps(s, first, first + n, wishes.trial.max_strain) - first;
     if (good < n)
-    {
-      // The smallest index, so that the message does not depend on the number of threads.
-      std::size_t expected = bad.load();
-      while (first + good < expected && !bad.compare_exchange_weak(expected, first + good))
-        ;
-    }
+      lower(bad, first + good);
   };
   parallel_for(body.field.n_cells(), cell_grain, work);
-  StressOutcome outcome;
-  outcome.bad_point = bad.load();
-  outcome.share = share.load();
-  if (!outcome.good())
-  {
-    outcome.refusal = refusal(body, s, wishes.trial, outcome.bad_point);
-    std::ostringstream place;
-    place << body.points[outcome.bad_point].position();
-    outcome.place = place.str();
-    outcome.leaps = determinant(s.gradient[outcome.bad_point]) > 0.;
-  }
-  return outcome;
+  return outcome_of(body, s, wishes.trial, bad.load(), share.load());
 }
 } // namespace
 

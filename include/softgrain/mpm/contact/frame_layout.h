@@ -70,6 +70,8 @@ private:
                  const typename ContactFrame<dim>::RayPlace *old,
                  typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
+  Places begin_at_samples(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
+  std::vector<Places> on_both_sides_of_corners(const Places &places, const ContactFrame<dim> &frame) const;
   std::optional<double> find_middle(Places place, ContactFrame<dim> &frame) const;
   void note_dent(const Places &place, ContactFrame<dim> &frame) const;
   const SampledSurface<dim> &surface(const unsigned int side) const { return side == 0 ? *partner : body; }

@@ -370,6 +370,9 @@ private:
   std::array<Vector, 2> carried;
   void carry(const FrameScene<dim> &scene);
   void find_pair(const FrameScene<dim> &scene);
+  void weigh_rays(const FrameScene<dim> &scene);
+  double gap_at_places(const FrameScene<dim> &scene, unsigned int k) const;
+  void find_mean(const FrameScene<dim> &scene);
   bool meets_bent_obstacle(const FrameScene<dim> &scene) const;
   bool partner_is_driven = false;
   const ObstacleRays<dim> *line = nullptr;

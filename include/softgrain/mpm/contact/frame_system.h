@@ -163,6 +163,19 @@ private:
                   const std::vector<double> &force,
                   unsigned int first,
                   unsigned int f);
+  void begin_columns(const RayForces &force, const RayFriction<dim> &rubbing);
+  void add_ways(const FrameScene<dim> &scene,
+                const FrameState<dim> &frame,
+                const std::vector<double> &force,
+                unsigned int first,
+                unsigned int motion);
+  template <class Add>
+  void for_nodes(const FrameScene<dim> &scene,
+                 const std::vector<FrameState<dim>> &frames,
+                 const Column &column,
+                 unsigned int b,
+                 const RayForces &force,
+                 const Add &add) const;
   /// Fills column @p i of those of a body.
   void gather(const FrameScene<dim> &scene,
               const std::vector<FrameState<dim>> &frames,
