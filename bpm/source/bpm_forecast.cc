@@ -33,7 +33,7 @@ constexpr double rim = 1.1;                    ///< that primaries leave empty, 
 constexpr double aggregate_seconds = 3e-2;     ///< of an aggregate, however small
 constexpr double packing_seconds = 4e-3;       ///< of a grain
 constexpr double primary_memory = 1.8e3;       ///< [bytes]
-constexpr double divided_work = 0.87;          ///< among ranks that have all primaries
+constexpr double divided_work = 0.87;          ///< among processes that have all primaries
 } // namespace fitted
 
 /// Those of one body: fewer the larger they are, because none reaches beyond the outline.
@@ -47,7 +47,7 @@ double n_primaries(const BodyGroup &body, const PrimarySettings &primaries)
   return std::max(1., share / (x * x));
 }
 
-/// Whether ranks can have some of the primaries each, see Dynamics::part().
+/// Whether several can have some of the primaries each, see Dynamics::part().
 bool can_part(const Scene<2> &scene)
 {
   return scene.obstacles.empty() && !ContactPairs(scene).adhere() &&
@@ -127,7 +127,7 @@ Forecast forecast(const Scene<2> &scene,
   if (run.to_pack)
     result.preparation += fitted::packing_seconds * run.crowd.n_bodies();
   result.memory = fitted::primary_memory * result.n_points;
-  // A rank has a tile of each of the two colours at least.
+  // An owner has a tile of each of the two colours at least.
   const double tiles = result.n_points / contact::StripGrid::disks_per_strip;
   if (can_part(scene) && result.n_points > fewest_to_part)
     result.divided = {1., 1., 1., 0.5 * tiles};

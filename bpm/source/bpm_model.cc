@@ -193,9 +193,9 @@ std::string BpmModel::why_not(const DynamicsReport &report, const double limit) 
 
 StepReport BpmModel::advance(const double dt_limit)
 {
-  std::optional<Ranks::OwnWork> own;
+  std::optional<Exchange::OwnWork> own;
   if (dynamics->strips() != nullptr)
-    own.emplace(ranks);
+    own.emplace(exchange);
   StepReport report;
   const double limit =
       std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
@@ -259,9 +259,10 @@ void BpmModel::forget_attempt()
 
 void BpmModel::check_ranks_agree(const StepReport &report) const
 {
-  if (ranks.alone())
+  if (exchange.alone())
     return;
-  ranks.check_alike({report.dt, report.contact_residual, report.max_penetration, dynamics->kinetic_energy()});
+  exchange.check_alike(
+      {report.dt, report.contact_residual, report.max_penetration, dynamics->kinetic_energy()});
 }
 
 void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)

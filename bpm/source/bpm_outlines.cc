@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of BpmModel that draws the outlines of bodies, and tells other ranks what bodies look like.
+// The part of BpmModel that draws the outlines of bodies, and tells others what bodies look like.
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/bpm_model.h>
 #include <softgrain/geometry/aggregate_outline.h>
@@ -72,7 +72,7 @@ BpmModel::Outlines BpmModel::outlines() const
   std::vector<double> numbers;
   for (const std::size_t body : draw_own_outlines(result))
     encode(body, result[body], numbers);
-  for (const std::vector<double> &list : ranks.lists_of_all(numbers))
+  for (const std::vector<double> &list : exchange.lists_of_all(numbers))
     decode(list, result);
   return result;
 }
@@ -99,7 +99,7 @@ std::vector<double> BpmModel::outlined_areas() const
   std::vector<double> numbers;
   for (const std::size_t body : draw_own_outlines(result))
     numbers.insert(numbers.end(), {static_cast<double>(body), area_of(body)});
-  for (const std::vector<double> &list : ranks.lists_of_all(numbers))
+  for (const std::vector<double> &list : exchange.lists_of_all(numbers))
     for (std::size_t k = 0; k < list.size(); k += 2)
       areas[static_cast<std::size_t>(list[k])] = list[k + 1];
   return areas;
@@ -126,7 +126,7 @@ void BpmModel::draw_outlines(Outlines &result) const
 std::vector<std::size_t> BpmModel::draw_own_outlines(Outlines &result) const
 {
   const Primaries &disks = dynamics->disks();
-  // Own primaries of a body follow each other. Of a body that several ranks have some of, the lowest one
+  // Own primaries of a body follow each other. Of a body that several owners have some of, the lowest one
   // draws it.
   std::vector<std::pair<std::size_t, std::size_t>> own; // where those of a body begin and end
   for (std::size_t i = 0; i < dynamics->n_own(); ++i)
@@ -140,22 +140,22 @@ std::vector<std::size_t> BpmModel::draw_own_outlines(Outlines &result) const
     if (end - begin < size(disks.body[begin]))
       divided.push_back(disks.body[begin]);
   std::map<std::size_t, unsigned int> drawer;
-  const std::vector<std::vector<double>> divided_of_all = ranks.lists_of_all(divided);
-  for (unsigned int r = 0; r < ranks.number(); ++r)
+  const std::vector<std::vector<double>> divided_of_all = exchange.lists_of_all(divided);
+  for (unsigned int r = 0; r < exchange.number(); ++r)
     for (const double body : divided_of_all[r])
       drawer.emplace(static_cast<std::size_t>(body), r);
 
-  std::vector<std::vector<double>> lists(ranks.number());
+  std::vector<std::vector<double>> lists(exchange.number());
   for (const auto &[begin, end] : own)
   {
     const auto found = drawer.find(disks.body[begin]);
-    std::vector<double> &to = lists[found == drawer.end() ? ranks.here() : found->second];
+    std::vector<double> &to = lists[found == drawer.end() ? exchange.here() : found->second];
     for (std::size_t i = begin; i < end; ++i)
       to.insert(to.end(), {static_cast<double>(disks.number[i]), static_cast<double>(disks.body[i]),
                            disks.position[i][0], disks.position[i][1], disks.radius[i]});
   }
   std::map<std::size_t, Cluster> clusters;
-  for (const std::vector<double> &list : ranks.to_each(std::move(lists)))
+  for (const std::vector<double> &list : exchange.to_each(std::move(lists)))
     for (std::size_t k = 0; k < list.size(); k += 5)
     {
       const auto number = static_cast<std::size_t>(list[k]), body = static_cast<std::size_t>(list[k + 1]);
@@ -169,7 +169,7 @@ std::vector<std::size_t> BpmModel::draw_own_outlines(Outlines &result) const
   std::vector<Cluster> mine;
   for (auto &[body, cluster] : clusters)
     mine.push_back(std::move(cluster));
-  ranks.together([&]() { draw(mine, 0.5 * dynamics->mean_diameter(), result); });
+  exchange.together([&]() { draw(mine, 0.5 * dynamics->mean_diameter(), result); });
   std::vector<std::size_t> drawn;
   for (const Cluster &cluster : mine)
     drawn.push_back(cluster.body);
@@ -189,9 +189,9 @@ void BpmModel::tell_of_bodies(Snapshot<2> &snapshot, const Outlines &loops) cons
                     {static_cast<double>(c.body_a), static_cast<double>(c.body_b),
                      static_cast<double>(c.wall), c.place[0], c.place[1], c.normal[0], c.normal[1],
                      c.force[0], c.force[1], c.length, c.gap, c.image[0], c.image[1]});
-  const std::vector<double> all_bodies = ranks.lists_of_all(bodies)[0],
-                            all_contacts = ranks.lists_of_all(contacts)[0];
-  if (ranks.first())
+  const std::vector<double> all_bodies = exchange.lists_of_all(bodies)[0],
+                            all_contacts = exchange.lists_of_all(contacts)[0];
+  if (exchange.first())
     return;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {

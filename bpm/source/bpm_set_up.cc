@@ -24,35 +24,35 @@ namespace softgrain::bpm
 {
 namespace
 {
-/// The rank that makes aggregate @p i.
-unsigned int maker(const std::size_t i, const Ranks &ranks)
+/// Who makes aggregate @p i.
+unsigned int maker(const std::size_t i, const Exchange &exchange)
 {
-  return i % ranks.number();
+  return i % exchange.number();
 }
 
-/// Gives all ranks the aggregates that each has made.
-void share(std::vector<Aggregate<2>> &made, const Ranks &ranks)
+/// Gives all the aggregates that each has made.
+void share(std::vector<Aggregate<2>> &made, const Exchange &exchange)
 {
-  if (ranks.alone())
+  if (exchange.alone())
     return;
   std::vector<double> sizes(made.size());
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (std::size_t i = 0; i < made.size(); ++i)
   {
     sizes[i] = made[i].size();
-    pieces.push_back({maker(i, ranks), &sizes[i], 1});
+    pieces.push_back({maker(i, exchange), &sizes[i], 1});
   }
-  ranks.share(pieces);
+  exchange.share(pieces);
   pieces.clear();
   for (std::size_t i = 0; i < made.size(); ++i)
   {
     made[i].position.resize(sizes[i]);
     made[i].radius.resize(sizes[i]);
     // Places of two numbers, one after the other in memory.
-    pieces.push_back({maker(i, ranks), made[i].position.data()->data(), 2 * made[i].size()});
-    pieces.push_back({maker(i, ranks), made[i].radius.data(), made[i].size()});
+    pieces.push_back({maker(i, exchange), made[i].position.data()->data(), 2 * made[i].size()});
+    pieces.push_back({maker(i, exchange), made[i].radius.data(), made[i].size()});
   }
-  ranks.share(pieces);
+  exchange.share(pieces);
 }
 
 /// Bodies of one form share fillings when there are more than so many of them.
@@ -104,7 +104,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
                                             const std::vector<double> &density,
                                             const std::vector<std::shared_ptr<const Attraction>> &laws,
                                             const std::vector<std::string> &law_texts,
-                                            const Ranks &ranks,
+                                            const Exchange &exchange,
                                             AggregateLibrary &library)
 {
   const NeededAggregates needed = needed_aggregates(scene, settings, density, law_texts, library);
@@ -118,7 +118,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
       try
       {
         const std::size_t b = missing[k];
-        if (maker(k, ranks) == ranks.here())
+        if (maker(k, exchange) == exchange.here())
           made[k] = make_aggregate(scene.bodies[b], density[b], laws[scene.bodies[b].material], settings,
                                    needed.seeds[b]);
         telling.advance();
@@ -128,7 +128,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
         errors[k] = std::current_exception();
       }
   };
-  ranks.together(
+  exchange.together(
       [&]()
       {
         parallel_for(missing.size(), 1, make_own);
@@ -136,7 +136,7 @@ std::vector<std::string> prepare_aggregates(const Scene<2> &scene,
           if (error)
             std::rethrow_exception(error);
       });
-  share(made, ranks);
+  share(made, exchange);
   for (std::size_t k = 0; k < missing.size(); ++k)
     library.add(needed.keys[missing[k]], made[k]);
   return needed.keys;
@@ -181,7 +181,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   rotates = disks.rotate();
   dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
   dynamics->set_timer(timer.get());
-  dynamics->set_ranks(&ranks);
+  dynamics->share_by(&exchange);
   if (!moving_obstacles.empty())
     dynamics->set_obstacles(&moving_obstacles);
 
@@ -252,7 +252,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   const dealii::TimerOutput::Scope section(*timer, "preparation of aggregates");
   AggregateLibrary library(settings.primaries.aggregate_file);
   const std::vector<std::string> keys =
-      prepare_aggregates(scene, settings, density, laws, law_texts, ranks, library);
+      prepare_aggregates(scene, settings, density, laws, law_texts, exchange, library);
   Primaries disks;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
@@ -275,7 +275,7 @@ Primaries BpmModel::fill_bodies(const std::vector<std::shared_ptr<const Attracti
   first_of_body.push_back(disks.size());
   grade(disks);
   if (settings.primaries.keep_aggregates)
-    ranks.at_first([&]() { library.save(); });
+    exchange.at_first([&]() { library.save(); });
   return disks;
 }
 

@@ -23,8 +23,8 @@ dealii::Tensor<1, 2> vector_of(const std::array<double, 2> &x)
 {
   return dealii::Tensor<1, 2>({x[0], x[1]});
 }
-/// Adds to @p touching, which has the contacts of this rank, those of the others.
-void add_those_of_all(TouchingPairs &touching, const Ranks &ranks)
+/// Adds to @p touching, which has the contacts known here, those of the others.
+void add_those_of_all(TouchingPairs &touching, const Exchange &exchange)
 {
   std::vector<double> bodies, walls;
   const auto write = [](const auto &pairs, std::vector<double> &list)
@@ -34,10 +34,10 @@ void add_those_of_all(TouchingPairs &touching, const Ranks &ranks)
   };
   write(touching.pairs_of_bodies(), bodies);
   write(touching.pairs_with_walls(), walls);
-  for (const std::vector<double> &list : ranks.lists_of_all(bodies))
+  for (const std::vector<double> &list : exchange.lists_of_all(bodies))
     for (std::size_t k = 0; k < list.size(); k += 2)
       touching.add_bodies(static_cast<std::size_t>(list[k]), static_cast<std::size_t>(list[k + 1]));
-  for (const std::vector<double> &list : ranks.lists_of_all(walls))
+  for (const std::vector<double> &list : exchange.lists_of_all(walls))
     for (std::size_t k = 0; k < list.size(); k += 2)
       touching.add_wall(static_cast<std::size_t>(list[k]), static_cast<std::size_t>(list[k + 1]));
 }
@@ -92,7 +92,7 @@ double BpmModel::coordination() const
       touching.add_wall(body, b - disks.size());
   }
   if (dynamics->strips() != nullptr)
-    add_those_of_all(touching, ranks);
+    add_those_of_all(touching, exchange);
   return touching.coordination(scene.bodies.size());
 }
 
@@ -149,7 +149,7 @@ void BpmModel::add_inner_forces(const GatheredPrimaries &seen,
 
 namespace
 {
-/// What is the same on all ranks of every snapshot.
+/// What all have alike of every snapshot.
 Snapshot<2> begin_snapshot(const BpmModel &model)
 {
   Snapshot<2> snapshot;
@@ -172,7 +172,7 @@ Snapshot<2> BpmModel::snapshot() const
     show(seen, loops, snapshot);
     return snapshot;
   }
-  ranks.at_first([&]() { show(seen, loops, snapshot); });
+  exchange.at_first([&]() { show(seen, loops, snapshot); });
   tell_of_bodies(snapshot, loops);
   return snapshot;
 }
@@ -206,8 +206,8 @@ Snapshot<2> BpmModel::touching_state() const
 {
   Snapshot<2> snapshot = begin_snapshot(*this);
   const GatheredPrimaries seen(*dynamics);
-  // Where ranks have primaries of their own, only the first one sees those of all.
-  if (dynamics->strips() != nullptr && !ranks.first())
+  // Where each owner has some primaries, only the first one sees those of all.
+  if (dynamics->strips() != nullptr && !exchange.first())
     return snapshot;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {

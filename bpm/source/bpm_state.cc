@@ -137,7 +137,7 @@ void BpmModel::load(StateReader &in)
   Primaries &disks = dynamics->disks();
   std::vector<double> radius(disks.size());
   read(in, "bpm/radius", radius);
-  if (ranks.any(radius != disks.radius))
+  if (exchange.any(radius != disks.radius))
     in.refuse("bpm/radius", "the run has other primaries");
   load_walls(in, "bpm/walls", moving_walls);
   const std::vector<double> scalars = in.read_doubles("bpm/scalars", 3);

@@ -48,7 +48,7 @@ void Dynamics::account_driven(const double dt, DynamicsReport &report) const
     if (inverse_mass[i] == 0.)
       sums[1].add(-dt * (force[i][0] * primaries.velocity[i][0] + force[i][1] * primaries.velocity[i][1]));
   if (share)
-    add_over_ranks(sums, share->of_ranks());
+    add_over_all(sums, share->exchange);
   report.contact_loss += sums[0].value();
   report.driven_work = sums[0].value() + sums[1].value();
   report.driven_impulse = dealii::Tensor<1, 2>({sums[2].value(), sums[3].value()});

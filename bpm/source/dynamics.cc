@@ -290,7 +290,7 @@ DynamicsReport Dynamics::step(const double dt,
     solver.wall_floor = settings.wall_force_floor * dt;
     solver.penetration_tolerance = settings.solver_penetration * diameter / dt;
     shift_cones(dt, false);
-    report.solver = contact::solve_disks(bodies, rows, solver, ranks, share ? &exchanges : nullptr);
+    report.solver = contact::solve_disks(bodies, rows, solver, exchange, share ? &exchanges : nullptr);
     shift_cones(dt, true);
   }
 

@@ -29,10 +29,10 @@ std::vector<std::uint32_t> primaries_of(const List &at_walls)
 void Dynamics::part(const std::vector<Wall> &walls)
 {
   const bool repeats = std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return w.repeats(); });
-  if (ranks == nullptr || ranks->alone() || repeats || adhesion.acts() || obstacles != nullptr ||
+  if (exchange == nullptr || exchange->alone() || repeats || adhesion.acts() || obstacles != nullptr ||
       primaries.size() < fewest_to_part)
     return;
-  share = std::make_unique<StripShare>(*ranks);
+  share = std::make_unique<StripShare>(*exchange);
   share->cut(primaries);
   weigh();
 }
@@ -45,7 +45,7 @@ void Dynamics::update_list()
     return;
   }
   drop_guests();
-  const auto tell = [&](const std::vector<double> &numbers) { return share->of_ranks().of_all(numbers); };
+  const auto tell = [&](const std::vector<double> &numbers) { return share->exchange.of_all(numbers); };
   if (n_lists > 0 && !list.is_outdated(primaries.position, {}, primaries.number, tell))
     return;
   share->share_out(primaries, kept, list);
@@ -84,20 +84,20 @@ void Dynamics::take_back_motion(const std::vector<Wall> &walls)
 void Dynamics::tell_forces(const unsigned int colour)
 {
   contact::DiskRound round = share->seams(colour);
-  round.exchange<2>(share->of_ranks(),
+  round.exchange<2>(share->exchange,
                     [this](const std::uint32_t i, const unsigned int d) -> double & { return force[i][d]; });
 }
 
 void Dynamics::tell_energies()
 {
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (unsigned int colour = 0; colour < 2; ++colour)
-    for (unsigned int r = 0; r < share->of_ranks().number(); ++r)
+    for (unsigned int r = 0; r < share->exchange.number(); ++r)
     {
       const auto [begin, end] = share->tiles(colour, r);
       pieces.push_back({r, tile_energy.data() + begin, end - begin});
     }
-  share->of_ranks().share(pieces);
+  share->exchange.share(pieces);
 }
 
 std::vector<double> Dynamics::wall_list(const std::vector<AtWall> &at_walls,
@@ -125,7 +125,7 @@ std::vector<double> Dynamics::wall_list(const std::vector<AtWall> &at_walls,
 
 void Dynamics::bring_wall_rows(const std::vector<Wall> &walls)
 {
-  const Ranks &all = share->of_ranks();
+  const Exchange &all = share->exchange;
   const std::vector<AtWall> here = find_at_walls(walls, 0, share->n_own());
   const std::vector<std::uint32_t> own = primaries_of(here),
                                    copies =
@@ -170,7 +170,7 @@ void Dynamics::bring_wall_rows(const std::vector<Wall> &walls)
   exchanges.rounds = {{share->seams(0)}, {share->seams(1), to_first}, {from_first}};
 }
 
-void Dynamics::take_guests(const unsigned int rank, const std::vector<double> &list, WallGuests &guests)
+void Dynamics::take_guests(const unsigned int owner, const std::vector<double> &list, WallGuests &guests)
 {
   const double *number = list.data(), *const end = number + list.size();
   std::map<std::uint32_t, std::uint32_t> place;
@@ -186,8 +186,8 @@ void Dynamics::take_guests(const unsigned int rank, const std::vector<double> &l
     }
     place[name] = i;
     number += numbers_of_guest();
-    guests.own[rank].push_back(i);
-    const unsigned int before = share->before(rank);
+    guests.own[owner].push_back(i);
+    const unsigned int before = share->before(owner);
     if (at_seam)
       guests.copies[before].push_back(i);
   }
@@ -225,9 +225,9 @@ void Dynamics::tell_of_walls(std::vector<double> &normal, std::vector<double> &t
   // Walls that are free have moved where their contacts were swept.
   std::vector<std::array<double, 2>> velocity(normal.size());
   std::copy_n(bodies.velocity.begin() + primaries.size(), velocity.size(), velocity.begin());
-  share->of_ranks().share({{first_rank, normal.data(), normal.size()},
-                           {first_rank, tangential.data(), tangential.size()},
-                           {first_rank, velocity.data()->data(), 2 * velocity.size()}});
+  share->exchange.share({{first_rank, normal.data(), normal.size()},
+                         {first_rank, tangential.data(), tangential.size()},
+                         {first_rank, velocity.data()->data(), 2 * velocity.size()}});
   std::copy(velocity.begin(), velocity.end(), bodies.velocity.begin() + primaries.size());
 }
 

@@ -68,13 +68,14 @@ void Dynamics::sum_up()
   sums.assign(sums.size(), ExactSum());
   totals = Totals();
   exchanges.n_walls = 0;
-  for (const std::vector<double> &other : share->of_ranks().of_all(here))
+  for (const std::vector<double> &other : share->exchange.of_all(here))
   {
     deepest = std::max(deepest, other[0]);
     totals.n_pairs += static_cast<std::size_t>(other[1]);
     totals.n_contacts += static_cast<std::size_t>(other[2]);
     totals.n_pushing += static_cast<std::size_t>(other[3]);
-    exchanges.n_walls += static_cast<unsigned int>(other[4]); // those of the first rank, for others have none
+    exchanges.n_walls +=
+        static_cast<unsigned int>(other[4]); // those of the first owner, for others have none
     const double *number = &other[5];
     for (ExactSum &sum : sums)
       sum.add_packed(number);
@@ -159,7 +160,7 @@ void Dynamics::account(const double dt,
       all[4 + load].add(work.load[load]);
   }
   if (share)
-    add_over_ranks(all, share->of_ranks());
+    add_over_all(all, share->exchange);
   report.contact_loss += all[0].value();
   report.force_work += all[1].value();
   for (std::size_t load = 0; load < n_loads; ++load)

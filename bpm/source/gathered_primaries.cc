@@ -71,7 +71,7 @@ void GatheredPrimaries::gather_rows()
       n_first = numbers.size();
   }
   std::vector<double> all = share.tiles_at_first(numbers, n_first);
-  all.insert(all.end(), at_walls.begin(), at_walls.end()); // only the first rank has any
+  all.insert(all.end(), at_walls.begin(), at_walls.end()); // only the first owner has any
   contact::DiskContacts &rows = gathered->rows;
   for (std::size_t k = 0; k < all.size(); k += n)
   {

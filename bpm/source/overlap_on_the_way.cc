@@ -129,8 +129,8 @@ Overlap Dynamics::deepest_of_all_ranks(const Overlap &here) const
     return here;
   Overlap found;
   for (const std::vector<double> &n :
-       share->of_ranks().of_all({here.depth, static_cast<double>(here.body), static_cast<double>(here.with),
-                                 static_cast<double>(here.other), here.place[0], here.place[1]}))
+       share->exchange.of_all({here.depth, static_cast<double>(here.body), static_cast<double>(here.with),
+                               static_cast<double>(here.other), here.place[0], here.place[1]}))
     note({n[0], static_cast<std::uint32_t>(n[1]), static_cast<Overlap::With>(static_cast<int>(n[2])),
           static_cast<std::uint32_t>(n[3]), dealii::Point<2>(n[4], n[5])},
          found);
@@ -143,7 +143,7 @@ Overlap Dynamics::deepest_on_the_way(const double dt) const
   for (std::size_t i = 0; i < n_own(); ++i)
     farthest = std::max(farthest, dt * std::hypot(primaries.velocity[i][0], primaries.velocity[i][1]));
   if (share)
-    for (const std::vector<double> &other : share->of_ranks().of_all({farthest}))
+    for (const std::vector<double> &other : share->exchange.of_all({farthest}))
       farthest = std::max(farthest, other[0]);
   const double limit = short_way * smallest;
   Overlap deepest;
@@ -182,14 +182,14 @@ Overlap Dynamics::deepest_of_ranks(const double dt, const double limit) const
   for (std::size_t i = 0; i < free.size(); ++i)
     free[i] = inverse_mass[i] > 0. ? 1. : 0.;
   const std::vector<double> bodies_here(primaries.body.begin(), primaries.body.end());
-  // The first rank looks at all, in the order that they have without ranks.
+  // The first one looks at all, in the order that they have where one owns all.
   const std::vector<double> x = share->at_first(primaries.position.data()->data(), 2, primaries),
                             v = share->at_first(primaries.velocity.data()->data(), 2, primaries),
                             r = share->at_first(primaries.radius.data(), 1, primaries),
                             f = share->at_first(free.data(), 1, primaries),
                             b = share->at_first(bodies_here.data(), 1, primaries);
   Overlap deepest;
-  if (share->of_ranks().first())
+  if (share->exchange.first())
   {
     std::vector<Moved> all(r.size());
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -48,14 +48,14 @@ std::array<std::uint32_t, 2> unpacked(const double number)
 class Journey
 {
 public:
-  Journey(const Ranks &ranks, std::vector<Indices> leaving, const Indices &numbers)
-      : ranks(ranks), leaving(std::move(leaving))
+  Journey(const Exchange &exchange, std::vector<Indices> leaving, const Indices &numbers)
+      : exchange(exchange), leaving(std::move(leaving))
   {
-    std::vector<std::vector<double>> lists(ranks.number());
-    for (unsigned int r = 0; r < ranks.number(); ++r)
+    std::vector<std::vector<double>> lists(exchange.number());
+    for (unsigned int r = 0; r < exchange.number(); ++r)
       for (const std::uint32_t i : this->leaving[r])
         lists[r].push_back(numbers[i]);
-    for (const std::vector<double> &came : ranks.to_each(std::move(lists)))
+    for (const std::vector<double> &came : exchange.to_each(std::move(lists)))
       arrived.insert(arrived.end(), came.begin(), came.end());
     order.resize(arrived.size());
     std::iota(order.begin(), order.end(), 0);
@@ -76,14 +76,14 @@ public:
   void carry(std::vector<T> &values, std::vector<T> &target) const
   {
     constexpr unsigned int n = n_numbers(static_cast<std::vector<T> *>(nullptr));
-    std::vector<std::vector<double>> lists(ranks.number());
-    for (unsigned int r = 0; r < ranks.number(); ++r)
+    std::vector<std::vector<double>> lists(exchange.number());
+    for (unsigned int r = 0; r < exchange.number(); ++r)
     {
       lists[r].reserve(n * leaving[r].size());
       for (const std::uint32_t i : leaving[r])
         lists[r].insert(lists[r].end(), numbers_at(values[i]), numbers_at(values[i]) + n);
     }
-    const std::vector<std::vector<double>> came = ranks.to_each(std::move(lists));
+    const std::vector<std::vector<double>> came = exchange.to_each(std::move(lists));
     std::vector<T> unordered(order.size());
     std::size_t k = 0;
     for (const std::vector<double> &list : came)
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  const Ranks &ranks;
+  const Exchange &exchange;
   std::vector<Indices> leaving;
   Indices arrived, order;
 };
@@ -113,8 +113,8 @@ void StripShare::cut(Primaries &disks)
   rotate = disks.rotate();
   has_strength = !disks.strength.empty();
   has_start = !disks.start.empty();
-  const std::size_t begin = n_primaries * ranks.here() / ranks.number(),
-                    end = n_primaries * (ranks.here() + 1) / ranks.number();
+  const std::size_t begin = n_primaries * exchange.here() / exchange.number(),
+                    end = n_primaries * (exchange.here() + 1) / exchange.number();
   shorten(disks.position, begin, end);
   shorten(disks.velocity, begin, end);
   shorten(disks.radius, begin, end);
@@ -136,17 +136,17 @@ void StripShare::share_out(Primaries &disks, Motion &kept, contact::NeighbourLis
   carry(disks, kept);
   make_rounds(disks);
   list.set_disks(disks.radius, disks.body);
-  const std::size_t first = first_strip(ranks.here());
-  list.build_part(disks.position, n_own_primaries, {grid, first, end_strip[ranks.here()]},
+  const std::size_t first = first_strip(exchange.here());
+  list.build_part(disks.position, n_own_primaries, {grid, first, end_strip[exchange.here()]},
                   memories_of(came, disks.number, list.memory().n_impulses()));
 }
 
 void StripShare::choose_strips(const Primaries &disks, const double cell)
 {
   contact::NeighbourList::Bounds bounds;
-  ranks.together([&]() { bounds.take(disks.position, n_own_primaries); });
+  exchange.together([&]() { bounds.take(disks.position, n_own_primaries); });
   for (const std::vector<double> &other :
-       ranks.of_all({bounds.lower[0], bounds.lower[1], bounds.upper[0], bounds.upper[1]}))
+       exchange.of_all({bounds.lower[0], bounds.lower[1], bounds.upper[0], bounds.upper[1]}))
     for (unsigned int d = 0; d < 2; ++d)
     {
       bounds.lower[d] = std::min(bounds.lower[d], other[d]);
@@ -159,7 +159,7 @@ void StripShare::choose_strips(const Primaries &disks, const double cell)
   std::vector<double> here(grid.n_strips(), 0.), all(grid.n_strips(), 0.);
   for (std::size_t i = 0; i < n_own_primaries; ++i)
     here[grid.strip(disks.position[i])] += 1.;
-  for (const std::vector<double> &other : ranks.of_all(here))
+  for (const std::vector<double> &other : exchange.of_all(here))
     for (std::size_t strip = 0; strip < all.size(); ++strip)
       all[strip] += other[strip];
   divide(all);
@@ -173,7 +173,7 @@ std::vector<contact::StripGrid::Span> StripShare::spans_of_all(const Primaries &
        contact::StripGrid::spans_of(disks.position, n_own_primaries, cell))
     here.insert(here.end(), span.begin(), span.end());
   std::vector<contact::StripGrid::Span> spans;
-  for (const std::vector<double> &other : ranks.lists_of_all(here))
+  for (const std::vector<double> &other : exchange.lists_of_all(here))
     for (std::size_t k = 0; k + 1 < other.size(); k += 2)
       spans.push_back({{other[k], other[k + 1]}});
   return contact::StripGrid::joined(std::move(spans), cell);
@@ -181,7 +181,7 @@ std::vector<contact::StripGrid::Span> StripShare::spans_of_all(const Primaries &
 
 void StripShare::divide(const std::vector<double> &weight)
 {
-  const unsigned int n = ranks.number();
+  const unsigned int n = exchange.number();
   const double all = std::accumulate(weight.begin(), weight.end(), 0.);
   double before = 0.;
   std::size_t strip = 0;
@@ -229,7 +229,7 @@ unsigned int StripShare::after(const unsigned int rank) const
 std::vector<std::vector<double>> StripShare::send_memories(const Primaries &disks,
                                                            const contact::NeighbourList &list) const
 {
-  std::vector<std::vector<double>> lists(ranks.number());
+  std::vector<std::vector<double>> lists(exchange.number());
   const contact::PairMemory &memory = list.memory();
   for (std::size_t pair = 0; pair < list.n_pairs(); ++pair)
     if (memory.remembers(pair))
@@ -242,7 +242,7 @@ std::vector<std::vector<double>> StripShare::send_memories(const Primaries &disk
       to.push_back(packed(disks.number[a], disks.number[b]));
       to.insert(to.end(), impulses.begin(), impulses.begin() + memory.n_impulses());
     }
-  return ranks.to_each(std::move(lists));
+  return exchange.to_each(std::move(lists));
 }
 
 contact::NeighbourList::Remembered StripShare::memories_of(const std::vector<std::vector<double>> &came,
@@ -268,7 +268,7 @@ contact::NeighbourList::Remembered StripShare::memories_of(const std::vector<std
 
 void StripShare::carry(Primaries &disks, Motion &kept)
 {
-  std::vector<Indices> to_own(ranks.number()), to_seam(ranks.number());
+  std::vector<Indices> to_own(exchange.number()), to_seam(exchange.number());
   for (std::uint32_t i = 0; i < n_own_primaries; ++i)
   {
     const std::size_t column = grid.column(disks.position[i]), strip = column / grid.width;
@@ -277,7 +277,8 @@ void StripShare::carry(Primaries &disks, Motion &kept)
     if (column == first_strip(rank) * grid.width && before(rank) != none)
       to_seam[before(rank)].push_back(i);
   }
-  const Journey own(ranks, std::move(to_own), disks.number), seam(ranks, std::move(to_seam), disks.number);
+  const Journey own(exchange, std::move(to_own), disks.number),
+      seam(exchange, std::move(to_seam), disks.number);
   const auto go = [&](auto &values)
   {
     std::decay_t<decltype(values)> there;
@@ -289,7 +290,7 @@ void StripShare::carry(Primaries &disks, Motion &kept)
   std::vector<double> body(disks.body.begin(), disks.body.end());
   go(body);
   disks.body.assign(body.begin(), body.end());
-  const bool keeps = ranks.any(!kept.position.empty());
+  const bool keeps = exchange.any(!kept.position.empty());
   go(disks.position);
   go(disks.velocity);
   go(disks.radius);
@@ -313,7 +314,7 @@ void StripShare::carry(Primaries &disks, Motion &kept)
   n_own_primaries = own.size();
   n_seam = seam.size();
   n_own_of.clear();
-  for (const std::vector<double> &one : ranks.of_all({static_cast<double>(n_own_primaries)}))
+  for (const std::vector<double> &one : exchange.of_all({static_cast<double>(n_own_primaries)}))
     n_own_of.push_back(static_cast<std::size_t>(one[0]));
 }
 
@@ -321,7 +322,7 @@ void StripShare::make_rounds(const Primaries &disks)
 {
   rounds = {};
   to_previous.clear();
-  const unsigned int here = ranks.here();
+  const unsigned int here = exchange.here();
   if (!has_strips(here))
     return;
   const std::size_t first = first_strip(here), last = end_strip[here] - 1;

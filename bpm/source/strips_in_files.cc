@@ -18,7 +18,7 @@ void StripShare::bring_rows(const double *const values,
   const auto first = disks.number.begin(), own_end = first + n_own_primaries;
   for (auto i = std::lower_bound(first, own_end, begin); i != own_end && *i < end; ++i)
     std::copy_n(values + (i - first) * n, n, rows + (*i - begin) * n);
-  ranks.join_at_first(rows, (end - begin) * n);
+  exchange.join_at_first(rows, (end - begin) * n);
 }
 
 StripShare::TileRows StripShare::rows_of_tiles(const std::size_t n_first, const std::size_t n) const
@@ -26,11 +26,11 @@ StripShare::TileRows StripShare::rows_of_tiles(const std::size_t n_first, const 
   TileRows rows;
   rows.here = {{0, n_first, n}};
   const std::vector<std::vector<double>> sizes =
-      ranks.of_all({static_cast<double>(n_first), static_cast<double>(n - n_first)});
+      exchange.of_all({static_cast<double>(n_first), static_cast<double>(n - n_first)});
   for (unsigned int colour = 0; colour < 2; ++colour)
-    for (unsigned int r = 0; r < ranks.number(); ++r)
+    for (unsigned int r = 0; r < exchange.number(); ++r)
     {
-      if (r == ranks.here())
+      if (r == exchange.here())
         rows.there[colour] = rows.n_all;
       rows.n_all += static_cast<std::size_t>(sizes[r][colour]);
     }
@@ -48,7 +48,7 @@ void StripShare::bring_tiles(const std::vector<double> &values,
   tiles.among(begin, end,
               [&](const std::size_t here, const std::size_t row, const std::size_t n)
               { std::copy_n(values.data() + here * width, n * width, rows + (row - begin) * width); });
-  ranks.join_at_first(rows, (end - begin) * width);
+  exchange.join_at_first(rows, (end - begin) * width);
 }
 
 void StripShare::take_tiles(const StateReader &in,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exact_sum.h>
-#include <softgrain/base/ranks.h>
+#include <softgrain/base/exchange.h>
 
 #include <cmath>
 #include <cstring>
@@ -113,15 +113,15 @@ void ExactSum::add_packed(const double *&number)
   not_finite += *number++;
 }
 
-void add_over_ranks(std::vector<ExactSum> &sums, const Ranks &ranks)
+void add_over_all(std::vector<ExactSum> &sums, const Exchange &exchange)
 {
-  if (ranks.alone())
+  if (exchange.alone())
     return;
   std::vector<double> here;
   for (const ExactSum &sum : sums)
     sum.pack(here);
   sums.assign(sums.size(), ExactSum());
-  for (const std::vector<double> &packed : ranks.of_all(here))
+  for (const std::vector<double> &packed : exchange.of_all(here))
   {
     const double *number = packed.data();
     for (ExactSum &sum : sums)

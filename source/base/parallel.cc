@@ -14,7 +14,7 @@ namespace softgrain
 namespace
 {
 /// A BLAS with threads of its own would cut its products by the cores that it sees, so that bits would depend
-/// on them, and take cores from other ranks. UMFPACK calls it.
+/// on them, and take cores from other processes. UMFPACK calls it.
 void keep_blas_to_one_thread()
 {
   using SetThreads = void (*)(int);

@@ -3,15 +3,12 @@
 #include <softgrain/base/failure.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/ranks.h>
-#include <softgrain/base/scattered_numbers.h>
+#include <softgrain/base/wait.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
-#include <cstring>
-#include <ctime>
 #include <iostream>
 #include <limits>
 #include <numeric>
@@ -21,29 +18,6 @@ namespace softgrain
 {
 namespace
 {
-double seconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Books what passes while it lives as waiting.
-class Wait
-{
-public:
-  explicit Wait(RankTimes &times) : times(times), begin(seconds()), processor_begin(processor_seconds()) {}
-  ~Wait()
-  {
-    times.waiting += seconds() - begin;
-    times.spinning += processor_seconds() - processor_begin;
-    ++times.messages;
-  }
-  Wait(const Wait &) = delete;
-
-private:
-  RankTimes &times;
-  const double begin, processor_begin;
-};
-
 /// Pieces that go from their owners to all at once. Numbers stand rank after rank: whether it failed and
 /// whether it was asked to stop, then its pieces in the order of the list.
 class ExchangeOfPieces
@@ -134,13 +108,6 @@ Ranks::Ranks()
   rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
 }
 
-double processor_seconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return now.tv_sec + 1e-9 * now.tv_nsec;
-}
-
 void Ranks::exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const
 {
   std::string text;
@@ -192,84 +159,6 @@ void Ranks::share(const std::vector<Piece> &pieces) const
     exchange(pieces, nullptr);
 }
 
-void Ranks::bring(const std::vector<Piece> &pieces) const
-{
-  if (alone())
-    return;
-  constexpr int tag = 2;
-  // Of the first rank, what every other one sends; of another, what it sends itself.
-  std::vector<ScatteredNumbers> of_ranks(n);
-  for (const Piece &piece : pieces)
-    if (piece.owner != 0 && (first() || piece.owner == rank))
-    {
-      of_ranks[piece.owner].add(piece.begin, piece.size);
-      if (first())
-        times.bytes += piece.size * sizeof(double);
-    }
-  const Wait wait(times);
-  for (unsigned int r = 1; r < n; ++r)
-  {
-    if (of_ranks[r].empty())
-      continue;
-    MPI_Datatype type = of_ranks[r].type();
-    if (first())
-      MPI_Recv(MPI_BOTTOM, 1, type, r, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    else
-      MPI_Send(MPI_BOTTOM, 1, type, 0, tag, MPI_COMM_WORLD);
-    MPI_Type_free(&type);
-  }
-}
-
-void Ranks::join_at_first(double *const numbers, const std::size_t size) const
-{
-  if (alone())
-    return;
-  static_assert(sizeof(double) == sizeof(std::uint64_t), "numbers are joined by their bits");
-  const Wait wait(times);
-  constexpr std::size_t most = std::numeric_limits<int>::max(); // MPI counts with an int
-  for (std::size_t begin = 0; begin < size; begin += most)
-    MPI_Reduce(first() ? MPI_IN_PLACE : numbers + begin, numbers + begin,
-               static_cast<int>(std::min(most, size - begin)), MPI_UINT64_T, MPI_BOR, 0, MPI_COMM_WORLD);
-  if (first())
-    times.bytes += size * sizeof(double);
-}
-
-void Ranks::swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const
-{
-  if (outgoing.empty() && incoming.empty())
-    return;
-  constexpr int tag = 1;
-  const Wait wait(times);
-  std::vector<MPI_Request> requests;
-  requests.reserve(outgoing.size() + incoming.size());
-  for (const Message &message : incoming)
-  {
-    MPI_Irecv(message.begin, message.size, MPI_DOUBLE, message.rank, tag, MPI_COMM_WORLD,
-              &requests.emplace_back());
-    times.bytes += message.size * sizeof(double);
-  }
-  for (const Message &message : outgoing)
-    MPI_Isend(message.begin, message.size, MPI_DOUBLE, message.rank, tag, MPI_COMM_WORLD,
-              &requests.emplace_back());
-  MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
-}
-
-Ranks::OwnWork::OwnWork(const Ranks &ranks) : ranks(ranks)
-{
-  if (ranks.alone())
-    return;
-  own = ranks.times.own;
-  spinning = ranks.times.spinning;
-  begin = processor_seconds();
-}
-
-Ranks::OwnWork::~OwnWork()
-{
-  // What has been booked in between is in it.
-  if (!ranks.alone())
-    ranks.times.own = own + processor_seconds() - begin - (ranks.times.spinning - spinning);
-}
-
 std::string Ranks::share(const std::string &text, const unsigned int owner) const
 {
   if (alone())
@@ -290,68 +179,6 @@ std::vector<std::vector<double>> Ranks::of_all(const std::vector<double> &number
   return of_ranks;
 }
 
-std::vector<std::vector<double>> Ranks::lists_of_all(const std::vector<double> &list) const
-{
-  const std::vector<std::vector<double>> sizes = of_all({static_cast<double>(list.size())});
-  std::vector<std::vector<double>> lists(n);
-  std::vector<Piece> pieces;
-  for (unsigned int r = 0; r < n; ++r)
-  {
-    lists[r].resize(static_cast<std::size_t>(sizes[r][0]));
-    if (r == rank)
-      lists[r] = list;
-    pieces.push_back({r, lists[r].data(), lists[r].size()});
-  }
-  share(pieces);
-  return lists;
-}
-
-std::vector<std::vector<double>> Ranks::to_each(std::vector<std::vector<double>> lists) const
-{
-  std::vector<double> sizes;
-  for (const std::vector<double> &list : lists)
-    sizes.push_back(list.size());
-  const std::vector<std::vector<double>> sizes_of_all = of_all(sizes);
-  std::vector<std::vector<double>> came(n);
-  std::vector<Message> outgoing, incoming;
-  for (unsigned int r = 0; r < n; ++r)
-  {
-    if (r == rank)
-    {
-      came[r] = std::move(lists[r]);
-      continue;
-    }
-    came[r].resize(static_cast<std::size_t>(sizes_of_all[r][rank]));
-    if (!lists[r].empty())
-      outgoing.push_back({r, lists[r].data(), lists[r].size()});
-    if (!came[r].empty())
-      incoming.push_back({r, came[r].data(), came[r].size()});
-  }
-  swap(outgoing, incoming);
-  return came;
-}
-
-std::vector<std::vector<double>> Ranks::lists_at_first(std::vector<double> list) const
-{
-  std::vector<std::vector<double>> lists(n);
-  lists[0] = std::move(list);
-  return to_each(std::move(lists));
-}
-
-void Ranks::check_alike(const std::vector<double> &numbers) const
-{
-  if (alone())
-    return;
-  // Everyone sees those of all, and so comes to the same verdict.
-  const std::vector<std::vector<double>> of_ranks = of_all(numbers);
-  const auto differs = [&](const std::vector<double> &others)
-  { return std::memcmp(others.data(), of_ranks[0].data(), others.size() * sizeof(double)) != 0; };
-  if (std::any_of(of_ranks.begin(), of_ranks.end(), differs))
-    throw ComputationError(
-        "ranks have come to different results, so the run cannot go on: all have to run on processors of the "
-        "same kind, with the same program and libraries");
-}
-
 void Ranks::fail_alike(const std::string &why) const
 {
   if (alone())
@@ -359,13 +186,13 @@ void Ranks::fail_alike(const std::string &why) const
   constexpr double patience = 10.; // [s]
   MPI_Request request;
   MPI_Ibarrier(MPI_COMM_WORLD, &request);
-  for (const double begin = seconds();;)
+  for (const double begin = steady_seconds();;)
   {
     int done = 0;
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done)
       return;
-    if (seconds() - begin > patience)
+    if (steady_seconds() - begin > patience)
       break;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -13,31 +13,31 @@ namespace
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 } // namespace
 
-DiskShare::DiskShare(const Ranks &ranks,
+DiskShare::DiskShare(const Exchange &exchange,
                      const ContactOrder &contacts,
                      const std::vector<std::uint32_t> &number_of,
                      const std::size_t n_bodies,
                      const std::vector<ContactRange> &ranges,
                      const std::vector<std::uint32_t> &colour_end)
-    : ranks(ranks), ranges(ranges), is_apart(false)
+    : exchange(exchange), ranges(ranges), is_apart(false)
 {
   divide(colour_end);
   find_exchanges(contacts, number_of, n_bodies);
 }
 
-DiskShare::DiskShare(const Ranks &ranks,
+DiskShare::DiskShare(const Exchange &exchange,
                      const DiskExchanges &exchanges,
                      const std::vector<std::uint32_t> &number_of,
                      const std::size_t n_bodies,
                      const std::vector<ContactRange> &ranges)
-    : ranks(ranks)
+    : exchange(exchange)
     , ranges(ranges)
     , is_apart(true)
     , end_of(exchanges.end_of_tiles)
     , rounds(exchanges.rounds)
     , touched(n_bodies)
 {
-  end_of.emplace_back(ranks.number(), ranges.size());
+  end_of.emplace_back(exchange.number(), ranges.size());
   for (std::vector<DiskRound> &of_colour : rounds)
     for (DiskRound &round : of_colour)
       for (auto *const list : {&round.send, &round.receive})
@@ -49,7 +49,7 @@ DiskShare::DiskShare(const Ranks &ranks,
 
 void DiskShare::divide(const std::vector<std::uint32_t> &colour_end)
 {
-  const unsigned int n = ranks.number();
+  const unsigned int n = exchange.number();
   std::uint32_t begin = 0;
   for (const std::uint32_t end : colour_end)
   {
@@ -91,7 +91,7 @@ void DiskShare::for_bodies(const ContactOrder &contacts,
                            const Work &work) const
 {
   for (std::size_t colour = 0; colour < n_colours(); ++colour)
-    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    for (unsigned int rank = 0; rank < exchange.number(); ++rank)
     {
       const auto [begin, end] = range_of(colour, rank);
       for (std::uint32_t range = begin; range < end; ++range)
@@ -104,7 +104,7 @@ void DiskShare::for_bodies(const ContactOrder &contacts,
 }
 
 /// Which ranks touch every body. Most bodies are with one rank only; those with more are few, and get a list
-/// of their ranks.
+/// of their exchange.
 struct DiskShare::Touching
 {
   std::vector<std::uint32_t> lowest, list_of; ///< rank, and its list in ranks_of if it has one
@@ -122,7 +122,7 @@ DiskShare::Touching DiskShare::who_touches(const ContactOrder &contacts,
                     {}};
   std::vector<std::uint32_t> &lowest = touching.lowest, &list_of = touching.list_of;
   std::vector<std::vector<unsigned int>> &ranks_of = touching.ranks_of;
-  const unsigned int here = ranks.here();
+  const unsigned int here = exchange.here();
   for_bodies(contacts, number_of,
              [&](std::size_t, const unsigned int rank, const std::uint32_t body)
              {
@@ -153,16 +153,16 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
                                const std::vector<std::uint32_t> &number_of,
                                const std::size_t n_bodies)
 {
-  const unsigned int here = ranks.here();
+  const unsigned int here = exchange.here();
   const Touching touching = who_touches(contacts, number_of, n_bodies);
   const auto with = [](std::vector<DiskExchange> &list, const unsigned int rank) -> DiskExchange &
   {
     const auto found =
-        std::find_if(list.begin(), list.end(), [rank](const DiskExchange &one) { return one.rank == rank; });
+        std::find_if(list.begin(), list.end(), [rank](const DiskExchange &one) { return one.other == rank; });
     if (found != list.end())
       return *found;
     list.emplace_back();
-    list.back().rank = rank;
+    list.back().other = rank;
     return list.back();
   };
   rounds.assign(n_colours(), std::vector<DiskRound>(1));
@@ -187,9 +187,9 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
         std::sort(one.bodies.begin(), one.bodies.end());
         one.bodies.erase(std::unique(one.bodies.begin(), one.bodies.end()), one.bodies.end());
       }
-  owned.resize(ranks.number());
-  for (unsigned int rank = 0; rank < ranks.number(); ++rank)
-    owned[rank].rank = rank;
+  owned.resize(exchange.number());
+  for (unsigned int rank = 0; rank < exchange.number(); ++rank)
+    owned[rank].other = rank;
   for (std::uint32_t body = 0; body < n_bodies; ++body)
   {
     owned[touching.lowest[body]].bodies.push_back(body);
@@ -201,9 +201,9 @@ void DiskShare::find_exchanges(const ContactOrder &contacts,
 template <class Part>
 void DiskShare::share(std::vector<double> &numbers, const Part &part) const
 {
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (std::size_t colour = 0; colour < n_colours(); ++colour)
-    for (unsigned int rank = 0; rank < ranks.number(); ++rank)
+    for (unsigned int rank = 0; rank < exchange.number(); ++rank)
     {
       const auto [begin, end] = range_of(colour, rank);
       if (begin == end)
@@ -211,7 +211,7 @@ void DiskShare::share(std::vector<double> &numbers, const Part &part) const
       const auto [first, last] = part(begin, end);
       pieces.push_back({rank, numbers.data() + first, last - first});
     }
-  ranks.share(pieces);
+  exchange.share(pieces);
 }
 
 void DiskShare::share_contacts(std::vector<double> &of_contacts) const
@@ -228,12 +228,12 @@ void DiskShare::share_ranges(std::vector<double> &of_ranges) const
 
 void DiskShare::share_walls(std::vector<double> &of_walls) const
 {
-  ranks.share({{0, of_walls.data(), of_walls.size()}});
+  exchange.share({{0, of_walls.data(), of_walls.size()}});
 }
 
 void DiskShare::take_largest(std::vector<double> &numbers) const
 {
-  for (const std::vector<double> &other : ranks.of_all(numbers))
+  for (const std::vector<double> &other : exchange.of_all(numbers))
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (!std::isnan(numbers[i]) && !(other[i] <= numbers[i]))
         numbers[i] = other[i];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/base/ranks.h>
 #include <softgrain/contact/disk_solver.h>
 #include <softgrain/contact/disk_sweeps.h>
 #include <softgrain/contact/momentum.h>
@@ -118,14 +118,14 @@ double rounding_of(const RoundBodies<dim> &bodies)
 }
 
 /// @p here is not negative.
-double largest_of(const Ranks &ranks, double here)
+double largest_of(const Exchange &exchange, double here)
 {
-  for (const std::vector<double> &other : ranks.of_all({here}))
+  for (const std::vector<double> &other : exchange.of_all({here}))
     here = std::max(here, other[0]);
   return here;
 }
 
-/// Sweeps after which ranks tell each other of a request to stop.
+/// Sweeps after which all tell each other of a request to stop.
 constexpr unsigned int sweeps_between_words = 500;
 
 /// Sweeps after which velocities are computed afresh.
@@ -174,20 +174,20 @@ public:
   DiskIteration(RoundBodies<dim> &bodies,
                 RoundContacts<dim> &contacts,
                 const DiskSolverSettings &settings,
-                const Ranks *const ranks,
+                const Exchange *const exchange,
                 const DiskExchanges *const exchanges)
       : bodies(bodies)
       , contacts(contacts)
       , settings(settings)
       , team(contacts.size() < contacts_to_share ? 1 : n_threads())
-      , ranks(ranks)
+      , exchange(exchange)
       , apart(exchanges != nullptr)
       , sweeps(bodies,
                contacts,
                team,
-               !apart && contacts.size() < contacts_to_share ? nullptr : ranks,
+               !apart && contacts.size() < contacts_to_share ? nullptr : exchange,
                exchanges)
-      , rounding(apart ? largest_of(*ranks, rounding_of(bodies)) : rounding_of(bodies))
+      , rounding(apart ? largest_of(*exchange, rounding_of(bodies)) : rounding_of(bodies))
       , momentum(n)
       , walls(settings.wall_floor)
       , accelerating(settings.algorithm == DiskAlgorithm::accelerated)
@@ -196,9 +196,9 @@ public:
 
   DiskSolverReport run()
   {
-    std::optional<Ranks::OwnWork> own;
+    std::optional<Exchange::OwnWork> own;
     if (sweeps.shared() && !apart) // else the caller sees to that
-      own.emplace(*ranks);
+      own.emplace(*exchange);
     sweeps.set_free_velocities();
     speed = sweeps.measure().approach;
     if (speed <= rounding) // nothing approaches: no impulses solve the problem exactly
@@ -213,9 +213,9 @@ public:
       report.wall_change = walls.estimate(wall_impulses);
       while (report.sweeps < settings.max_sweeps && !report.converged)
       {
-        // Ranks that sweep all contacts do not meet otherwise.
-        if (ranks != nullptr && !sweeps.shared() && report.sweeps % sweeps_between_words == 0)
-          ranks->share({});
+        // Those who sweep all contacts do not meet otherwise.
+        if (exchange != nullptr && !sweeps.shared() && report.sweeps % sweeps_between_words == 0)
+          exchange->share({});
         stop_if_interrupted();
         sweep();
         if (report.sweeps % settings.check_interval == 0 || report.sweeps == settings.max_sweeps)
@@ -306,8 +306,8 @@ private:
   RoundContacts<dim> &contacts;
   const DiskSolverSettings &settings;
   ThreadTeam team;
-  const Ranks *const ranks; ///< null: this process is alone
-  const bool apart;         ///< each rank has its own contacts alone
+  const Exchange *const exchange; ///< null: this process is alone
+  const bool apart;               ///< each has its own contacts alone
   DiskSweeps<n, in_cell, dim> sweeps;
   const double rounding;
   Momentum momentum;
@@ -324,32 +324,32 @@ template <bool in_cell>
 DiskSolverReport iterate(DiskBodies &bodies,
                          DiskContacts &contacts,
                          const DiskSolverSettings &settings,
-                         const Ranks *const ranks,
+                         const Exchange *const exchange,
                          const DiskExchanges *const exchanges)
 {
   if (exchanges != nullptr ? !exchanges->rotate : !bodies.rotate())
-    return DiskIteration<1, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
+    return DiskIteration<1, in_cell, 2>(bodies, contacts, settings, exchange, exchanges).run();
   if (contacts.rolling.empty())
-    return DiskIteration<2, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
-  return DiskIteration<3, in_cell, 2>(bodies, contacts, settings, ranks, exchanges).run();
+    return DiskIteration<2, in_cell, 2>(bodies, contacts, settings, exchange, exchanges).run();
+  return DiskIteration<3, in_cell, 2>(bodies, contacts, settings, exchange, exchanges).run();
 }
 } // namespace
 
 DiskSolverReport solve_disks(DiskBodies &bodies,
                              DiskContacts &contacts,
                              const DiskSolverSettings &settings,
-                             const Ranks *ranks,
+                             const Exchange *exchange,
                              const DiskExchanges *const exchanges)
 {
   check(settings);
   if (exchanges == nullptr)
     check(bodies, contacts);
-  else // what one rank finds ends it for all
-    ranks->together([&]() { check(bodies, contacts); });
-  if (ranks != nullptr && ranks->alone())
-    ranks = nullptr;
-  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, ranks, exchanges)
-                                 : iterate<true>(bodies, contacts, settings, ranks, exchanges);
+  else // what one finds ends it for all
+    exchange->together([&]() { check(bodies, contacts); });
+  if (exchange != nullptr && exchange->alone())
+    exchange = nullptr;
+  return contacts.branch.empty() ? iterate<false>(bodies, contacts, settings, exchange, exchanges)
+                                 : iterate<true>(bodies, contacts, settings, exchange, exchanges);
 }
 
 DiskSolverReport solve_balls(BallBodies &bodies, BallContacts &contacts, const DiskSolverSettings &settings)

@@ -16,7 +16,7 @@ template <unsigned int n, bool in_cell, int dim>
 DiskSweeps<n, in_cell, dim>::DiskSweeps(const Bodies &bodies,
                                         const Contacts &contacts,
                                         ThreadTeam &team,
-                                        const Ranks *const ranks,
+                                        const Exchange *const exchange,
                                         const DiskExchanges *const exchanges)
     : bodies(bodies), contacts(contacts), team(team), rows(new Row[contacts.size()])
 {
@@ -25,10 +25,10 @@ DiskSweeps<n, in_cell, dim>::DiskSweeps(const Bodies &bodies,
   if (exchanges != nullptr)
   {
     n_walls = exchanges->n_walls;
-    share.emplace(*ranks, *exchanges, packed_of, n_bodies(), ranges);
+    share.emplace(*exchange, *exchanges, packed_of, n_bodies(), ranges);
   }
-  else if (ranges.size() > 1 && ranks != nullptr && !bodies.cell.is_free())
-    share.emplace(*ranks, contacts, packed_of, n_bodies(), ranges, colour_end);
+  else if (ranges.size() > 1 && exchange != nullptr && !bodies.cell.is_free())
+    share.emplace(*exchange, contacts, packed_of, n_bodies(), ranges, colour_end);
   for_ranges_at_once([&](const Range range, const bool wall, std::uint32_t) { pack(range, wall); });
 }
 
@@ -66,7 +66,7 @@ template <unsigned int n, bool in_cell, int dim>
 void DiskSweeps<n, in_cell, dim>::make_ranges()
 {
   // A tile is swept by one thread. None of them is left out, nor are two made one: the order in which
-  // contacts are swept is not to depend on which tiles a rank has.
+  // contacts are swept is not to depend on which tiles are here.
   const auto &tiles = contacts.tile_start;
   for (std::size_t tile = 0; tile + 1 < tiles.size(); ++tile)
     ranges.push_back({tiles[tile], tiles[tile + 1]});

@@ -34,7 +34,7 @@ struct NeighbourList::Mover
                                    box.upper[1], radius, has_neighbours ? 1. : 0.});
   }
 
-  /// What another rank has of it too.
+  /// What another owner has of it too.
   void join(const double *const other)
   {
     if (other[0] < reference)

@@ -52,11 +52,11 @@ void SystemMatrix::reinit(const unsigned int dim,
       for (unsigned int a = b; a < nodes.size(); ++a)
       {
         const std::vector<unsigned int> &column = rows[nodes[b]];
-        const int rank = std::lower_bound(column.begin(), column.end(), nodes[a]) - column.begin();
+        const int place = std::lower_bound(column.begin(), column.end(), nodes[a]) - column.begin();
         // In the column of direction d the diagonal block holds dim - d entries, every other block dim.
         for (unsigned int d = 0; d < dim; ++d)
           places[c].start.push_back(matrix.outerIndexPtr()[dim * nodes[b] + d] +
-                                    (rank == 0 ? 0 : rank * dim - static_cast<int>(d)));
+                                    (place == 0 ? 0 : place * dim - static_cast<int>(d)));
       }
   }
   new_pattern = true;

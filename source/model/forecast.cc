@@ -34,8 +34,8 @@ double RunOutline::n_steps(const double dt) const
 
 Forecast Forecast::of_rank(const unsigned int n) const
 {
-  const double ranks = std::max(1., std::min<double>(n, divided.pieces));
-  const auto part = [ranks](const double divided_part) { return 1. - divided_part * (1. - 1. / ranks); };
+  const double sharing = std::max(1., std::min<double>(n, divided.pieces));
+  const auto part = [sharing](const double divided_part) { return 1. - divided_part * (1. - 1. / sharing); };
   Forecast one = *this;
   one.preparation *= part(divided.preparation);
   one.step_seconds *= part(divided.step);

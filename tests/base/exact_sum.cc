@@ -2,8 +2,8 @@
 // Sums that do not round. Known: numbers that cancel leave what they should, and the bits of a sum depend
 // neither on the order of its numbers nor on which rank has which.
 #include <softgrain/base/exact_sum.h>
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/mpi_session.h>
-#include <softgrain/base/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ bool rounded_once(const std::vector<double> &numbers)
 }
 
 /// Numbers of which each rank has some.
-bool same_on_ranks(const std::vector<double> &numbers, const Ranks &ranks)
+bool same_on_ranks(const std::vector<double> &numbers, const Exchange &ranks)
 {
   std::vector<ExactSum> sums(2);
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -77,7 +77,7 @@ bool same_on_ranks(const std::vector<double> &numbers, const Ranks &ranks)
       sums[0].add(numbers[i]);
       sums[1].add(-numbers[i]);
     }
-  add_over_ranks(sums, ranks);
+  add_over_all(sums, ranks);
   return sums[0].value() == sum_of(numbers) && sums[1].value() == -sum_of(numbers);
 }
 } // namespace
@@ -85,7 +85,7 @@ bool same_on_ranks(const std::vector<double> &numbers, const Ranks &ranks)
 int main(int, char **argv)
 {
   const MPISession mpi(argv);
-  const Ranks ranks;
+  const Exchange ranks;
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   const double infinite = std::numeric_limits<double>::infinity();
   const std::vector<double> numbers = mixed(100000);

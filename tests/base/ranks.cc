@@ -3,9 +3,9 @@
 // neighbours, to the bit; a failure of one is everybody's, that of the lowest rank first; a request to stop
 // that comes to one rank stops all at the same place.
 #include <softgrain/base/exceptions.h>
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/interruption.h>
 #include <softgrain/base/mpi_session.h>
-#include <softgrain/base/ranks.h>
 
 #include <cmath>
 #include <cstring>
@@ -31,10 +31,10 @@ unsigned int wrong_values(const std::vector<std::vector<double>> &lists)
 }
 
 /// Numbers that differ from what their owners have, after they were shared: rank i % n owns i % 4 of them.
-unsigned int wrong_numbers(const Ranks &ranks)
+unsigned int wrong_numbers(const Exchange &ranks)
 {
   std::vector<std::vector<double>> lists(17);
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (unsigned int i = 0; i < lists.size(); ++i)
   {
     const unsigned int owner = i % ranks.number();
@@ -46,10 +46,10 @@ unsigned int wrong_numbers(const Ranks &ranks)
 }
 
 /// Numbers that differ from what their owners have, after they were brought to the first rank.
-unsigned int wrong_at_first(const Ranks &ranks)
+unsigned int wrong_at_first(const Exchange &ranks)
 {
   std::vector<std::vector<double>> lists(17);
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (unsigned int i = 0; i < lists.size(); ++i)
   {
     const unsigned int owner = i * i % ranks.number();
@@ -64,7 +64,7 @@ unsigned int wrong_at_first(const Ranks &ranks)
 }
 
 /// The same for numbers each of which one rank has, joined at the first rank; zeros of both signs among them.
-unsigned int wrong_joined(const Ranks &ranks)
+unsigned int wrong_joined(const Exchange &ranks)
 {
   std::vector<double> numbers(40), expected(40);
   for (unsigned int i = 0; i < numbers.size(); ++i)
@@ -82,7 +82,7 @@ unsigned int wrong_joined(const Ranks &ranks)
 }
 
 /// Numbers that differ from what the neighbours on a ring have sent, each a list of its own length.
-unsigned int wrong_messages(const Ranks &ranks)
+unsigned int wrong_messages(const Exchange &ranks)
 {
   const unsigned int n = ranks.number(), here = ranks.here();
   if (n < 2)
@@ -93,7 +93,7 @@ unsigned int wrong_messages(const Ranks &ranks)
   for (unsigned int round = 0; round < 20; ++round)
   {
     std::vector<std::vector<double>> out(n), in(n);
-    std::vector<Ranks::Message> outgoing, incoming;
+    std::vector<Exchange::Message> outgoing, incoming;
     for (const unsigned int other : {(here + 1) % n, (here + n - 1) % n})
       if (out[other].empty()) // with two ranks both neighbours are the same
       {
@@ -105,15 +105,15 @@ unsigned int wrong_messages(const Ranks &ranks)
         incoming.push_back({other, in[other].data(), in[other].size()});
       }
     ranks.swap(outgoing, incoming);
-    for (const Ranks::Message &message : incoming)
+    for (const Exchange::Message &message : incoming)
       for (std::size_t i = 0; i < message.size; ++i)
-        wrong += message.begin[i] != number(message.rank, here, i);
+        wrong += message.begin[i] != number(message.other, here, i);
   }
   return wrong;
 }
 
 /// Numbers that differ from what others have in lists for each rank, for the first one, and for all.
-unsigned int wrong_lists(const Ranks &ranks)
+unsigned int wrong_lists(const Exchange &ranks)
 {
   const unsigned int n = ranks.number(), here = ranks.here();
   // Of rank i for rank j, some of them empty.
@@ -135,7 +135,7 @@ unsigned int wrong_lists(const Ranks &ranks)
 }
 
 /// What this rank catches when those from @p lowest on fail.
-std::string failure(const Ranks &ranks, const unsigned int lowest)
+std::string failure(const Exchange &ranks, const unsigned int lowest)
 {
   try
   {
@@ -156,7 +156,7 @@ std::string failure(const Ranks &ranks, const unsigned int lowest)
 int main(int, char **argv)
 {
   const MPISession mpi(argv);
-  const Ranks ranks;
+  const Exchange ranks;
   const unsigned int last = ranks.number() - 1;
   std::vector<double> wrong(ranks.number()), caught(ranks.number()), stopped(ranks.number()),
       parted(ranks.number());
@@ -182,7 +182,7 @@ int main(int, char **argv)
   {
     parted[here] = 1.;
   }
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (unsigned int r = 0; r < ranks.number(); ++r)
     for (std::vector<double> *const numbers : {&wrong, &caught, &stopped, &parted})
       pieces.push_back({r, &(*numbers)[r], 1});

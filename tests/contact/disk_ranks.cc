@@ -3,8 +3,8 @@
 // ranks that share it exchange less than all velocities after every colour.
 #include "packing.h"
 
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/mpi_session.h>
-#include <softgrain/base/ranks.h>
 #include <softgrain/contact/disk_solver.h>
 
 #include <iostream>
@@ -27,7 +27,7 @@ bool same(const DiskSystem &one, const DiskSystem &other)
 int main(int, char **argv)
 {
   const MPISession mpi(argv);
-  const Ranks ranks;
+  const Exchange ranks;
   for (const double friction : {-1., 0.3})
     for (const bool rolling : {false, true})
       for (const DiskAlgorithm algorithm : {DiskAlgorithm::gauss_seidel, DiskAlgorithm::accelerated})

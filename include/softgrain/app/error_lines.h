@@ -8,8 +8,8 @@
 
 namespace softgrain
 {
-/// Prints every message as one line on stderr, whatever it holds; of several ranks that come here the first
-/// says them. @return @p exit_code
+/// Prints every message as one line on stderr, whatever it holds; of several processes that come here the
+/// first says them. @return @p exit_code
 int report_errors(const std::vector<std::string> &messages, int exit_code);
 
 /// Reports a single message as one line.

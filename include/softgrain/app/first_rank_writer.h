@@ -9,16 +9,16 @@
 namespace softgrain
 {
 /**
- * @brief What a model writes its state to where all ranks take part: what comes from the first rank is
+ * @brief What a model writes its state to where all processes take part: what comes from the first is
  * written, what comes from others is not.
  *
- * Errors wait for check(), so that the first rank goes the same way as the others until all have come to the
+ * Errors wait for check(), so that the first one goes the same way as the others until all have come to the
  * end.
  */
 class FirstRankWriter final : public StateWriter
 {
 public:
-  /// @param file where it is written; null on other ranks
+  /// @param file where it is written; null for others
   explicit FirstRankWriter(StateWriter *file) : file(file) {}
 
   void write(const std::string &name, const std::vector<double> &values) override { hand_on(name, values); }
@@ -48,7 +48,7 @@ public:
     }
     catch (...)
     {
-      if (filling) // on all ranks
+      if (filling) // by all
         throw;
       failure = std::current_exception();
     }

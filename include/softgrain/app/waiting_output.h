@@ -33,9 +33,9 @@ struct OutputParts
 template <int dim>
 struct WaitingOutput
 {
-  OutputParts parts;   ///< what waits, on all ranks
+  OutputParts parts;   ///< what waits, known to all
   OutputParts written; ///< what of the present state is on the disk and stays there
-  HistoryLine history; ///< only the first rank has this and the following
+  HistoryLine history; ///< only the first process has this and the following
   HistoryLine measures;
   std::optional<Snapshot<dim>> snapshot; ///< of pictures and snapshots
 

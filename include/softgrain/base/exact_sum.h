@@ -8,11 +8,11 @@
 
 namespace softgrain
 {
-class Ranks;
+class Exchange;
 
 /**
  * @brief A sum of many numbers without any rounding on the way: the same to the last bit in whatever order,
- * by however many threads and ranks they are added.
+ * by however many threads and processes they are added.
  *
  * A number of fixed point as long as all that a double can be, in digits of 32 bits (Kulisch's accumulator).
  * A number takes a few ns. Good for 2^30 numbers.
@@ -26,7 +26,7 @@ public:
   /// The sum, rounded once to the nearest double; not a number or infinite when a number was.
   double value() const;
 
-  /// Puts the sum behind @p numbers that go to other ranks; add_packed() adds it to a sum there.
+  /// Puts the sum behind @p numbers that go elsewhere; add_packed() adds it to a sum there.
   void pack(std::vector<double> &numbers) const;
   /// @param number first of those that pack() has made; is moved behind them
   void add_packed(const double *&number);
@@ -43,8 +43,8 @@ private:
   double not_finite = 0.; ///< sum of what is no number; else 0
 };
 
-/// Adds to each of @p sums what the other ranks have in theirs; all have as many.
-void add_over_ranks(std::vector<ExactSum> &sums, const Ranks &ranks);
+/// Adds to each of @p sums what others have in theirs; all have as many.
+void add_over_all(std::vector<ExactSum> &sums, const Exchange &exchange);
 } // namespace softgrain
 
 #endif

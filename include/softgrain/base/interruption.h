@@ -27,8 +27,8 @@ bool interruption_requested() noexcept;
 void stop_if_interrupted();
 ///@}
 
-/// @name Programs of several ranks have to stop at the same place: a request is noted where it comes, and
-/// counts when all ranks have been told (Ranks::together()).
+/// @name Programs of several processes have to stop at the same place: a request is noted where it comes, and
+/// counts when all have been told, which is when they next meet.
 ///@{
 /// From now on a request only counts when it has been told.
 void await_telling_of_interruption() noexcept;

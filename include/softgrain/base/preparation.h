@@ -45,7 +45,7 @@ private:
 class PreparationLog
 {
 public:
-  /// @param prints whether anything is printed at all: one of several ranks does
+  /// @param prints whether anything is printed at all: one of several processes does
   explicit PreparationLog(bool prints);
   ~PreparationLog();
 

@@ -6,13 +6,13 @@
 
 namespace softgrain
 {
-/// What working with other ranks took so far on this one.
+/// What working with others took so far of one process.
 struct RankTimes
 {
-  double own = 0;             ///< in work that is this rank's alone, of all its threads [processor s]
+  double own = 0;             ///< in work that it alone does, of all its threads [processor s]
   double waiting = 0;         ///< for others, what they send included [s]
   double spinning = 0;        ///< the same [processor s]: MPI looks for messages all the time
-  std::uint64_t messages = 0; ///< times that all ranks met
+  std::uint64_t messages = 0; ///< times that all met
   std::uint64_t bytes = 0;    ///< that came from others
 };
 

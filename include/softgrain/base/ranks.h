@@ -18,7 +18,8 @@ namespace softgrain
  * stands in together() or at_first(). These end alike on all ranks, with an exception when any rank had one,
  * so that no rank waits for one that has left.
  *
- * With one rank nothing is sent, copied or timed.
+ * With one rank nothing is sent, copied or timed. What the parts of a model have to tell each other goes by
+ * an Exchange.
  */
 class Ranks
 {
@@ -96,61 +97,11 @@ public:
   /// Copies pieces from their owners to all. Every rank has the same list, with its own places.
   void share(const std::vector<Piece> &pieces) const;
 
-  /// Copies pieces from their owners to the first rank, without a copy on the way. Every rank has the same
-  /// list; of the places it names, an owner needs its own, and the first rank all.
-  void bring(const std::vector<Piece> &pieces) const;
-
-  /// Brings numbers each of which one rank has to the first rank, where the others have +0. The others keep
-  /// what they have.
-  void join_at_first(double *numbers, std::size_t size) const;
-
   /// @p numbers of every rank, as many on each; first those of the first rank.
   std::vector<std::vector<double>> of_all(const std::vector<double> &numbers) const;
 
-  /// Lists of all ranks, where each has one of its own length.
-  std::vector<std::vector<double>> lists_of_all(const std::vector<double> &list) const;
-
-  /// Sends list r of @p lists, one for every rank, to rank r. @return those that came here, by rank
-  std::vector<std::vector<double>> to_each(std::vector<std::vector<double>> lists) const;
-
-  /// The lists of all ranks on the first one, empty ones on the others.
-  std::vector<std::vector<double>> lists_at_first(std::vector<double> list) const;
-
-  /// Numbers in memory that one other rank sends, or gets.
-  struct Message
-  {
-    unsigned int rank; ///< the other one
-    double *begin;
-    std::size_t size;
-  };
-
-  /// Sends @p outgoing and waits for @p incoming; at most one message to and from every other rank, and what
-  /// one sends here, this one expects. No other ranks have to come.
-  void swap(const std::vector<Message> &outgoing, const std::vector<Message> &incoming) const;
-
-  /// What passes while it lives is work of this rank's own, but for what it waits, and what goes through
-  /// together().
-  class OwnWork
-  {
-  public:
-    explicit OwnWork(const Ranks &ranks);
-    ~OwnWork();
-    OwnWork(const OwnWork &) = delete;
-    OwnWork &operator=(const OwnWork &) = delete;
-
-  private:
-    const Ranks &ranks;
-    double begin = 0., own = 0., spinning = 0.; ///< [processor s]
-  };
-
   /// The text that @p owner has.
   std::string share(const std::string &text, unsigned int owner) const;
-
-  /**
-   * @brief Makes sure that all ranks have come to the same, to the last bit: they decide by it.
-   * @throw ComputationError on all ranks when they have not, as on machines whose processors differ
-   */
-  void check_alike(const std::vector<double> &numbers) const;
 
   /**
    * @brief Waits on a rank that has caught what ends the run, and returns when all ranks have, which is so
@@ -161,11 +112,13 @@ public:
 
   RankTimes taken() const { return times; }
 
+protected:
+  mutable RankTimes times;
+
 private:
   void exchange(const std::vector<Piece> &pieces, const std::exception_ptr &failure) const;
 
   unsigned int n = 1, rank = 0;
-  mutable RankTimes times;
   mutable std::vector<double> all; ///< what is exchanged; kept, for fresh memory is dear
 };
 } // namespace softgrain

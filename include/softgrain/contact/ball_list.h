@@ -12,7 +12,7 @@ namespace softgrain::contact
 {
 /**
  * @brief Pairs of balls that are near each other, found with linked cells and kept until a ball has moved by
- * half the skin (Verlet): NeighbourList in space, without images and ranks.
+ * half the skin (Verlet): NeighbourList in space, without images and owners.
  *
  * Pairs are ordered by tiles, as there: slabs across x at least as wide as the longest pair, so that tiles of
  * one colour (every other one) share no ball. Of a pair the first has the smaller number, so that what it

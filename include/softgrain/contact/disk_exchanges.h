@@ -2,22 +2,22 @@
 #ifndef softgrain_contact_disk_exchanges_h
 #define softgrain_contact_disk_exchanges_h
 
-#include <softgrain/base/ranks.h>
+#include <softgrain/base/exchange.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace softgrain::contact
 {
-/// Bodies whose velocities go to another rank, or come from it; both list them in the same order.
+/// Bodies whose velocities go to another owner, or come from it; both list them in the same order.
 struct DiskExchange
 {
-  unsigned int rank = 0;
+  unsigned int other = 0; ///< number of that owner
   std::vector<std::uint32_t> bodies;
   std::vector<double> numbers; ///< velocities on their way
 };
 
-/// What ranks tell each other at one time, at most one list each way between two of them.
+/// What owners tell each other at one time, at most one list each way between two of them.
 struct DiskRound
 {
   std::vector<DiskExchange> send, receive;
@@ -25,23 +25,23 @@ struct DiskRound
   /// @tparam n components
   /// @param at gives the place of component c of body i
   template <unsigned int n, class At>
-  void exchange(const Ranks &ranks, const At &at)
+  void exchange(const Exchange &exchange, const At &at)
   {
-    std::vector<Ranks::Message> outgoing, incoming;
+    std::vector<Exchange::Message> outgoing, incoming;
     for (DiskExchange &one : send)
     {
       one.numbers.resize(n * one.bodies.size());
       for (std::size_t i = 0; i < one.bodies.size(); ++i)
         for (unsigned int c = 0; c < n; ++c)
           one.numbers[n * i + c] = at(one.bodies[i], c);
-      outgoing.push_back({one.rank, one.numbers.data(), one.numbers.size()});
+      outgoing.push_back({one.other, one.numbers.data(), one.numbers.size()});
     }
     for (DiskExchange &one : receive)
     {
       one.numbers.resize(n * one.bodies.size());
-      incoming.push_back({one.rank, one.numbers.data(), one.numbers.size()});
+      incoming.push_back({one.other, one.numbers.data(), one.numbers.size()});
     }
-    ranks.swap(outgoing, incoming);
+    exchange.swap(outgoing, incoming);
     for (const DiskExchange &one : receive)
       for (std::size_t i = 0; i < one.bodies.size(); ++i)
         for (unsigned int c = 0; c < n; ++c)
@@ -50,18 +50,18 @@ struct DiskRound
 };
 
 /**
- * @brief What ranks tell each other where each of them has its own bodies and contacts alone.
+ * @brief What owners tell each other where each of them has its own bodies and contacts alone.
  *
- * A rank has whole tiles. Its contacts have the tiles of all ranks, those of others without contacts.
- * Contacts with walls are with the first rank, which has copies of the bodies that take part.
+ * An owner has whole tiles. Its contacts have the tiles of all, those of others without contacts. Contacts
+ * with walls are with the first one, which has copies of the bodies that take part.
  */
 struct DiskExchanges
 {
   std::vector<std::vector<DiskRound>> rounds; ///< one after the other, behind each colour; walls are the last
-  /// End of the tiles of every rank for every colour; all lie one after the other.
+  /// End of the tiles of every owner for every colour; all lie one after the other.
   std::vector<std::vector<std::uint32_t>> end_of_tiles;
-  unsigned int n_walls = 0; ///< with contacts, on any rank
-  bool rotate = false;      ///< a rank without bodies cannot know
+  unsigned int n_walls = 0; ///< with contacts, anywhere
+  bool rotate = false;      ///< who owns no bodies cannot know
 };
 } // namespace softgrain::contact
 

@@ -2,7 +2,7 @@
 #ifndef softgrain_contact_disk_share_h
 #define softgrain_contact_disk_share_h
 
-#include <softgrain/base/ranks.h>
+#include <softgrain/base/exchange.h>
 #include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/disk_system.h>
 
@@ -34,14 +34,14 @@ class DiskShare
 {
 public:
   /**
-   * @param ranks who share; more than one
+   * @param exchange by which they tell each other; more than one
    * @param contacts that all of them know
    * @param number_of number of each body of the contacts, below @p n_bodies
    * @param n_bodies number of bodies with contacts
    * @param ranges by colour; the last one holds the contacts with walls
    * @param colour_end ranges before the end of each colour
    */
-  DiskShare(const Ranks &ranks,
+  DiskShare(const Exchange &exchange,
             const ContactOrder &contacts,
             const std::vector<std::uint32_t> &number_of,
             std::size_t n_bodies,
@@ -51,7 +51,7 @@ public:
   /// Shares among ranks that each know their own contacts: @p exchanges says what belongs to whom, of tiles
   /// that are the
   /// @p ranges; the other arguments are those above.
-  DiskShare(const Ranks &ranks,
+  DiskShare(const Exchange &exchange,
             const DiskExchanges &exchanges,
             const std::vector<std::uint32_t> &number_of,
             std::size_t n_bodies,
@@ -63,7 +63,7 @@ public:
   /// Ranges of a colour that are swept here: first and end. The colour after the last is that of the walls.
   std::pair<std::uint32_t, std::uint32_t> own_ranges(const std::size_t colour) const
   {
-    return range_of(colour, ranks.here());
+    return range_of(colour, exchange.here());
   }
 
   std::size_t n_colours() const { return end_of.size(); } ///< that of the walls included
@@ -81,23 +81,23 @@ public:
   void tell(const std::size_t colour, const At &at)
   {
     for (DiskRound &round : rounds[colour])
-      round.template exchange<n>(ranks, at);
+      round.template exchange<n>(exchange, at);
   }
 
   /// Gives all ranks the velocities of all bodies, as tell() does.
   template <unsigned int n, class At>
   void tell_all(const At &at)
   {
-    std::vector<Ranks::Piece> pieces;
+    std::vector<Exchange::Piece> pieces;
     for (DiskExchange &one : owned)
     {
       each<n>(one, [&](double &number, const std::uint32_t body, const unsigned int c)
-              { number = one.rank == ranks.here() ? at(body, c) : 0.; });
-      pieces.push_back({one.rank, one.numbers.data(), one.numbers.size()});
+              { number = one.other == exchange.here() ? at(body, c) : 0.; });
+      pieces.push_back({one.other, one.numbers.data(), one.numbers.size()});
     }
-    ranks.share(pieces);
+    exchange.share(pieces);
     for (DiskExchange &one : owned)
-      if (one.rank != ranks.here())
+      if (one.other != exchange.here())
         each<n>(one, [&](const double number, const std::uint32_t body, const unsigned int c)
                 { at(body, c) = number; });
   }
@@ -140,7 +140,7 @@ private:
   template <class Part>
   void share(std::vector<double> &numbers, const Part &part) const;
 
-  const Ranks &ranks;
+  const Exchange &exchange;
   const std::vector<ContactRange> &ranges;
   const bool is_apart;
   std::vector<std::vector<std::uint32_t>> end_of; ///< of the ranges of a rank, by colour

@@ -10,12 +10,12 @@
 
 namespace softgrain
 {
-class Ranks;
+class Exchange;
 }
 
 namespace softgrain::contact
 {
-/// Contacts below which other threads or ranks would cost more than they do.
+/// Contacts below which other threads or processes would cost more than they do.
 constexpr std::size_t contacts_to_share = 4000;
 
 /// Ways to solve the contacts between disks, or balls.
@@ -55,7 +55,7 @@ struct DiskSolverReport
  * @brief Solves the contacts: velocities of @p bodies go from free ones to those after contact.
  *
  * @p contacts brings the impulses to start from and takes those found. All threads work; the answer does not
- * depend on their number. With @p ranks, who all bring the same, these share the sweeps unless there are few
+ * depend on their number. By @p exchange all who bring the same share the sweeps unless there are few
  * contacts; the answer is the same and is known to all. With @p exchanges each of them brings its own
  * contacts and bodies alone, and is told the answer of these.
  * @throw ComputationError when something is not finite.
@@ -63,10 +63,10 @@ struct DiskSolverReport
 DiskSolverReport solve_disks(DiskBodies &bodies,
                              DiskContacts &contacts,
                              const DiskSolverSettings &settings,
-                             const Ranks *ranks = nullptr,
+                             const Exchange *exchange = nullptr,
                              const DiskExchanges *exchanges = nullptr);
 
-/// Solves the contacts between balls in space, on this rank alone.
+/// Solves the contacts between balls in space, here alone.
 DiskSolverReport solve_balls(BallBodies &bodies, BallContacts &contacts, const DiskSolverSettings &settings);
 } // namespace softgrain::contact
 

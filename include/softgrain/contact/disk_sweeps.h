@@ -24,8 +24,8 @@ namespace softgrain::contact
  * a tile are interleaved: four from distant parts of the tile follow each other, and the processor works on
  * them at the same time. Bodies are renumbered in the order in which the contacts meet them.
  *
- * Several ranks share the contacts, see DiskShare; each packs and sweeps its own. Where all know all
- * contacts, store_impulses() and store_velocities() make all known to all. All ranks call the same in the
+ * Several may share the contacts, see DiskShare; each packs and sweeps its own. Where all know all
+ * contacts, store_impulses() and store_velocities() make all known to all. They call the same in the
  * same order.
  * @tparam n impulses of a contact: 1 normal; in the plane 2 with friction, 3 with rolling resistance; in
  * space 4 with friction, which is a vector
@@ -47,16 +47,16 @@ public:
     double approach = 0.;    ///< largest speed of approach that an impulse could still change [m/s]
   };
 
-  /// Packs; set_free_velocities() comes next. All arguments have to stay. Several @p ranks share the
+  /// Packs; set_free_velocities() comes next. All arguments have to stay. By @p exchange several share the
   /// contacts, unless the cell is free to deform; null: this process sweeps all. With @p exchanges each of
   /// them has its own contacts and bodies alone.
   DiskSweeps(const Bodies &bodies,
              const Contacts &contacts,
              ThreadTeam &team,
-             const Ranks *ranks = nullptr,
+             const Exchange *exchange = nullptr,
              const DiskExchanges *exchanges = nullptr);
 
-  /// Whether this rank sweeps only a part of the contacts.
+  /// Whether only a part of the contacts is swept here.
   bool shared() const { return share.has_value(); }
 
   /// Velocities of the bodies as they are without impulses.
@@ -75,7 +75,7 @@ public:
    * Every contact once, from the impulses and velocities extrapolated by @p momentum times their last change.
    *
    * @return Σ W (y - P)·(P - P_old), y extrapolated, P after, P_old before: above 0 the momentum points
-   * uphill. With several ranks only where n is 1, else 0: nobody asks for it.
+   * uphill. Where contacts are shared only where n is 1, else 0: nobody asks for it.
    */
   double sweep_with_momentum(double momentum);
 
@@ -128,7 +128,7 @@ private:
   template <class Work>
   void run(std::pair<std::uint32_t, std::uint32_t> some, const Work &work);
   /// Calls work(range, is_wall, index of the range): ranges of one colour at the same time, walls last. After
-  /// each colour the ranks tell each other what has changed.
+  /// each colour they tell each other what has changed.
   template <class Work>
   void for_ranges(const Work &work);
   /// Works on ranges as for_ranges(), but without word between colours: for work that only reads bodies.
@@ -156,7 +156,7 @@ private:
   std::vector<std::uint32_t> wall_of;     ///< per contact with a wall, in the order of the rows
   unsigned int n_walls = 0;
   std::vector<double> sums, approach; ///< one per range
-  std::optional<DiskShare> share;     ///< with other ranks
+  std::optional<DiskShare> share;     ///< with others
   std::vector<std::array<double, n>> saved;
 };
 

@@ -25,8 +25,8 @@ enum class ContactState : char
  * @brief Impulses of contacts whose states are known, and how they change when one contact changes its state.
  *
  * With w = W P + q₀ + t Δq two rows per contact are linear in P: open P_n = P_t = 0; closed w_n = 0, and
- * w_t = 0 or P_t = ∓ mu P_n. So P and w are linear in t. A change of state replaces one row or two: rank-one
- * updates of the factors (Sherman and Morrison), which are made anew after some dozens.
+ * w_t = 0 or P_t = ∓ mu P_n. So P and w are linear in t. A change of state replaces one row or two:
+ * updates of the factors by outer products (Sherman and Morrison); factors are made anew after some dozens.
  */
 class ExchangeSystem
 {

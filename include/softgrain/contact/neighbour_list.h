@@ -30,7 +30,7 @@ namespace softgrain::contact
  * Where disks repeat, their places are anywhere in the lattice and pairs are with images; those across a side
  * of the cell are one tile, which has a colour of its own.
  *
- * One of several ranks may have the pairs of some strips alone: build_part(). Its list has the tiles of all
+ * One of several owners may have the pairs of some strips alone: build_part(). Its list has the tiles of all
  * strips, those of others without pairs.
  */
 class NeighbourList
@@ -117,18 +117,18 @@ public:
   /// Other disks than before, for build_part(): their radii [m] and groups.
   void set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups);
 
-  /// Tells all ranks some numbers, as many on each. @return those of all ranks, in the order of the ranks
+  /// Tells all owners some numbers, as many on each. @return those of all, in the order of the owners
   using Tell = std::function<std::vector<std::vector<double>>(const std::vector<double> &)>;
 
   /**
-   * @brief Whether disks have moved too far for the list; the same on all ranks.
+   * @brief Whether disks have moved too far for the list; the same for all owners.
    *
    * The answer depends on the places now and on those for which the list was made, on nothing in between: a
    * run that is restarted makes its lists in the same steps.
    * @param positions of the disks [m]
    * @param lattice in which they are now
-   * @param numbers of the disks among those of all ranks; empty where all are here
-   * @param tell called the same number of times on all ranks
+   * @param numbers of the disks among those of all owners; empty where all are here
+   * @param tell called the same number of times by all owners
    */
   bool is_outdated(const std::vector<std::array<double, 2>> &positions,
                    const ImageLattice &lattice,

@@ -27,11 +27,11 @@ struct RunOutline
   double n_steps(double dt) const;
 };
 
-/// What ranks divide among each other of what a run takes; the rest falls to each of them.
+/// What processes divide among each other of what a run takes; the rest falls to each of them.
 struct DividedParts
 {
   double preparation = 0., step = 0., memory = 0.; ///< in [0, 1]
-  double pieces = 1.;                              ///< of work: more ranks have nothing to do
+  double pieces = 1.;                              ///< of work: more processes have nothing to do
 };
 
 /// What a run will take: judged by numbers, nothing is built.
@@ -44,13 +44,13 @@ struct Forecast
   double preparation = 0.;           ///< processor time before the first step [s]
   double step_seconds = 0.;          ///< processor time of a step, output included [s]
   double memory = 0.;                ///< at its peak [bytes]
-  DividedParts divided;              ///< with several ranks
+  DividedParts divided;              ///< with several processes
   std::vector<std::string> warnings; ///< what the studies say is poor, what cannot be
 
   /// Whether the model is made within a moment.
   bool is_soon_built() const { return preparation < 0.3 && memory < 3e8; }
   double seconds() const { return preparation + n_steps * step_seconds; } ///< of processor time
-  /// What falls to one of @p n ranks; its warnings are those of all.
+  /// What falls to one of @p n processes; its warnings are those of all.
   Forecast of_rank(unsigned int n) const;
 };
 

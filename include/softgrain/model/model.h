@@ -74,7 +74,7 @@ public:
   virtual void forget_attempt() {}
 
   /**
-   * @brief Gives the ranks other parts of the work when it has become uneven; all call it between steps.
+   * @brief Shares the work out anew among processes when it has become uneven; all call it between steps.
    * @return what the log is to say of it; empty when all stays as it is
    */
   virtual std::string share_out_anew() { return {}; }
@@ -90,7 +90,7 @@ public:
   virtual double time() const = 0; ///< [s]
   virtual std::size_t step() const = 0;
 
-  /// What working with other ranks has taken so far.
+  /// What working with other processes has taken so far.
   virtual RankTimes rank_times() const { return {}; }
 
   /// Largest |force on a wall - its load| over its load, of the walls that are free to move; 0 without any.
@@ -122,8 +122,8 @@ public:
   /// Seconds spent per phase since the start.
   virtual std::map<std::string, double> phases() const = 0;
 
-  /// Everything needed to go on as if never stopped. With several ranks all call both; what counts is what
-  /// the first rank writes, and all read the same.
+  /// Everything needed to go on as if never stopped. All processes call both; what counts is what the
+  /// first one writes, and all read the same.
   virtual void save(StateWriter &) const = 0;
   virtual void load(StateReader &) = 0;
 };
@@ -135,13 +135,13 @@ template <int dim>
 class Model : public AnyModel
 {
 public:
-  /// The neutral state: what pictures and measures are made of. Costs a pass over the points. With several
-  /// ranks all call it, and the first one is told of the points of all; what else it tells, all are told.
+  /// The neutral state: what pictures and measures are made of. Costs a pass over the points. All
+  /// processes call it, and the first one is told of the points of all; what else it tells, all are told.
   virtual Snapshot<dim> snapshot() const = 0;
 
   /// The part of the neutral state that tells who touches whom: time, centres of bodies, walls, obstacles and
-  /// contacts, without points and outlines. It is cheap enough for every step. With several ranks all call
-  /// it, and what the first one is told counts.
+  /// contacts, without points and outlines. It is cheap enough for every step. All processes call it,
+  /// and what the first one is told counts.
   virtual Snapshot<dim> touching_state() const { return snapshot(); }
 
   /// Walls alone, cheap enough for every step.

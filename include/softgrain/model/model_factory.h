@@ -47,7 +47,7 @@ public:
   /// "Section/" with all that is in it. What the state of a run means must not depend on them.
   virtual std::vector<std::string> changeable_on_restart() const = 0;
 
-  /// Whether several ranks can work on the model together.
+  /// Whether several processes can work on the model together.
   virtual bool works_on_ranks() const { return false; }
 
   /// What `Materials/NAME/Law` may say.

@@ -37,8 +37,8 @@ public:
 
   virtual ~StateWriter() = default;
 
-  /// Writes a list that @p fill gives piece by piece, with for_pieces(). Where ranks work together, all of
-  /// them call it, and what is put to the rows of the first one counts.
+  /// Writes a list that @p fill gives piece by piece, with for_pieces(). All processes call it, and
+  /// what is put to the rows of the first one counts.
   virtual void write_rows(const std::string &name, std::size_t n_rows, std::size_t width, const Fill &fill)
   {
     std::vector<double> values(n_rows * width);

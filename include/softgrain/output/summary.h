@@ -17,8 +17,8 @@ struct Summary
   std::uint64_t steps = 0;
   double simulated_time = 0;    ///< [s]
   double wall_seconds = 0;      ///< of all parts of a run that was restarted
-  double processor_seconds = 0; ///< of all threads of the first rank, in all parts of a run
-  unsigned int threads = 1;     ///< of each rank
+  double processor_seconds = 0; ///< of all threads of the first process, in all parts of a run
+  unsigned int threads = 1;     ///< of each process
   unsigned int ranks = 1;
   std::uint64_t bodies = 0;
   std::uint64_t points = 0;

@@ -132,7 +132,7 @@ PointStore<dim>::by_body(const LevelsOfBodies &levels) const
     Index c = index_of(particle.get_surrounding_cell()->index());
     if (levels[body] != nullptr)
       c = levels[body]->first(lattice.cell_of(particle.get_location()));
-    // Counted in the whole lattice, so that it does not depend on what this rank covers.
+    // Counted in the whole lattice, so that it does not depend on what is covered here.
     std::int64_t number = 0;
     for (int d = dim - 1; d >= 0; --d)
       number = number * lattice.n_cells()[d] + c[d];

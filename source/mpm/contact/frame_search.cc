@@ -233,7 +233,7 @@ void find_here(const LookedAt<dim> &at,
                });
 }
 
-/// Finds the frames of all tasks, those of other ranks' bodies by asking these.
+/// Finds the frames of all tasks, those of others' bodies by asking their owners.
 template <int dim>
 void find_in_tasks(const LookedAt<dim> &at,
                    std::multimap<typename Frame<dim>::Key, Frame<dim>> &before,

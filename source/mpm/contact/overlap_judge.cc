@@ -200,7 +200,7 @@ void Verdict::take_way(const double share, const Meeting &meeting)
 
 void Verdict::take(const Verdict &other)
 {
-  // Of symmetric pairs, on different ranks, the same one wherever it is told.
+  // Of symmetric pairs, which may have different owners, the same one wherever it is told.
   if (other.deepest.depth > deepest.depth ||
       (other.deepest.depth == deepest.depth && other.overlap.body < overlap.body))
   {

@@ -10,7 +10,7 @@ namespace
 {
 using Sketches = std::vector<MovedBoundary::Sketch>;
 
-/// Moves the outlines of this rank's bodies and those that are driven; sketches of the others come here.
+/// Moves the outlines of owned bodies and those that are driven; sketches of the others come here.
 std::vector<MovedBoundary> move_own(const BodyShare &share, const OutlineScene &scene, Sketches &sketches)
 {
   const std::vector<Body<2>> &bodies = scene.bodies;
@@ -40,7 +40,7 @@ std::vector<MovedBoundary> move_own(const BodyShare &share, const OutlineScene &
   return boundaries;
 }
 
-/// Bodies whose outlines go from one rank to another, by the other rank.
+/// Bodies whose outlines go from one owner to another, by the other one.
 struct Travellers
 {
   std::vector<std::vector<unsigned int>> leave, come;
@@ -49,8 +49,8 @@ struct Travellers
 Travellers travellers(const BodyShare &share, const OutlineScene &scene, const MovedOutlines &moved)
 {
   Travellers found;
-  found.leave.resize(share.ranks.number());
-  found.come.resize(share.ranks.number());
+  found.leave.resize(share.exchange.number());
+  found.come.resize(share.exchange.number());
   for (unsigned int b = 0; b < moved.tasks.size(); ++b)
     for (const ContactTask &task : moved.tasks[b])
       if (const unsigned int p = task.partner; share.mine(b) != share.mine(p) && !scene.bodies[p].driven)
@@ -64,12 +64,12 @@ Travellers travellers(const BodyShare &share, const OutlineScene &scene, const M
   return found;
 }
 
-/// Room for the displacements of the markers of these bodies, of every rank.
-std::vector<std::vector<double>> room_for(const std::vector<std::vector<unsigned int>> &bodies_of_ranks,
+/// Room for the displacements of the markers of these bodies, by owner.
+std::vector<std::vector<double>> room_for(const std::vector<std::vector<unsigned int>> &bodies_of_owners,
                                           const std::vector<Body<2>> &bodies)
 {
   std::vector<std::vector<double>> room;
-  for (const std::vector<unsigned int> &list : bodies_of_ranks)
+  for (const std::vector<unsigned int> &list : bodies_of_owners)
   {
     std::size_t n = 0;
     for (const unsigned int b : list)
@@ -79,14 +79,6 @@ std::vector<std::vector<double>> room_for(const std::vector<std::vector<unsigned
   return room;
 }
 
-std::vector<Ranks::Message> messages(std::vector<std::vector<double>> &of_ranks)
-{
-  std::vector<Ranks::Message> list;
-  for (unsigned int r = 0; r < of_ranks.size(); ++r)
-    if (!of_ranks[r].empty())
-      list.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
-  return list;
-}
 } // namespace
 
 MovedOutlines move_outlines(const OutlineScene &scene)
@@ -110,7 +102,7 @@ MovedOutlines share_outlines(const BodyShare &share, const OutlineScene &scene)
   Sketches sketches(bodies.size());
   MovedOutlines moved;
   moved.boundaries = move_own(share, scene, sketches);
-  const Ranks::OwnWork own_work(share.ranks);
+  const Exchange::OwnWork own_work(share.exchange);
   // What travels is as it was before it was brought into a cell.
   const std::vector<MovedBoundary> as_moved =
       scene.cell != nullptr ? moved.boundaries : std::vector<MovedBoundary>();
@@ -128,7 +120,7 @@ MovedOutlines share_outlines(const BodyShare &share, const OutlineScene &scene)
            (as_moved.empty() ? moved.boundaries : as_moved)[b].marker_displacements())
         at = std::copy_n(way.begin_raw(), 2, at);
   }
-  share.ranks.swap(messages(leave), messages(come));
+  share.exchange.swap(leave, come);
   for (unsigned int r = 0; r < come.size(); ++r)
   {
     const double *at = come[r].data();

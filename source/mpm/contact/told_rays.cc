@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What ranks tell each other of the rays that they have looked along.
+// What owners tell each other of the rays that they have looked along.
 #include <softgrain/base/parallel.h>
 #include <softgrain/mpm/contact/told_rays.h>
 
@@ -60,7 +60,7 @@ void for_place(SurfacePlace<dim> &place, const Part &part)
   part(place.at_edge);
 }
 
-/// Whether a rank does work on a body of the frame.
+/// Whether a body of the frame is owned.
 template <int dim>
 bool is_here(const BodyShare &share, const FrameState<dim> &frame)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The field of a body as ranks without its points know it.
+// The field of a body as it is known where its points do not lie.
 #include <softgrain/mpm/field/body_field.h>
 
 #include <algorithm>

@@ -8,33 +8,33 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double tolerated = 1.1; ///< busiest rank over the mean
+constexpr double tolerated = 1.1; ///< busiest owner over the mean
 constexpr unsigned int steps_a_look = 10;
 constexpr double kept = 0.5; ///< of what was measured before: a single look may be disturbed
 
-double most_over_mean(const std::vector<double> &of_ranks)
+double most_over_mean(const std::vector<double> &of_owners)
 {
-  const double sum = std::accumulate(of_ranks.begin(), of_ranks.end(), 0.);
-  return sum > 0. ? *std::max_element(of_ranks.begin(), of_ranks.end()) * of_ranks.size() / sum : 1.;
+  const double sum = std::accumulate(of_owners.begin(), of_owners.end(), 0.);
+  return sum > 0. ? *std::max_element(of_owners.begin(), of_owners.end()) * of_owners.size() / sum : 1.;
 }
 } // namespace
 
-bool LoadBalance::uneven(const Ranks &ranks)
+bool LoadBalance::uneven(const Exchange &exchange)
 {
-  if (ranks.alone())
+  if (exchange.alone())
     return false;
   if (late.empty())
   {
-    begin(ranks);
+    begin(exchange);
     return false;
   }
   if (++steps < steps_a_look)
     return false;
   steps = 0;
   now.clear();
-  for (const std::vector<double> &of_rank : ranks.of_all({ranks.taken().own - own_before}))
-    now.push_back(of_rank[0]);
-  own_before = ranks.taken().own;
+  for (const std::vector<double> &of_owner : exchange.of_all({exchange.taken().own - own_before}))
+    now.push_back(of_owner[0]);
+  own_before = exchange.taken().own;
   for (unsigned int r = 0; r < now.size(); ++r)
     late[r] = kept * late[r] + now[r];
   if (imbalance() > tolerated)
@@ -62,12 +62,12 @@ std::vector<double> LoadBalance::measured(const BodyShare &share) const
 
 double LoadBalance::imbalance_of(const std::vector<double> &costs,
                                  const std::vector<unsigned int> &owners,
-                                 const unsigned int n_ranks)
+                                 const unsigned int n_owners)
 {
-  std::vector<double> of_ranks(n_ranks, 0.);
+  std::vector<double> of_owners(n_owners, 0.);
   for (unsigned int b = 0; b < costs.size(); ++b)
-    of_ranks[owners[b]] += costs[b];
-  return most_over_mean(of_ranks);
+    of_owners[owners[b]] += costs[b];
+  return most_over_mean(of_owners);
 }
 
 bool LoadBalance::pays(const double expected)
@@ -81,18 +81,18 @@ bool LoadBalance::pays(const double expected)
   return lost > (price > 0. ? price : mean / steps_a_look);
 }
 
-void LoadBalance::moved(std::vector<double> measured, const Ranks &ranks, const double seconds)
+void LoadBalance::moved(std::vector<double> measured, const Exchange &exchange, const double seconds)
 {
   costs = std::move(measured);
   price = seconds;
   lost = 0.;
-  begin(ranks);
+  begin(exchange);
 }
 
-void LoadBalance::begin(const Ranks &ranks)
+void LoadBalance::begin(const Exchange &exchange)
 {
   steps = 0;
-  late.assign(ranks.number(), 0.);
-  own_before = ranks.taken().own;
+  late.assign(exchange.number(), 0.);
+  own_before = exchange.taken().own;
 }
 } // namespace softgrain::mpm

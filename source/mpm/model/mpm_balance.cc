@@ -13,7 +13,7 @@ namespace softgrain::mpm
 {
 namespace
 {
-/// What becomes of lists of this rank when bodies move: each has the numbers of the bodies that lie here, one
+/// What becomes of lists when bodies move: each has the numbers of the bodies that lie here, one
 /// body after the other.
 class Journey
 {
@@ -24,14 +24,14 @@ public:
   }
 
   bool moves(const unsigned int b) const { return owners[b] != share.owner(b); }
-  bool comes(const unsigned int b) const { return moves(b) && owners[b] == share.ranks.here(); }
+  bool comes(const unsigned int b) const { return moves(b) && owners[b] == share.exchange.here(); }
 
-  /// The list with the bodies that will lie here, those that come as their owner has them. All ranks call it.
+  /// The list with the bodies that will lie here, those that come as their owner has them. All call it.
   /// @param size of a body: how many numbers it has
   template <class Size>
   std::vector<double> take(const std::vector<double> &list, const Size &size) const
   {
-    std::vector<std::vector<double>> leaving(share.ranks.number());
+    std::vector<std::vector<double>> leaving(share.exchange.number());
     std::vector<const double *> place(owners.size(), nullptr);
     const double *at = list.data();
     for (unsigned int b = 0; b < owners.size(); ++b)
@@ -42,7 +42,7 @@ public:
         if (moves(b) && share.mine(b))
           leaving[owners[b]].insert(leaving[owners[b]].end(), place[b], at);
       }
-    const std::vector<std::vector<double>> coming = share.ranks.to_each(std::move(leaving));
+    const std::vector<std::vector<double>> coming = share.exchange.to_each(std::move(leaving));
     std::vector<const double *> next;
     for (const std::vector<double> &of_rank : coming)
       next.push_back(of_rank.data());
@@ -63,7 +63,7 @@ private:
   const std::vector<char> &held;
 };
 
-/// What nodes of a body have, which all ranks know and a grid that is laid starts anew.
+/// What nodes of a body have, which all know and a grid that is laid starts anew.
 struct NodalVectors
 {
   explicit NodalVectors(const Body<2> &body)
@@ -89,27 +89,27 @@ struct NodalVectors
 std::string MpmModel::share_out_anew()
 {
   const BodyShare &share = work.share;
-  if (!balance.uneven(share.ranks))
+  if (!balance.uneven(share.exchange))
     return "";
   std::vector<dealii::Point<2>> centers;
   for (const Body<2> &body : state.bodies)
     centers.push_back(body.center());
   std::vector<double> costs = balance.measured(share);
-  const unsigned int n_ranks = share.ranks.number();
-  std::vector<unsigned int> owners = bisect(centers, costs, n_ranks);
-  const double before = balance.imbalance(), expected = LoadBalance::imbalance_of(costs, owners, n_ranks);
+  const unsigned int n_owners = share.exchange.number();
+  std::vector<unsigned int> owners = bisect(centers, costs, n_owners);
+  const double before = balance.imbalance(), expected = LoadBalance::imbalance_of(costs, owners, n_owners);
   if (!balance.pays(expected))
     return "";
   unsigned int n_moved = 0;
   for (const Body<2> &body : state.bodies)
     n_moved += !body.driven && owners[body.index] != share.owner(body.index);
-  const RankTimes taken = share.ranks.taken();
+  const RankTimes taken = share.exchange.taken();
   const double begin = processor_seconds();
   move_bodies(std::move(owners));
-  double seconds = processor_seconds() - begin - (share.ranks.taken().spinning - taken.spinning);
-  for (const std::vector<double> &of_rank : share.ranks.of_all({seconds}))
+  double seconds = processor_seconds() - begin - (share.exchange.taken().spinning - taken.spinning);
+  for (const std::vector<double> &of_rank : share.exchange.of_all({seconds}))
     seconds = std::max(seconds, of_rank[0]);
-  balance.moved(std::move(costs), share.ranks, seconds);
+  balance.moved(std::move(costs), share.exchange, seconds);
   std::ostringstream text;
   text << std::setprecision(3) << "after step " << steps << " " << n_moved
        << " bodies have moved to other ranks, in " << seconds << " s: the busiest rank had " << before
@@ -158,7 +158,7 @@ void MpmModel::move_bodies(std::vector<unsigned int> owners)
       for (const double *const end = at + rest_size(body.index); at < end; at += 2)
         body.rest_position.emplace_back(at[0], at[1]);
   }
-  work.share.ranks.together([&]() { take_moved(points, comes, goes); });
+  work.share.exchange.together([&]() { take_moved(points, comes, goes); });
 }
 
 void MpmModel::take_moved(const StateReader &points,

@@ -180,7 +180,7 @@ void MpmModel::cover_points()
 void MpmModel::fill_bodies(const std::vector<BodyDescription<2>> &descriptions)
 {
   const BuildContext context{*problem.lattice, *problem.shape, problem.settings, *state.points};
-  work.share.ranks.together(
+  work.share.exchange.together(
       [&]()
       {
         cover_points();

@@ -34,7 +34,7 @@ constexpr double pressed_factor = 2.6;       ///< the same, walls under pressure
 constexpr double rays_factor = 0.72, most_of_rays = 2.; ///< several bodies: the first times n^0.3
 constexpr double rays_friction_factor = 1.5, rays_obstacle_factor = 2., rays_f_bar_factor = 6.;
 constexpr double falling_way = 0.33; ///< cells in a step, where bodies fall on each other
-constexpr double divided_work = 0.86, divided_memory = 0.8; ///< among ranks, see doc/ranks.md
+constexpr double divided_work = 0.86, divided_memory = 0.8; ///< among owners, see doc/results/ranks
 constexpr double divided_points = 0.9; ///< the same, of the time before the first step but for packing
 } // namespace fitted
 

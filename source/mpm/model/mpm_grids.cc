@@ -99,7 +99,7 @@ void MpmModel::lay_grids_anew(const std::vector<unsigned int> &bodies)
   // All are looked at before any changes, so that a body that has left the mesh ends the run with a good
   // state.
   std::vector<std::vector<dealii::Point<2>>> places(bodies.size());
-  work.share.ranks.together(
+  work.share.exchange.together(
       [&]()
       {
         for (unsigned int i = 0; i < bodies.size(); ++i)
@@ -113,7 +113,7 @@ void MpmModel::lay_grids_anew(const std::vector<unsigned int> &bodies)
   share_trial_volumes(bodies);
   for (const unsigned int b : bodies)
     state.bodies[b].boundary.grid_position = state.bodies[b].boundary.position;
-  work.share.ranks.together(
+  work.share.exchange.together(
       [&]()
       {
         for_held([&](Body<2> &body, const unsigned int i)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace softgrain::mpm
 {
@@ -23,7 +24,7 @@ void MpmModel::share_out_bodies(const std::vector<BodyDescription<2>> &descripti
     centers.push_back(box.first + 0.5 * (box.second - box.first));
     weights.push_back(body.driven ? 0. : cost_of(group_of(body), problem.settings).iteration_seconds());
   }
-  std::vector<unsigned int> owners = bisect(centers, weights, work.share.ranks.number());
+  std::vector<unsigned int> owners = bisect(centers, weights, work.share.exchange.number());
   balance.start(std::move(weights));
   std::vector<char> held = held_here(owners);
   work.share.give(std::move(owners), std::move(held));
@@ -34,7 +35,7 @@ std::vector<char> MpmModel::held_here(const std::vector<unsigned int> &owners) c
   // Where bodies meet at their nodes, every rank looks at the points of all.
   std::vector<char> held;
   for (const Body<2> &body : state.bodies)
-    held.push_back(owners[body.index] == work.share.ranks.here() || body.driven ||
+    held.push_back(owners[body.index] == work.share.exchange.here() || body.driven ||
                    !problem.settings.meets_by_rays());
   return held;
 }
@@ -92,6 +93,29 @@ void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
   message.send();
 }
 
+void MpmModel::add_ranks(SizeReport &report) const
+{
+  if (work.share.alone())
+    return;
+  std::vector<unsigned int> bodies(work.share.exchange.number(), 0);
+  for (const Body<2> &body : state.bodies)
+    if (!body.driven)
+      ++bodies[work.share.owner(body.index)];
+  const auto [fewest, most] = std::minmax_element(bodies.begin(), bodies.end());
+  report.emplace_back("bodies of a rank", std::to_string(*fewest) + " to " + std::to_string(*most));
+  double fewest_points = state.points->size(), most_points = fewest_points;
+  for (const std::vector<double> &of_rank : work.share.exchange.of_all({most_points}))
+  {
+    fewest_points = std::min(fewest_points, of_rank[0]);
+    most_points = std::max(most_points, of_rank[0]);
+  }
+  report.emplace_back("points of a rank", std::to_string(static_cast<std::size_t>(fewest_points)) + " to " +
+                                              std::to_string(static_cast<std::size_t>(most_points)));
+  if (const auto idle = std::count(bodies.begin(), bodies.end(), 0u); idle > 0)
+    report.emplace_back("warning", std::to_string(idle) + " of " + std::to_string(bodies.size()) +
+                                       " ranks have no body and nothing to do");
+}
+
 void MpmModel::check_ranks_agree(const StepReport &report) const
 {
   if (work.share.alone())
@@ -99,6 +123,6 @@ void MpmModel::check_ranks_agree(const StepReport &report) const
   double moved = 0.;
   for (const Body<2> &body : state.bodies)
     moved += body.displacement.squaredNorm();
-  work.share.ranks.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
+  work.share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
 }
 } // namespace softgrain::mpm

@@ -128,29 +128,6 @@ SizeReport MpmModel::size_report() const
   return report;
 }
 
-void MpmModel::add_ranks(SizeReport &report) const
-{
-  if (work.share.alone())
-    return;
-  std::vector<unsigned int> bodies(work.share.ranks.number(), 0);
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      ++bodies[work.share.owner(body.index)];
-  const auto [fewest, most] = std::minmax_element(bodies.begin(), bodies.end());
-  report.emplace_back("bodies of a rank", std::to_string(*fewest) + " to " + std::to_string(*most));
-  double fewest_points = state.points->size(), most_points = fewest_points;
-  for (const std::vector<double> &of_rank : work.share.ranks.of_all({most_points}))
-  {
-    fewest_points = std::min(fewest_points, of_rank[0]);
-    most_points = std::max(most_points, of_rank[0]);
-  }
-  report.emplace_back("points of a rank", std::to_string(static_cast<std::size_t>(fewest_points)) + " to " +
-                                              std::to_string(static_cast<std::size_t>(most_points)));
-  if (const auto idle = std::count(bodies.begin(), bodies.end(), 0u); idle > 0)
-    report.emplace_back("warning", std::to_string(idle) + " of " + std::to_string(bodies.size()) +
-                                       " ranks have no body and nothing to do");
-}
-
 std::map<std::string, double> MpmModel::phases() const
 {
   return timer->get_summary_data(dealii::TimerOutput::total_wall_time);

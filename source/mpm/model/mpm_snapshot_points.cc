@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The points in a snapshot of MpmModel: every rank tells of its own, the first one gets all.
+// The points in a snapshot of MpmModel: every owner tells of its own, the first one gets all.
 #include <softgrain/mpm/model/mpm_model.h>
 #include <softgrain/mpm/model/point_history.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -24,7 +24,7 @@ dealii::Tensor<1, 2> field_at(const BodyField<2> &field, const unsigned int p, c
   return value;
 }
 
-/// Where the points of a body stand in the lists of a rank.
+/// Where the points of a body stand in the lists of an owner.
 struct Section
 {
   const Body<2> *body;
@@ -32,7 +32,7 @@ struct Section
   std::size_t begin;
 };
 
-/// Those of all bodies that are shown, in their order. @param room for those of this rank, on the first for
+/// Those of all bodies that are shown, in their order. @param room for owned ones, on the first for
 /// those of all
 std::vector<Section> sections_of(const State &state, const BodyShare &share, std::size_t &room)
 {
@@ -42,7 +42,7 @@ std::vector<Section> sections_of(const State &state, const BodyShare &share, std
     if (body.wall == not_a_wall)
     {
       sections.push_back({&body, share.owner(body.index), room});
-      if (share.ranks.first() || share.mine(body.index))
+      if (share.exchange.first() || share.mine(body.index))
         room += body.n_points;
     }
   return sections;
@@ -85,15 +85,15 @@ void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &po
   }
 }
 
-/// All numbers of the points as pieces of their owners, for Ranks::bring().
-std::vector<Ranks::Piece>
-pieces_of(const std::vector<Section> &sections, const Ranks &ranks, PointStates<2> &points)
+/// All numbers of the points as pieces of their owners, for Exchange::bring().
+std::vector<Exchange::Piece>
+pieces_of(const std::vector<Section> &sections, const Exchange &exchange, PointStates<2> &points)
 {
-  std::vector<Ranks::Piece> pieces;
+  std::vector<Exchange::Piece> pieces;
   for (const Section &section : sections)
   {
-    if (!ranks.first() && section.owner != ranks.here())
-      continue; // what it names would be no place of this rank
+    if (!exchange.first() && section.owner != exchange.here())
+      continue; // what it names would be no place here
     const std::size_t begin = section.begin, n = section.body->n_points;
     if (n == 0)
       continue;
@@ -120,7 +120,7 @@ PointStates<2> MpmModel::point_states() const
   const BodyShare &share = work.share;
   PointStates<2> points;
   std::vector<Section> sections;
-  share.ranks.together(
+  share.exchange.together(
       [&]()
       {
         std::size_t room = 0;
@@ -137,8 +137,8 @@ PointStates<2> MpmModel::point_states() const
                 body, [&](const unsigned int p) { return section.begin + body.points.number(p); }, points);
           }
       });
-  share.ranks.bring(pieces_of(sections, share.ranks, points));
-  if (!share.ranks.first())
+  share.exchange.bring(pieces_of(sections, share.exchange, points));
+  if (!share.exchange.first())
     return {};
   for (const Section &section : sections)
     std::fill_n(points.body.begin() + section.begin, section.body->n_points, section.body->index);

@@ -201,7 +201,7 @@ void MpmModel::read_state(StateReader &in, const bool of_all)
     if (work.share.holds(body.index))
       lay_grid(body, context);
   }
-  // What other ranks have told of grids stays true within a step where grids stay.
+  // What other owners have told of grids stays true within a step where grids stay.
   if (of_all || problem.settings.grid_update != GridUpdate::never)
     share_grids(all_bodies());
   for (Body<2> &body : state.bodies)

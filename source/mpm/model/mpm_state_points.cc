@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The points in the state of MpmModel. In a checkpoint they stand by id, whichever rank has them.
+// The points in the state of MpmModel. In a checkpoint they stand by id, whoever owns them.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/body/point_store.h>
@@ -18,8 +18,7 @@ namespace
 class PointLists
 {
 public:
-  /// @param of_all the points of all are listed, and the first rank gets them; else those that lie with this
-  /// rank
+  /// @param of_all the points of all are listed, and the first owner gets them; else those that lie here
   PointLists(const std::vector<Body<2>> &bodies, const BodyShare &share, const bool of_all)
       : bodies(bodies), share(share), of_all(of_all), point_of(bodies.size())
   {
@@ -38,7 +37,7 @@ public:
     begin_of.push_back(n_points);
   }
 
-  /// @param put writes @p width numbers of point @p p of a body from a place on. All ranks call it when the
+  /// @param put writes @p width numbers of point @p p of a body from a place on. All owners call it when the
   /// list is of all.
   template <class Put>
   void write(StateWriter &out, const std::string &name, const unsigned int width, const Put &put) const
@@ -46,11 +45,11 @@ public:
     out.write_rows(name, n_points, width,
                    [&](const std::size_t begin, const std::size_t end, double *const rows)
                    {
-                     if (of_all && !share.ranks.alone())
+                     if (of_all && !share.exchange.alone())
                        std::fill(rows, rows + (end - begin) * width, 0.);
                      fill(begin, end, width, put, rows);
                      if (of_all)
-                       share.ranks.join_at_first(rows, (end - begin) * width);
+                       share.exchange.join_at_first(rows, (end - begin) * width);
                    });
   }
 
@@ -62,9 +61,9 @@ private:
             const Put &put,
             double *const rows) const
   {
-    std::optional<Ranks::OwnWork> own;
+    std::optional<Exchange::OwnWork> own;
     if (of_all)
-      own.emplace(share.ranks);
+      own.emplace(share.exchange);
     std::size_t b = std::upper_bound(begin_of.begin(), begin_of.end(), begin) - begin_of.begin() - 1;
     for (; b < bodies.size() && begin_of[b] < end; ++b)
       if (!point_of[b].empty())

@@ -90,7 +90,7 @@ void move_bodies(const Problem &problem,
       });
 }
 
-/// What points do, each rank for its own, and what their laws have lost and got.
+/// What points of owned bodies do, and what their laws have lost and got.
 void move_points(const Problem &problem, State &state, const Workspace &work)
 {
   std::vector<double> law_loss(state.bodies.size(), 0.), law_supply = law_loss;

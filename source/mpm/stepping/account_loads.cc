@@ -18,7 +18,7 @@ double power(const Body<dim> &body, const dealii::Tensor<1, dim> &acceleration, 
   return sum;
 }
 
-/// Whether only the rank of a body can tell what one of its loads does apart from the others.
+/// Whether only the owner of a body can tell what one of its loads does apart from the others.
 bool asks_owner(const Body<2> &body)
 {
   return !body.driven && body.loads.size() > 1 &&

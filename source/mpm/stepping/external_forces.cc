@@ -16,7 +16,7 @@ external_forces(const std::vector<Body<2>> &bodies, const BodyShare &share, cons
     if (!external_force(body, times, forces[body.index]))
       forces[body.index].resize(0);
   };
-  // Points lie with one rank, and so do places of nodes.
+  // Points lie with the owner, and so do places of nodes.
   const auto is_for_one = [](const Body<2> &body)
   { return !body.driven && (body.loads.look_at_points() || body.loads.see_velocity()); };
   if (share.alone() || std::any_of(bodies.begin(), bodies.end(), is_for_one))

@@ -86,7 +86,7 @@ private:
   StepEquations equations;
   StepContact contact;
   NewtonSearch search;
-  Vectors trial, direction; ///< v⁺ of this rank's bodies, and where Newton's method sends it [m/s]
+  Vectors trial, direction; ///< v⁺ of owned bodies, and where Newton's method sends it [m/s]
 };
 
 // v⁺ = v: bodies go on as they did. A guess that turns a point inside out is replaced by rest. Returns false

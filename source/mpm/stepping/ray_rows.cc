@@ -91,7 +91,7 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
   for (const unsigned int side : {0, 1})
     if (const unsigned int b = frame.unknown(side); b != FrameState<2>::none)
     {
-      // Other ranks know the place only.
+      // Who owns neither knows the place only.
       const RaySide<2> &there = here.side[side];
       auto &weights = side == 0 ? row.partner_weights : row.body_weights;
       PlaceFunctions<2> function = there.function;

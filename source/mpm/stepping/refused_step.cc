@@ -54,7 +54,7 @@ void SharedOutcomes::take()
     stress[b].share = shares[b];
     if (!stress[b].good() && !told)
       for (std::string *const text : {&stress[b].refusal, &stress[b].place})
-        *text = share.ranks.share(*text, share.owner(b));
+        *text = share.exchange.share(*text, share.owner(b));
     told = told || !stress[b].good();
   }
 }

@@ -36,7 +36,7 @@ std::string StepEquations::factorise()
 {
   constexpr unsigned int most_attempts = 7;
   constexpr double first_shift = 1e-2, rise = 10.; // of the mass matrix, over Young's modulus
-  std::vector<double> more(state.bodies.size(), 0.), pending(state.bodies.size(), 1.); // numbers, for ranks
+  std::vector<double> more(state.bodies.size(), 0.), pending(state.bodies.size(), 1.); // numbers, to be told
   for (unsigned int attempt = 0;; ++attempt)
   {
     const auto assemble_mine = [&]()

@@ -48,18 +48,11 @@ Verdict judge(const Problem &problem,
   if (work.share.alone())
     return judge_outlines(scene, move_outlines(scene));
   const MovedOutlines moved = share_outlines(work.share, scene);
-  const Ranks &ranks = work.share.ranks;
-  std::vector<Verdict::Numbers> of_ranks(ranks.number(), Verdict().numbers());
-  ranks.together([&]() { of_ranks[ranks.here()] = judge_outlines(scene, moved).numbers(); },
-                 [&]()
-                 {
-                   std::vector<Ranks::Piece> pieces;
-                   for (unsigned int r = 0; r < of_ranks.size(); ++r)
-                     pieces.push_back({r, of_ranks[r].data(), of_ranks[r].size()});
-                   return pieces;
-                 });
+  const std::vector<Verdict::Numbers> verdicts =
+      work.share.exchange.told_by_all(Verdict().numbers(), [&](Verdict::Numbers &numbers)
+                                      { numbers = judge_outlines(scene, moved).numbers(); });
   Verdict verdict;
-  for (const Verdict::Numbers &numbers : of_ranks)
+  for (const Verdict::Numbers &numbers : verdicts)
     verdict.take(Verdict::of(numbers));
   return verdict;
 }

@@ -36,7 +36,7 @@ struct BallReport
 /**
  * @brief Moreau–Jean steps (θ = 1) of rigid balls in space: attraction, contacts (Signorini, Coulomb), flat
  * walls that are told how to move. What Dynamics is in the plane, without cells that repeat, obstacles,
- * driven bodies, adhesion, rolling resistance and ranks.
+ * driven bodies, adhesion, rolling resistance and owners.
  *
  * A step: forces and contacts are known for the present places; free velocities; contacts; places move with
  * the velocities after contact; forces and contacts for the new places.

@@ -2,8 +2,8 @@
 #ifndef softgrain_bpm_bpm_model_h
 #define softgrain_bpm_bpm_model_h
 
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/expression.h>
-#include <softgrain/base/ranks.h>
 #include <softgrain/bpm/dynamics.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/driving/balance.h>
@@ -75,7 +75,7 @@ public:
   std::vector<std::pair<std::string, double>> works() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
-  RankTimes rank_times() const override { return ranks.taken(); }
+  RankTimes rank_times() const override { return exchange.taken(); }
   void save(StateWriter &) const override;
   void load(StateReader &) override;
 
@@ -92,7 +92,7 @@ private:
   double wanted_step() const;
   /// Velocities up to this are rounding [m/s].
   double rounded_velocity() const;
-  /// @throw ComputationError when ranks have come to different steps
+  /// @throw ComputationError when not all have come to the same step
   void check_ranks_agree(const StepReport &report) const;
   void drive_walls(double dt);
   /// Length of steps, and what depends on it and on forces. @param contact_force of the strongest law [N/m]
@@ -119,7 +119,7 @@ private:
   Outlines outlines() const;
   std::vector<double> outlined_areas() const; ///< [m^2]
   void draw_outlines(Outlines &result) const;
-  /// Draws the outlines of some bodies where each rank has some primaries. @return which
+  /// Draws the outlines of some bodies where each owner has some primaries. @return which
   std::vector<std::size_t> draw_own_outlines(Outlines &result) const;
   void refresh_solid_area() const;
   /// Writes numbers of all primaries; @p values has those of the primaries here.
@@ -139,13 +139,14 @@ private:
   ContactState<2> contact_state(const GatheredPrimaries &seen, std::size_t row) const;
   void add_inner_forces(const GatheredPrimaries &seen, Snapshot<2> &snapshot, const FoldedBodies *cell) const;
   void add_stresses(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const;
-  /// Gives bodies and contacts of @p snapshot from the first rank to all.
+  /// Gives bodies and contacts of @p snapshot from the first one to all.
   void tell_of_bodies(Snapshot<2> &snapshot, const Outlines &loops) const;
 
   Scene<2> scene;
   Settings settings;
-  Ranks ranks; ///< they share the making of aggregates, and primaries where that can be done: else the
-               ///< contact solve
+  /// The way by which several share the making of aggregates, and primaries where that can be done: else the
+  /// contact solve.
+  Exchange exchange;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
   std::vector<Wall> moving_walls;

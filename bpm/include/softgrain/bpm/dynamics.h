@@ -38,7 +38,7 @@ namespace softgrain::bpm
  * the velocities after contact; forces and contacts for the new places. In a cell that repeats, places are
  * anywhere in its lattice, and velocities those beside the motion of the cell (see CellMotion).
  *
- * Several ranks that have been told to part() have some primaries each, see StripShare; all call the same in
+ * Several owners that have been told to part() have some primaries each, see StripShare; all call the same in
  * the same order. On the first one, copies of primaries at walls stand behind the others. What a step
  * reports, and sums and counts, are those of all.
  */
@@ -77,15 +77,16 @@ public:
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
   void set_obstacles(std::vector<Obstacle<2>> *list);
 
-  /// Ranks that all have the same primaries, and share the contact solve; null: none. They have to stay.
-  void set_ranks(const Ranks *list) { ranks = list; }
+  /// The way by which those who all have the same primaries share the contact solve; null: alone. It has to
+  /// stay.
+  void share_by(const Exchange *everyone) { exchange = everyone; }
 
-  /// Leaves to each of the ranks a part of the primaries, if they are several and it can be done: not in a
+  /// Leaves to each owner a part of the primaries, if there are several and it can be done: not in a
   /// cell that repeats, with adhesion or obstacles. Before the first detect().
   void part(const std::vector<Wall> &walls);
   /// Who has which primaries; null: all are here.
   const StripShare *strips() const { return share.get(); }
-  /// Primaries that are not copies of those of other ranks; they come first.
+  /// Owned primaries, which are no copies of those of others; they come first.
   std::size_t n_own() const { return share ? share->n_own() : primaries.size(); }
   std::size_t n_all() const { return share ? share->n_all() : primaries.size(); }
 
@@ -101,7 +102,7 @@ public:
   /// state; for restarts. Other places and velocities come afterwards.
   void build_list(const contact::ImageLattice &lattice, const StateReader &in, const std::string &name);
 
-  /// Calls @p work for all primaries here whose number, among those of all ranks, is from @p begin to @p end,
+  /// Calls @p work for all primaries here whose number, among all there are, is from @p begin to @p end,
   /// without it: index, number.
   template <class Work>
   void for_numbers(const std::size_t begin, const std::size_t end, const Work &work) const
@@ -151,7 +152,7 @@ public:
   /// Deepest overlap of the present places [m].
   double penetration() const { return deepest; }
   double mean_diameter() const { return diameter; }
-  /// The deepest overlap with its bodies and its place, of all ranks together. With @p bodies_apart it is
+  /// The deepest overlap with its bodies and its place, of all there are. With @p bodies_apart it is
   /// that between different bodies, and with walls and obstacles.
   Overlap deepest_overlap(bool bodies_apart = false) const;
 
@@ -191,7 +192,7 @@ public:
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
 
 private:
-  /// Sums over the primaries and contacts of all ranks.
+  /// Sums over all primaries and contacts, whoever owns them.
   struct Totals
   {
     double kinetic = 0., moving = 0.;
@@ -204,12 +205,12 @@ private:
     std::uint32_t wall, primary;
     double gap; ///< [m]
   };
-  /// Calls @p work; if it fails on one of the ranks that have parted, all fail.
+  /// Calls @p work; if it fails for one of those that have parted, all fail.
   template <class Work>
   void alike(const Work &work) const
   {
     if (share)
-      share->of_ranks().together(work);
+      share->exchange.together(work);
     else
       work();
   }
@@ -223,14 +224,14 @@ private:
   void bring_wall_rows(const std::vector<Wall> &walls);
   std::vector<double> wall_list(const std::vector<AtWall> &at_walls,
                                 const std::vector<std::uint32_t> &of_them) const;
-  /// What the first rank gathers of primaries at walls.
+  /// What the first owner gathers of primaries at walls.
   struct WallGuests
   {
     std::vector<AtWall> at_walls;
-    /// What every other rank has, by places here: its own primaries at walls, and its copies of some.
+    /// What every other owner has, by places here: its own primaries at walls, and its copies of some.
     std::map<unsigned int, std::vector<std::uint32_t>> own, copies;
   };
-  void take_guests(unsigned int rank, const std::vector<double> &list, WallGuests &guests);
+  void take_guests(unsigned int owner, const std::vector<double> &list, WallGuests &guests);
   unsigned int numbers_of_guest() const;
   void add_guest(std::uint32_t name, const double *number);
   void drop_guests();
@@ -349,7 +350,7 @@ private:
   std::vector<std::vector<Found>> found; ///< contacts of every tile
   std::vector<double> tile_energy;
   dealii::TimerOutput *timer = nullptr;
-  const Ranks *ranks = nullptr;
+  const Exchange *exchange = nullptr;
   std::vector<bool> fixed; ///< bodies; empty: none
   Motion kept;
   std::unique_ptr<StripShare> share; ///< null: all primaries are here

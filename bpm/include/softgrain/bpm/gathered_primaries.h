@@ -11,10 +11,10 @@
 namespace softgrain::bpm
 {
 /**
- * @brief Primaries, contacts and bonds as snapshots see them: those of all ranks, in the order of one
+ * @brief Primaries, contacts and bonds as snapshots see them: those of all owners, in the order of one
  * process.
  *
- * Where each rank has some of them, they are gathered to the first one; others see nothing.
+ * Where each owner has some of them, they are gathered to the first one; others see nothing.
  */
 class GatheredPrimaries
 {
@@ -27,7 +27,7 @@ public:
     double impulse;    ///< normal, of the last step [N s/m]
   };
 
-  /// All ranks make it. @p dynamics has to stay as it is.
+  /// All make it. @p dynamics has to stay as it is.
   explicit GatheredPrimaries(const Dynamics &dynamics);
 
   const Primaries &disks() const { return gathered ? gathered->disks : dynamics.disks(); }
@@ -80,7 +80,7 @@ private:
   void gather_bonds();
 
   const Dynamics &dynamics;
-  std::optional<Gathered> gathered; ///< where each rank has some
+  std::optional<Gathered> gathered; ///< where each owner has some
 };
 } // namespace softgrain::bpm
 

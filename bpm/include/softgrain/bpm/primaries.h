@@ -27,7 +27,7 @@ struct RoundPrimaries
 
   std::vector<std::array<double, dim>> start; ///< places at the start; empty unless a load asks for them [m]
 
-  std::vector<std::uint32_t> number; ///< among those of all ranks; empty: all are here
+  std::vector<std::uint32_t> number; ///< among all there are; empty: all are here
 
   std::uint32_t number_of(const std::size_t i) const { return number.empty() ? i : number[i]; }
   std::size_t size() const { return position.size(); }

@@ -2,7 +2,7 @@
 #ifndef softgrain_bpm_strip_share_h
 #define softgrain_bpm_strip_share_h
 
-#include <softgrain/base/ranks.h>
+#include <softgrain/base/exchange.h>
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/neighbour_list.h>
@@ -31,10 +31,11 @@ constexpr std::size_t fewest_to_part = 2000;
 class StripShare
 {
 public:
-  /// @p ranks have to stay.
-  explicit StripShare(const Ranks &ranks) : ranks(ranks) {}
+  /// @p exchange has to stay.
+  explicit StripShare(const Exchange &exchange) : exchange(exchange) {}
 
-  const Ranks &of_ranks() const { return ranks; }
+  const Exchange &exchange;
+
   std::size_t n_all() const { return n_primaries; }
   std::size_t n_own() const { return n_own_primaries; }
   std::size_t n_held() const { return n_own_primaries + n_seam; } ///< with the seam
@@ -141,7 +142,6 @@ private:
   void carry(Primaries &disks, Motion &kept);
   void make_rounds(const Primaries &disks);
 
-  const Ranks &ranks;
   std::size_t n_primaries = 0, n_own_primaries = 0, n_seam = 0;
   std::vector<std::size_t> n_own_of;                            ///< of every rank
   bool rotate = false, has_strength = false, has_start = false; ///< what all primaries have

@@ -80,7 +80,7 @@ struct Body
   Loads<dim> loads;                                  ///< of the scene and its own
   std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
 
-  BodyPoints<dim> points;    ///< none when they lie with another rank
+  BodyPoints<dim> points;    ///< none when they lie with another owner
   unsigned int n_points = 0; ///< wherever they lie
   Boundary<dim> boundary;
   BodyField<dim> field;

@@ -2,8 +2,8 @@
 #ifndef softgrain_mpm_body_body_share_h
 #define softgrain_mpm_body_body_share_h
 
+#include <softgrain/base/exchange.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/base/ranks.h>
 #include <softgrain/mpm/body/body.h>
 
 #include <Eigen/Core>
@@ -17,10 +17,10 @@ namespace softgrain::mpm
 /**
  * @brief Which rank does the work on which body, and how the others come to know what it has found.
  *
- * A body has one rank, its owner: it alone has the points, the shape functions there, the matrix and its
- * factors. Between steps nodal values and the outline are known to all ranks. Where bodies meet at their
- * nodes, and of bodies that are driven, all ranks have the points as well; the owner's stress and
- * history count.
+ * A body has one rank, its owner; "owned" means by the rank that runs this. The owner alone has the points,
+ * the shape functions there, the matrix and its factors. Between steps nodal values and the outline are known
+ * to all ranks. Where bodies meet at their nodes, and of bodies that are driven, all ranks have the points as
+ * well; the owner's stress and history count.
  *
  * Results do not depend on who owns what: the work on a body is the same on any rank, and sums over bodies
  * are taken by all ranks in the order of the bodies.
@@ -28,30 +28,30 @@ namespace softgrain::mpm
 class BodyShare
 {
 public:
-  const Ranks ranks;
+  const Exchange exchange;
 
-  bool alone() const { return ranks.alone(); }
-  bool mine(const unsigned int b) const { return ranks.alone() || owner_of[b] == ranks.here(); }
+  bool alone() const { return exchange.alone(); }
+  bool mine(const unsigned int b) const { return exchange.alone() || owner_of[b] == exchange.here(); }
   /// Whether the points of a body lie here.
-  bool holds(const unsigned int b) const { return ranks.alone() || lies_here[b] != 0; }
-  unsigned int owner(const unsigned int b) const { return ranks.alone() ? 0 : owner_of[b]; }
+  bool holds(const unsigned int b) const { return exchange.alone() || lies_here[b] != 0; }
+  unsigned int owner(const unsigned int b) const { return exchange.alone() ? 0 : owner_of[b]; }
 
-  /// Gives the bodies to these ranks from now on. @param held of every body, whether its points lie here
+  /// Gives the bodies to these owners from now on. @param held of every body, whether its points lie here
   void give(std::vector<unsigned int> owners, std::vector<char> held)
   {
     owner_of = std::move(owners);
     lies_here = std::move(held);
   }
 
-  /// Calls @p work for every body of this rank that is not driven, on all threads; it may write only to what
-  /// is its body's. Ends when all ranks are done, see Ranks::together().
+  /// Calls @p work for every owned body that is not driven, on all threads; it may write only to what
+  /// is its body's. Ends when all are done, see Exchange::together().
   template <class Bodies, class Work>
   void for_mine(Bodies &bodies, const Work &work) const
   {
-    ranks.together([&]() { for_mine_here(bodies, work); });
+    exchange.together([&]() { for_mine_here(bodies, work); });
   }
 
-  /// Works on the bodies of this rank without waiting for others, as a part of what is done together().
+  /// Works on owned bodies without waiting for others, as a part of what is done together().
   template <class Bodies, class Work>
   void for_mine_here(Bodies &bodies, const Work &work) const
   {
@@ -64,7 +64,8 @@ public:
                  });
   }
 
-  /// What owners of bodies have to tell, collected to be sent at once. With one rank nothing is collected.
+  /// What owners of bodies have to tell, collected to be sent at once. Where one owns all nothing is
+  /// collected.
   class Message
   {
   public:
@@ -76,39 +77,39 @@ public:
     void add(const std::vector<Body<2>> &bodies, std::vector<Eigen::VectorXd> &vectors);
     /// Where the outline of a body is.
     void add_outline(Body<2> &body);
-    /// Numbers of one body, as many on all ranks.
+    /// Numbers of one body, as many for all.
     void add(unsigned int b, double *begin, std::size_t size);
 
-    void send() const { share.ranks.share(pieces); }
+    void send() const { share.exchange.share(pieces); }
 
   private:
     friend class BodyShare;
     const BodyShare &share;
-    std::vector<Ranks::Piece> pieces;
+    std::vector<Exchange::Piece> pieces;
   };
 
-  /// for_mine(), after which all ranks learn what @p fill adds to a message: all in one exchange.
+  /// for_mine(), after which all learn what @p fill adds to a message: all in one exchange.
   template <class Bodies, class Work, class Fill>
   void for_mine(Bodies &bodies, const Work &work, const Fill &fill) const
   {
     together([&]() { for_mine_here(bodies, work); }, fill);
   }
 
-  /// Does any work together, see Ranks::together().
+  /// Does any work together, see Exchange::together().
   template <class Work, class Fill>
   void together(const Work &work, const Fill &fill) const
   {
-    ranks.together(work,
-                   [&]()
-                   {
-                     Message message(*this);
-                     fill(message);
-                     return std::move(message.pieces);
-                   });
+    exchange.together(work,
+                      [&]()
+                      {
+                        Message message(*this);
+                        fill(message);
+                        return std::move(message.pieces);
+                      });
   }
 
-  /// @p n numbers of every body that is not driven, which @p work gives for those of this rank, else 0: known
-  /// to all ranks.
+  /// @p n numbers of every body that is not driven, which @p work gives for owned ones, else 0: known
+  /// to all.
   template <std::size_t n, class Bodies, class Work>
   std::vector<std::array<double, n>> numbers(Bodies &bodies, const Work &work) const
   {
@@ -123,7 +124,7 @@ public:
     return of_bodies;
   }
 
-  /// Lists of any length, one per body, that @p work makes on every rank for its own bodies.
+  /// Lists of any length, one per body, that @p work makes for owned bodies.
   template <class Work>
   void share_lists(const Work &work, std::vector<std::vector<double>> &lists) const
   {

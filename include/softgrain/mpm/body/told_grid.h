@@ -8,7 +8,7 @@
 
 namespace softgrain::mpm
 {
-/// What ranks without the points of a body are to know of its grid, number by number.
+/// What those without the points of a body are to know of its grid, number by number.
 std::vector<double> tell_grid(const Body<2> &body);
 
 /// Gives @p body what tell_grid() has told, as lay_grid() would have done.

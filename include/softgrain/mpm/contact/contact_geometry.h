@@ -42,7 +42,7 @@ public:
   virtual ~ContactGeometry() = default;
 
   /// Rows with the gaps that they have at the start of the step, in an order that does not depend on the
-  /// number of threads. Every rank finds those of all bodies.
+  /// number of threads. Every owner finds those of all bodies.
   virtual void find(const ContactScene<dim> &scene, std::vector<ContactRow<dim>> &rows) const = 0;
 };
 } // namespace softgrain::mpm

@@ -32,7 +32,7 @@ class ContactSystem
 {
 public:
   /// Takes the rows of a step of length @p dt. First guess are the forces of rows with the same key in the
-  /// step @p before. What rows do to the nodes of a body is known on its rank, or @p everywhere.
+  /// step @p before. What rows do to the nodes of a body is known to its owner, or @p everywhere.
   void reinit(std::vector<ContactRow<dim>> rows,
               const BodyShare &share,
               bool everywhere,
@@ -61,7 +61,7 @@ public:
   using Velocities = std::function<const Eigen::VectorXd &(unsigned int b)>;
 
   /// H v for the given nodal velocities, one value per component; driven bodies move as @p drive says, one
-  /// per body [m/s]. Every rank is asked for velocities of its own bodies, and learns the values of all.
+  /// per body [m/s]. Every owner is asked for velocities of its own bodies, and learns the values of all.
   std::vector<double> relative_velocity(const BodyShare &share,
                                         const std::vector<Body<dim>> &bodies,
                                         const std::vector<dealii::Tensor<1, dim>> &drive,

@@ -29,7 +29,7 @@ struct MovedOutlines
 };
 
 /// Pairs whose boxes meet on their ways, by the body that looks, in an order that depends on nothing else;
-/// with OutlineScene::looking only lists of bodies of this rank are whole.
+/// with OutlineScene::looking only lists of owned bodies are whole.
 /// @throw ComputationError when a cell that repeats has become so small that a body meets itself
 std::vector<std::vector<ContactTask>> find_tasks(const OutlineScene &scene,
                                                  const std::vector<MovedBoundary> &boundaries);

@@ -59,7 +59,7 @@ struct FrameScene
   std::vector<double> own_way = {};
   const std::vector<ObstacleRays<dim>> *lines = nullptr; ///< of the obstacles; null: there are none
   const Adhesion *adhesion = nullptr;                    ///< null: nothing adheres
-  const BodyShare *looking = nullptr; ///< every rank looks for its bodies, and learns of all; null: for all
+  const BodyShare *looking = nullptr; ///< every owner looks for its bodies, and learns of all; null: for all
 
   /// Gap up to which places of a pair are looked at [m].
   double reach_of(const ContactFrame<dim> &frame) const

@@ -84,9 +84,9 @@ public:
   /// at the start [J/m]. Whatever the pull of the step, what comes near and goes again leaves nothing.
   double adhesion_work(const FrameScene<dim> &scene) const;
 
-  /// Learns where its sides have moved, as all ranks do, and finds the rays that look() is to look along: not
-  /// those without force that cannot have come within @p within since they were last met. No place has moved
-  /// by more than @p path in all since the first call.
+  /// Learns where its sides have moved, as all owners do, and finds the rays that look() is to look along:
+  /// not those without force that cannot have come within @p within since they were last met. No place has
+  /// moved by more than @p path in all since the first call.
   /// @param increment displacement of all bodies in this step, none in the first call [m]
   void prepare(const FrameScene<dim> &scene,
                const std::vector<Eigen::VectorXd> &increment,
@@ -105,7 +105,7 @@ public:
   /// Whether all rays that carry force are met.
   bool meets(const std::vector<double> &force) const;
 
-  /// What look() has found, for ranks that have not looked themselves: numbers of the rays looked at. These
+  /// What look() has found, for those who have not looked themselves: numbers of the rays looked at. These
   /// know all of a ray but what nodes do to its places.
   std::size_t n_told() const;
   void tell(double *numbers);

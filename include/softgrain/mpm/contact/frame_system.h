@@ -80,7 +80,7 @@ public:
   /// V and W of the present state. Rays are candidates if they carry force or their gap is below @p within.
   /// @param force   of the rays [N/m]
   /// @param rubbing friction of the rays [N/m]
-  /// @param way_without y above, of this rank's bodies [m]
+  /// @param way_without y above, of owned bodies [m]
   void condense(const FrameScene<dim> &scene,
                 const std::vector<FrameState<dim>> &frames,
                 const RayForces &force,
@@ -88,7 +88,7 @@ public:
                 double within,
                 const std::vector<Eigen::VectorXd> &way_without);
 
-  /// Solves for forces, alike on all ranks. @return whether no ray pulls or overlaps, none that sticks
+  /// Solves for forces, alike for all owners. @return whether no ray pulls or overlaps, none that sticks
   /// exceeds its friction, and all that slip rub against their slide
   bool solve(double cell_size, unsigned int negative_of_bodies);
 
@@ -100,7 +100,7 @@ public:
            static_cast<int>(n_free);
   }
 
-  /// V z of a body of this rank: force on its nodes [N/m].
+  /// V z of an owned body: force on its nodes [N/m].
   Eigen::VectorXd force_on(unsigned int b) const;
 
   /// The frames of every body, with the side of the frame that it is.
@@ -288,7 +288,7 @@ private:
 
   std::vector<Column> columns; ///< walls, then for every frame its rays, slides, motion and force
   std::vector<std::vector<unsigned int>> of_body; ///< columns that a body has to do with
-  std::vector<LinearSolver::Rows> V;              ///< of this rank's bodies
+  std::vector<LinearSolver::Rows> V;              ///< of owned bodies
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::VectorXd> moved;      ///< V^T y
   std::vector<Eigen::Triplet<double>> own; ///< Q

@@ -34,9 +34,10 @@ struct FreeWall
 /**
  * @brief The free walls of a step and what they add to its contact problem.
  *
- * A wall couples all its rows: a rank-one block of W. One with a stop has two rows more, which follow those
- * of the contacts: a rigid partner that stands where the wall must not go any further, ahead and behind. So
- * the solver finds by itself whether a wall is held by bodies or by its stop.
+ * A wall couples all its rows: its part of W is the outer product of a vector with itself. One with a stop
+ * has two rows more, which follow those of the contacts: a rigid partner that stands where the wall must not
+ * go any further, ahead and behind. So the solver finds by itself whether a wall is held by bodies or by its
+ * stop.
  */
 template <int dim>
 class FreeWalls

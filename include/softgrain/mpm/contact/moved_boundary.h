@@ -32,7 +32,7 @@ struct OutlineScene
   double share;                                  ///< where in the step outlines are: 0 its start, 1 its end
   const std::vector<Obstacle<2>> *obstacles = nullptr; ///< with their way in the step; null: none
   const CellMotion *cell = nullptr;                    ///< null: nothing repeats
-  const BodyShare *looking = nullptr;                  ///< bodies of this rank are looked at; null: all are
+  const BodyShare *looking = nullptr;                  ///< owned bodies are looked at; null: all are
 };
 
 /**
@@ -47,13 +47,13 @@ public:
   MovedBoundary() = default;
   MovedBoundary(const Body<2> &body, const OutlineScene &scene);
 
-  /// What tells whether anything may meet it: of a boundary that another rank has moved.
+  /// What tells whether anything may meet it: of a boundary that another owner has moved.
   using Sketch = std::array<double, 11>;
   Sketch sketch() const;
   /// A boundary without markers, as its sketch has it.
   MovedBoundary(const Body<2> &body, const Sketch &sketch);
   bool has_markers() const { return !position.empty(); }
-  /// Gives such a one its markers, which go as the rank that has moved it tells: two numbers each [m].
+  /// Gives such a one its markers, which go as the owner that has moved it tells: two numbers each [m].
   void take_markers(const OutlineScene &scene, const double *displacements);
   /// What it tells of itself for that.
   const std::vector<Vector> &marker_displacements() const { return displacement; }

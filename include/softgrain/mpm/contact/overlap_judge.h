@@ -48,13 +48,13 @@ struct Verdict
   void take(const Intrusion &found, const Meeting &meeting);
   void take_way(double share, const Meeting &meeting);
 
-  using Numbers = std::array<double, 10>;
+  using Numbers = std::vector<double>; ///< always as many
   Numbers numbers() const;
   static Verdict of(const Numbers &numbers);
 };
 
 /**
- * @brief Judges a step by the outlines of this rank's bodies at its end.
+ * @brief Judges a step by the outlines of owned bodies at its end.
  * @param scene at the end of the step
  * @param moved the outlines there, and the pairs that may have met on the way
  */

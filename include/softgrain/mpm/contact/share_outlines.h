@@ -7,15 +7,15 @@
 namespace softgrain::mpm
 {
 /**
- * @brief Outlines of all bodies, each moved by its rank, and the tasks of this rank's bodies. There are
- * several ranks; all call it.
+ * @brief Outlines of all bodies, each moved by its owner, and the tasks of owned bodies. There are several
+ * owners; all call it.
  *
- * Of a body of another rank the sketch is known, and where a body of this rank looks at it, the outline: a
- * rank does not know by which weights nodes of other ranks' bodies move their markers.
+ * Of a body of another owner the sketch is known, and where an owned body looks at it, the outline: nobody
+ * else knows by which weights nodes of a body move its markers.
  */
 MovedOutlines share_outlines(const BodyShare &share, const OutlineScene &scene);
 
-/// Moves outlines where there is one rank, or where each has all that it needs.
+/// Moves outlines where there is one owner, or where each has all that it needs.
 MovedOutlines move_outlines(const OutlineScene &scene);
 } // namespace softgrain::mpm
 

@@ -8,7 +8,7 @@
 
 namespace softgrain::mpm
 {
-/// Adds the frames of one pair to what is told to other ranks.
+/// Adds the frames of one pair to what is told to others.
 template <int dim>
 void tell_frames(const std::vector<ContactFrame<dim>> &frames, std::vector<double> &numbers);
 

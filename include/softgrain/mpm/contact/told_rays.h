@@ -12,7 +12,7 @@
 namespace softgrain::mpm
 {
 /**
- * @brief Lets rays of frames meet surfaces after the bodies have moved by @p way in the step: every rank
+ * @brief Lets rays of frames meet surfaces after the bodies have moved by @p way in the step: every owner
  * looks at its bodies, and learns from the others what they have found at theirs.
  *
  * @param force        of all rays [N/m^(3-dim)]

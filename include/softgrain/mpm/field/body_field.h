@@ -63,7 +63,7 @@ public:
   void
   build(const Lattice<dim> &lattice, const ShapeFunction &shape, const Places &places, double fill_limit);
 
-  /// Adds to @p numbers all that a rank without the points needs to know the field at any place.
+  /// Adds to @p numbers all that is needed to know the field at any place without the points.
   void tell(std::vector<double> &numbers) const;
   /**
    * @brief Makes it the field that tell() has told: the same at any place, but without points, markers and

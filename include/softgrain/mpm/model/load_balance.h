@@ -9,10 +9,10 @@
 namespace softgrain::mpm
 {
 /**
- * @brief How even the work of ranks is, what bodies cost by that, and when it pays to share them out anew.
+ * @brief How even the work of owners is, what bodies cost by that, and when it pays to share them out anew.
  *
- * It goes by processor seconds of work that is a rank's own, so that neither waiting nor other programs
- * count. All ranks know the numbers of all, and so come to the same verdict.
+ * It goes by processor seconds of an owner's own work, so that neither waiting nor other programs count. All
+ * know the numbers of all, and so come to the same verdict.
  */
 class LoadBalance
 {
@@ -20,38 +20,38 @@ public:
   /// @param weights what bodies are thought to cost before anything is measured, in any unit
   void start(std::vector<double> weights) { costs = std::move(weights); }
 
-  /// Measures the work; all ranks call it between steps. @return whether it has, and found work uneven
-  bool uneven(const Ranks &ranks);
+  /// Measures the work; all owners call it between steps. @return whether it has, and found work uneven
+  bool uneven(const Exchange &exchange);
 
-  /// Work of the busiest rank over the mean, of late.
+  /// Work of the busiest owner over the mean, of late.
   double imbalance() const;
 
-  /// What bodies cost: as was thought, times what their rank has taken over what was thought of it.
+  /// What bodies cost: as was thought, times what their owner has taken over what was thought of it.
   std::vector<double> measured(const BodyShare &share) const;
 
-  /// Work of the busiest rank over the mean, when these ranks own the bodies.
+  /// Work of the busiest owner over the mean, when these own the bodies.
   static double imbalance_of(const std::vector<double> &costs,
                              const std::vector<unsigned int> &owners,
-                             unsigned int n_ranks);
+                             unsigned int n_owners);
 
   /// Whether to change to a partition that has the imbalance @p expected: when that is better by more than a
   /// tenth, and as much time has been lost without it as the change will take. To be asked once when
   /// uneven().
   bool pays(double expected);
 
-  /// Bodies, which cost so much, have other owners now. @param seconds what that took the busiest rank
-  void moved(std::vector<double> measured, const Ranks &ranks, double seconds);
+  /// Bodies, which cost so much, have other owners now. @param seconds what that took the busiest owner
+  void moved(std::vector<double> measured, const Exchange &exchange, double seconds);
 
 private:
   /// Measures from here on.
-  void begin(const Ranks &ranks);
+  void begin(const Exchange &exchange);
 
   std::vector<double> costs; ///< of bodies
-  double own_before = 0.;    ///< of this rank, when it was last measured [processor s]
+  double own_before = 0.;    ///< done here, when it was last measured [processor s]
   unsigned int steps = 0;    ///< since then
-  std::vector<double> now;   ///< own work of every rank since it was last measured [processor s]
+  std::vector<double> now;   ///< own work of every owner since it was last measured [processor s]
   std::vector<double> late;  ///< the same with what was before, halved each time; empty before the first step
-  double lost = 0.;          ///< since work has been uneven, by the busiest rank [processor s]
+  double lost = 0.;          ///< since work has been uneven, by the busiest owner [processor s]
   double price = 0.;         ///< of the last change; 0: none yet [processor s]
 };
 } // namespace softgrain::mpm

@@ -51,7 +51,7 @@ public:
   double momentum_error() const override;
   std::size_t n_points() const override;
   std::size_t n_bodies() const override;
-  RankTimes rank_times() const override { return work.share.ranks.taken(); }
+  RankTimes rank_times() const override { return work.share.exchange.taken(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> works() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
@@ -66,8 +66,8 @@ public:
 
   const std::vector<Body<2>> &bodies() const { return state.bodies; }
 
-  /// Gives every body to a rank between steps, with its points and all else that its owner alone has. No
-  /// result depends on it. All ranks call it with the same @p owners.
+  /// Gives every body to an owner between steps, with its points and all else that its owner alone has. No
+  /// result depends on it. All call it with the same @p owners.
   void move_bodies(std::vector<unsigned int> owners);
 
 private:
@@ -87,47 +87,49 @@ private:
   void renew_grids();
   /// Distortions of the grids of all bodies, see grid_distortion(); found only where they are asked for.
   std::vector<double> grid_distortions() const;
-  /// Makes the mesh where points of this rank may be.
+  /// Makes the mesh where points of owned bodies may be.
   void cover_points();
-  /// Makes the points of all bodies, and lays their first grids: each rank for its own.
+  /// Makes the points of all bodies, and lays their first grids: each owner for its own.
   void fill_bodies(const std::vector<BodyDescription<2>> &descriptions);
-  /// Gives every body to a rank, as long as there is more than one.
+  /// Gives every body to an owner, if there are several.
   void share_out_bodies(const std::vector<BodyDescription<2>> &descriptions);
-  /// Whether the points of every body lie here when these ranks own the bodies.
+  /// Whether the points of every body lie here when these own the bodies.
   std::vector<char> held_here(const std::vector<unsigned int> &owners) const;
-  /// Takes points of bodies that have moved: @p points are those of this rank, as save_points() writes them.
+  /// Takes points of bodies that have moved: @p points are those that were here, as save_points() writes
+  /// them.
   void take_moved(const StateReader &points, const std::vector<char> &comes, const std::vector<char> &goes);
-  /// Keeps what all ranks know of a body whose points have gone to another one.
+  /// Keeps what all know of a body whose points have gone to another owner.
   void keep_outline(Body<2> &body);
-  /// Whether this rank needs the matrix of a body.
+  /// Whether the matrix of a body is needed here.
   bool needs_matrix(const Body<2> &body) const;
-  /// Matrix and solver of a body, where this rank needs them.
+  /// Matrix and solver of a body, where they are needed.
   void prepare_solver(const Body<2> &body);
   /// The same matrix for another grid.
   void lay_out_matrix(const Body<2> &body);
   std::vector<unsigned int> all_bodies() const;
   /// Moves the points of these bodies along with their grids and lays new ones.
   void lay_grids_anew(const std::vector<unsigned int> &bodies);
-  /// Tells other ranks what belongs to nodes and outlines, after grids were laid.
+  /// Tells other owners what belongs to nodes and outlines, after grids were laid.
   void share_grids(const std::vector<unsigned int> &of_bodies);
   void share_trial_volumes(const std::vector<unsigned int> &of_bodies);
-  /// What a checkpoint holds; @p of_all: of the points of all ranks, to be called by all, else of those here.
+  /// What a checkpoint holds; @p of_all: of the points of all owners, to be called by all, else of those
+  /// here.
   void write_state(StateWriter &out, bool of_all) const;
   void save_points(StateWriter &out, bool of_all) const;
-  /// Reads back what write_state() has written, of the points of all ranks or of those here.
+  /// Reads back what write_state() has written, of the points of all owners or of those here.
   void read_state(StateReader &in, bool of_all);
   void read_progress(const StateReader &in);
   void read_contacts(const StateReader &in);
   void read_nodes(const StateReader &in, Body<2> &body);
   void load_points(const StateReader &in, bool of_all);
-  /// Mean stress of every body times its volume, and the volume, each from the body's rank.
+  /// Mean stress of every body times its volume, and the volume, each from the body's owner.
   std::vector<std::array<double, 4>> stress_sums() const;
   PointStates<2> point_states() const;
   /// Brings bodies into a cell that repeats, and adds the contacts.
   void add_contacts(Snapshot<2> &snapshot) const;
   /// What came of that.
   void add_ranks(SizeReport &report) const;
-  /// @throw ComputationError when ranks have come to different steps
+  /// @throw ComputationError when not all have come to the same step
   void check_ranks_agree(const StepReport &report) const;
   void check_energy() const;
   void update_momentum_scale();

@@ -20,10 +20,10 @@ namespace softgrain::mpm
 /// What steps work with and every step fills anew: nothing of it is part of a result.
 struct Workspace
 {
-  BodyShare share;                                     ///< which rank works on which body
-  std::vector<StepState<2>> trial;                     ///< one per body; filled by its rank
+  BodyShare share;                                     ///< who works on which body
+  std::vector<StepState<2>> trial;                     ///< one per body; filled by its owner
   std::vector<dealii::Tensor<1, 2>> drive;             ///< of driven bodies in the step, one per body [m/s]
-  std::vector<SystemMatrix> matrices;                  ///< one per body of this rank, implicit schemes
+  std::vector<SystemMatrix> matrices;                  ///< one per owned body, implicit schemes
   std::vector<std::unique_ptr<RankOneSolver>> solvers; ///< likewise
   ContactSystem<2> contact;                            ///< rows found, and the problem that they pose
   std::vector<OutlineSurface> outlines;                ///< of the bodies, for rays

@@ -17,7 +17,7 @@ std::vector<double> powers_of_loads(const Body<dim> &body,
                                     const Eigen::VectorXd &rate);
 
 /// Books the work of every load in a step that has been found, and its impulse on the bodies, before these
-/// move: all ranks alike.
+/// move: for all alike.
 void account_loads(State &state, Workspace &work, const FoundStep &step);
 } // namespace softgrain::mpm
 

@@ -31,7 +31,7 @@ public:
   virtual bool evaluate(const Vectors &v) = 0;
   /// Why the last evaluate() failed.
   virtual std::string why_not() const = 0;
-  /// The velocity at the end with which a body of this rank goes this way over the step [m/s].
+  /// The velocity at the end with which an owned body goes this way over the step [m/s].
   virtual Eigen::VectorXd end_velocity(const Body<dim> &body, const Eigen::VectorXd &way) const = 0;
   /// Impulse that is missing for balance without contact, as last evaluated [N s/m^(3-dim)].
   virtual const Eigen::VectorXd &missing(unsigned int b) const = 0;

@@ -16,7 +16,7 @@ namespace softgrain::mpm
 class ContactWork
 {
 public:
-  /// All but @p rate are kept by reference. All ranks make it together.
+  /// All but @p rate are kept by reference. All owners make it together.
   /// @param dt     length of the step [s]
   /// @param rate   mean velocity of the nodes, with which impulses do their work [m/s]
   /// @param motion of the walls

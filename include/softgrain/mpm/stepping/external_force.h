@@ -56,8 +56,8 @@ void add_load_tangent(const Body<dim> &body,
                       double factor,
                       SystemMatrix &matrix);
 
-/// External forces on all bodies that are not driven, on all ranks; empty vectors where there is none. Loads
-/// that are the same everywhere are computed by all alike, others by the rank of a body.
+/// External forces on all bodies that are not driven, known to all; empty vectors where there is none. Loads
+/// that are the same everywhere are computed by all alike, others by the owner of a body.
 std::vector<Eigen::VectorXd>
 external_forces(const std::vector<Body<2>> &bodies, const BodyShare &share, const LoadTimes &times);
 } // namespace softgrain::mpm

@@ -37,7 +37,7 @@ private:
   const State &state;
   const Workspace &work;
   StepEquations &equations;
-  /// Velocities of bodies of this rank where the last search began; kept, for fresh memory is dear.
+  /// Velocities of owned bodies where the last search began; kept, for fresh memory is dear.
   Vectors x, from;
   double first_length = 0., first_work = 0., last_length = 0., last_work = 0.;
   bool stands_still = false; ///< the last direction left nearly as much as there was

@@ -15,7 +15,7 @@ namespace softgrain::mpm
 class PlaneScene
 {
 public:
-  /// All are kept by reference. All ranks make it together.
+  /// All are kept by reference. All owners make it together.
   PlaneScene(const Problem &problem,
              const State &state,
              const Workspace &work,

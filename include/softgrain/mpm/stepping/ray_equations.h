@@ -107,7 +107,7 @@ protected:
   RayFriction<dim> rubbing; ///< their friction
   FrameSystem<dim> system;
   Vectors at_rest, way; ///< no way, and that of the step [m]
-  Vectors trial;        ///< the velocity for it, of the bodies of this rank [m/s]
+  Vectors trial;        ///< the velocity for it, of owned bodies [m/s]
   double residual = 0.; ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
       0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]

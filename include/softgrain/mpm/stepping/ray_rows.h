@@ -19,7 +19,7 @@ namespace softgrain::mpm
 class RayRows
 {
 public:
-  /// All are kept by reference. All ranks make it together.
+  /// All are kept by reference. All owners make it together.
   RayRows(const Problem &problem,
           const State &state,
           Workspace &work,

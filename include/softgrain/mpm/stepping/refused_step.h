@@ -35,15 +35,15 @@ std::string or_why_it_failed(const Iteration &iteration)
 template <int dim>
 std::string why_not(const Body<dim> &body, const StressOutcome &outcome);
 
-/// How the stress of every body came out, for all ranks to know. Of refusals they learn the first, which is
+/// How the stress of every body came out, for all to know. Of refusals they learn the first, which is
 /// the one that is told.
 class SharedOutcomes
 {
 public:
   SharedOutcomes(const BodyShare &share, std::vector<StressOutcome> &stress) : share(share), stress(stress) {}
-  /// Adds the outcomes of this rank, when they are there.
+  /// Adds the outcomes of owned bodies, when they are there.
   void add_to(BodyShare::Message &message);
-  /// Takes the outcomes of all ranks, after the exchange.
+  /// Takes the outcomes of all, after the exchange.
   void take();
 
 private:

@@ -22,7 +22,7 @@ namespace softgrain::mpm
 /// What steps in space work with and every step fills anew.
 struct SpaceWorkspace
 {
-  BodyShare share;                                     ///< of one rank
+  BodyShare share;                                     ///< all are owned
   std::vector<StepState<3>> trial;                     ///< one per body
   std::vector<SystemMatrix> matrices;                  ///< likewise
   std::vector<std::unique_ptr<LowRankSolver>> solvers; ///< likewise

@@ -54,7 +54,7 @@ private:
   const std::vector<WallMotion<2>> &motion;
   const StepEquations &equations;
   StepOutcome &outcome;
-  /// End velocities without contact, of the bodies of this rank; kept, for fresh memory is dear [m/s].
+  /// End velocities without contact, of owned bodies; kept, for fresh memory is dear [m/s].
   Vectors free;
   bool is_converged = true;
 };

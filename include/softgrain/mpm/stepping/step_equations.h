@@ -23,8 +23,8 @@ namespace softgrain::mpm
  * @brief The equations of one implicit step for the velocities at its end, body by body: unbalanced impulse
  * for a trial, and the matrix of Newton's method. See doc/theory.md, "One step".
  *
- * Vectors hold one nodal vector per body; those of driven bodies are not used. With several ranks end
- * velocities and what is unbalanced are those of this rank's bodies alone, and with rays so are increments.
+ * Vectors hold one nodal vector per body; those of driven bodies are not used. End
+ * velocities and what is unbalanced are those of owned bodies alone, and with rays so are increments.
  */
 class StepEquations : public BodyEquations<2>
 {
@@ -62,9 +62,9 @@ public:
   /// The largest such norm of a body over the largest impulse of the step on a body.
   double residual() const;
   /// Whether what is unbalanced of every body is no more than the rounding of what is summed for it: no
-  /// search finds less. Costs a pass over the points. All ranks call it.
+  /// search finds less. Costs a pass over the points. All owners call it.
   bool at_rounding() const;
-  /// What rounding may do to the unbalanced impulse of a body of this rank, as last evaluated [N s/m].
+  /// What rounding may do to the unbalanced impulse of an owned body, as last evaluated [N s/m].
   /// @param contact norm of the impulses of contacts on its nodes
   double rounding(const Body<2> &body, double contact) const override;
   /// The body of which most is unbalanced, in words; for messages.
@@ -82,7 +82,7 @@ public:
   /// step; 0 for schemes that are not a choice of theta alone [J/m].
   double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
 
-  /// Work that regularising forces take from body @p b, of this rank, in the step as last evaluated: of
+  /// Work that regularising forces take from owned body @p b in the step as last evaluated: of
   /// quasi_static and against rotation of what is round [J/m].
   double regularisation_work(unsigned int b) const;
   /// What resists the motion of such a body at the end of a step of `quasi_static` [N/m].
@@ -92,7 +92,7 @@ public:
 
   /// Numbers that a step tells of a body.
   using Told = std::array<double, 5>;
-  /// Adds forces and ways of the bodies at the end of the step, and @p told of each, to what ranks tell each
+  /// Adds forces and ways of the bodies at the end of the step, and @p told of each, to what owners tell each
   /// other.
   void tell(std::vector<Told> &told, BodyShare::Message &message);
   /// What a direction promises, of all bodies.
@@ -102,7 +102,7 @@ public:
     double merit = 0;  ///< norm of the right hand side [N s/m]
     double length = 0; ///< norm of it [m/s]
   };
-  /// A x = the missing impulse, or what is unbalanced with contact, for every body of this rank [m/s].
+  /// A x = the missing impulse, or what is unbalanced with contact, for every owned body [m/s].
   Slope solve(bool with_contact, Vectors &x) const;
 
   /// A x = the missing impulse of a body that touches nothing [m/s].
@@ -136,7 +136,7 @@ private:
   const double dt;
   LoadTimes loads;
   Vectors fixed_external;                                  ///< of external, what does not depend on the trial
-  std::vector<std::unique_ptr<BodyTerms<2>>> scheme_terms; ///< of every moving body of this rank
+  std::vector<std::unique_ptr<BodyTerms<2>>> scheme_terms; ///< of every moving body that is owned
   Vectors missing_impulse;
   /// Four numbers of every body as last evaluated: square and norm of what is unbalanced, its largest
   /// impulse, square of the end velocities.

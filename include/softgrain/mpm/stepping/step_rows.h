@@ -16,7 +16,7 @@ void find_rows(const Problem &problem,
                const std::vector<WallMotion<2>> &motion,
                double dt);
 
-/// What outlines say of a step with displacements @p increment: of the bodies of all ranks, on all of them.
+/// What outlines say of a step with displacements @p increment: of all bodies, whoever owns them.
 /// @param share 1: where bodies end, 0: where they begin
 Verdict judge(const Problem &problem,
               const State &state,
