@@ -68,15 +68,16 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall &wall = moving_walls[w];
-    if (wall.slides_freely())
-      wall.shear(wall.demanded_shear(now, dt), pressed_length(moving_walls, w));
+    if (slides_freely(wall))
+      put_shear(wall, demanded_shear(wall, now, dt), pressed_length(moving_walls, w));
     else
-      wall.slide_speed = wall.demanded_slide(now, dt);
+      wall.slide_speed = demanded_slide(wall, now, dt);
     // A place that is asked for has a mean velocity in a step, none in a moment: that of the first step.
     if (wall.prescribed())
-      wall.speed = wall.demand(now, dt > 0. ? dt : wanted_step()).velocity;
+      wall.speed = demand_of(wall, now, dt > 0. ? dt : wanted_step()).velocity;
     else
-      wall.press(asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w), share_of_damping);
+      put_pressure(wall, asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w),
+                   share_of_damping);
   }
 }
 
@@ -273,17 +274,17 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
 void BpmModel::keep_books(const DynamicsReport &report)
 {
   for (Wall &wall : moving_walls)
-    wall.accept_pressure();
-  balance.wall_impulse += report.wall_impulse + report.driven_impulse;
-  balance.body_force_impulse += report.cell_impulse;
-  balance.body_force_impulse += report.force_impulse;
-  balance.note_momentum(dynamics->moving());
+    accept_pressure(wall);
+  balance.momentum.of_walls += report.wall_impulse + report.driven_impulse;
+  balance.momentum.of_loads += report.cell_impulse;
+  balance.momentum.of_loads += report.loads.impulse;
+  balance.momentum.note(dynamics->moving());
   balance.cell_work += report.cell_work;
-  double left = report.force_work;
-  for (std::size_t load = 0; load < report.load_work.size(); ++load)
+  double left = report.loads.work;
+  for (std::size_t load = 0; load < report.loads.of_loads.size(); ++load)
   {
-    balance.load_work.add(load_names[load], report.load_work[load]);
-    left -= report.load_work[load];
+    balance.load_work.add(load_names[load], report.loads.of_loads[load]);
+    left -= report.loads.of_loads[load];
   }
   if (!load_names.empty())
     balance.load_work.add(load_names.back(), left);
@@ -297,7 +298,7 @@ void BpmModel::keep_books(const DynamicsReport &report)
 
 double BpmModel::momentum_error() const
 {
-  return balance.momentum_error(dynamics->momentum(), mass * rounded_velocity());
+  return balance.momentum.error(dynamics->momentum(), mass * rounded_velocity());
 }
 
 double BpmModel::rounded_velocity() const
@@ -316,7 +317,7 @@ Energies BpmModel::energies() const
   Energies energies;
   energies.kinetic = dynamics->kinetic_energy();
   for (const Wall &wall : moving_walls)
-    energies.kinetic += wall.kinetic_energy();
+    energies.kinetic += kinetic_energy_of(wall);
   energies.elastic = dynamics->attraction_energy();
   energies.dissipated = balance.dissipated();
   energies.external_work = external_work(balance, moving_walls, moving_obstacles);
@@ -346,8 +347,8 @@ std::vector<std::pair<std::string, double>> BpmModel::works() const
 {
   Workers workers;
   workers.loads = load_names;
-  workers.cell =
-      std::any_of(moving_walls.begin(), moving_walls.end(), [](const Wall &wall) { return wall.repeats(); });
+  workers.cell = std::any_of(moving_walls.begin(), moving_walls.end(),
+                             [](const Wall &wall) { return is_side_of_cell(wall); });
   workers.driven_bodies = std::any_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });
   workers.adhesion = settings.dynamics.pairs.adhere();
   return columns_of_work(balance, moving_walls, moving_obstacles, workers);

@@ -193,7 +193,7 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   if (state == nullptr)
     check_apart();
   area_at_start = outlined_areas();
-  balance.initial_momentum = dynamics->momentum();
+  balance.momentum.initial = dynamics->momentum();
 }
 
 void BpmModel::choose_by_attraction(const Primaries &disks, double contact_force)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/bpm/strips_in_files.h>
 #include <softgrain/model/state_file.h>
 
 #include <cstring>
@@ -42,7 +43,7 @@ void BpmModel::write(StateWriter &out, const std::string &name, const std::vecto
     if (share == nullptr)
       std::memcpy(rows, values.data() + begin, (end - begin) * sizeof(T));
     else
-      share->bring_rows(numbers_of(values), width, dynamics->disks(), begin, end, rows);
+      bring_rows(*share, numbers_of(values), width, dynamics->disks(), begin, end, rows);
   };
   out.write_rows(name, share == nullptr ? values.size() : share->n_all(), width, fill);
 }
@@ -76,9 +77,9 @@ void BpmModel::save(StateWriter &out) const
   save_obstacles(out, "bpm/obstacles", moving_obstacles);
 
   const contact::NeighbourList &list = dynamics->neighbours();
-  write(out, "bpm/neighbours/build_position", list.build_positions());
+  write(out, "bpm/neighbours/build_position", list.origin().positions);
   dynamics->save_memory(out, memory_name);
-  const contact::ImageLattice &built = list.build_lattice();
+  const contact::ImageLattice &built = list.origin().lattice;
   if (built.repeats())
     out.write("bpm/neighbours/build_cell",
               std::vector<double>{built.lower[0], built.lower[1], built.length[0], built.length[1],

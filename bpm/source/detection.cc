@@ -125,8 +125,9 @@ void Dynamics::detect(const std::vector<Wall> &walls)
     section.emplace(*timer, "attraction");
   }
   force.assign(primaries.size(), {0., 0.});
-  found.resize(list.n_tiles());
-  tile_energy.assign(list.n_tiles(), 0.);
+  const std::size_t n_tiles = list.tile_start().empty() ? 0 : list.tile_start().size() - 1;
+  found.resize(n_tiles);
+  tile_energy.assign(n_tiles, 0.);
   for (std::size_t colour = 0; colour + 1 < list.colour_start().size(); ++colour)
   {
     const std::size_t first = list.colour_start()[colour];

@@ -35,7 +35,7 @@ contact::NeighbourList::Range range_of(const double contact_reach,
 /// Work that @p wall has done in the step.
 void book(const double work, Wall &wall, DynamicsReport &report)
 {
-  wall.work += work;
+  wall.book.work += work;
   report.wall_work += work;
 }
 } // namespace
@@ -123,7 +123,7 @@ void Dynamics::prepare_bodies(const double dt,
     bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / step.mass;
     for (unsigned int d = 0; d < 2; ++d)
       bodies.velocity[n + w][d] = step.free_speed * wall.normal()[d];
-    const double slide = wall.slides_freely() ? free_slide_step(wall, dt, 1.).free_speed : wall.slide_speed;
+    const double slide = slides_freely(wall) ? free_slide_step(wall, dt, 1.).free_speed : wall.slide_speed;
     if (slide != 0.)
       for (unsigned int d = 0; d < 2; ++d)
         bodies.velocity[n + w][d] += slide * wall.tangent()[d];
@@ -138,7 +138,7 @@ void Dynamics::prepare_bodies(const double dt,
     for (std::size_t i = 0; i < n; ++i)
       bodies.inverse_inertia[i] = 2. * inverse_mass[i] / (primaries.radius[i] * primaries.radius[i]);
     for (std::size_t w = 0; w < walls.size(); ++w)
-      if (walls[w].slides_freely())
+      if (slides_freely(walls[w]))
         bodies.inverse_inertia[n + w] = 1. / free_slide_step(walls[w], dt, 1.).mass;
   }
 }
@@ -179,12 +179,12 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &
 void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, DynamicsReport &report) const
 {
   const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
-  const double push = dt * (wall.force * wall.tangent());
-  const double before = wall.slide_speed, mass = wall.slide_mass;
-  const double after = wall.repeats() ? free_slide_step(wall, dt, 1., push).free_speed
-                                      : v[0] * wall.tangent()[0] + v[1] * wall.tangent()[1];
+  const double push = dt * (wall.book.force * wall.tangent());
+  const double before = wall.slide_speed, mass = wall.free.along.mass;
+  const double after = is_side_of_cell(wall) ? free_slide_step(wall, dt, 1., push).free_speed
+                                             : v[0] * wall.tangent()[0] + v[1] * wall.tangent()[1];
   // The damping took what neither the load nor the primaries gave.
-  const double load = dt * wall.slide_load, damping = mass * (before - after) + load + push;
+  const double load = dt * wall.free.along.force, damping = mass * (before - after) + load + push;
   book(load * 0.5 * (before + after), wall, report);
   report.damping_loss += damping * 0.5 * (before + after);
   report.contact_loss +=
@@ -209,21 +209,21 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     Wall &wall = walls[w];
-    if (wall.repeats())
-      normal_impulse[w] = -dt * (wall.force * wall.normal());
+    if (is_side_of_cell(wall))
+      normal_impulse[w] = -dt * (wall.book.force * wall.normal());
     else
     {
-      wall.force = 0.;
+      wall.book.force = 0.;
       const dealii::Tensor<1, 2> given =
           normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
-      wall.give(given, dt);
+      wall.book.give(given, dt);
       report.wall_impulse += given;
     }
-    if (wall.slides_freely())
+    if (slides_freely(wall))
       let_slide(dt, w, wall, report);
     else if (wall.slide_speed != 0.)
     {
-      const double work = -dt * wall.slide_speed * (wall.force * wall.tangent());
+      const double work = -dt * wall.slide_speed * (wall.book.force * wall.tangent());
       book(work, wall, report);
       report.contact_loss += work;
     }
@@ -234,16 +234,16 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     }
     else
     {
-      const double before = wall.speed, mass = wall.mass;
-      const double after = wall.repeats() ? free_wall_step(wall, dt, 1., -normal_impulse[w]).free_speed
-                                          : bodies.velocity[n + w][0] * wall.normal()[0] +
-                                                bodies.velocity[n + w][1] * wall.normal()[1];
+      const double before = wall.speed, mass = wall.free.across.mass;
+      const double after = is_side_of_cell(wall) ? free_wall_step(wall, dt, 1., -normal_impulse[w]).free_speed
+                                                 : bodies.velocity[n + w][0] * wall.normal()[0] +
+                                                       bodies.velocity[n + w][1] * wall.normal()[1];
       // The damping took what neither the load nor the primaries gave.
-      const double damping = mass * (before - after) + dt * wall.load - normal_impulse[w];
-      book(dt * wall.load * 0.5 * (before + after), wall, report);
+      const double damping = mass * (before - after) + dt * wall.free.across.force - normal_impulse[w];
+      book(dt * wall.free.across.force * 0.5 * (before + after), wall, report);
       report.damping_loss += damping * 0.5 * (before + after);
       report.contact_loss += 0.5 * mass * (before * before - after * after) +
-                             (dt * wall.load - damping) * 0.5 * (before + after);
+                             (dt * wall.free.across.force - damping) * 0.5 * (before + after);
       wall.speed = after;
     }
     wall.travel += dt * wall.speed;

@@ -11,7 +11,7 @@ CellMotion motion_of(const std::vector<Wall> &walls)
   CellMotion motion;
   motion.cell = cell_of(walls);
   for (const Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
       motion.add_side(wall.normal(), wall.velocity());
   return motion;
 }
@@ -21,7 +21,7 @@ void Dynamics::see_cell(const std::vector<Wall> &walls)
 {
   cell.reset();
   for (const Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
     {
       cell = motion_of(walls);
       find_centers();
@@ -65,7 +65,7 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
   cell = motion_of(walls);
   bodies.cell = contact::DiskCell();
   for (const Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
     {
       const unsigned int d = axis_of(wall.normal());
       const double length = cell->cell.length[d];
@@ -75,7 +75,7 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
         cell->add_side(wall.normal(), (step.free_speed - wall.speed) * wall.normal());
         bodies.cell.inverse_mass[d][d] = 1. / (step.mass * length * length);
       }
-      if (wall.slides_freely())
+      if (slides_freely(wall))
       {
         const FreeWallStep step = free_slide_step(wall, dt, 1.);
         cell->add_side(wall.normal(), (step.free_speed - wall.slide_speed) * wall.tangent());
@@ -109,11 +109,11 @@ void Dynamics::take_along(const double dt, std::vector<Wall> &walls, DynamicsRep
   CellMotion motion;
   motion.cell = cell->cell;
   for (const Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
       motion.add_side(wall.normal(), wall.velocity());
   const double offset = motion.offset_after(dt);
   for (Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
       wall.offset = offset;
   if (!motion.deforms())
     return;

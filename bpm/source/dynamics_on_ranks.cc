@@ -2,6 +2,7 @@
 // The part of Dynamics that works with other ranks, each of which has some of the primaries.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/bpm/dynamics.h>
+#include <softgrain/bpm/strips_in_files.h>
 
 #include <algorithm>
 #include <map>
@@ -28,7 +29,8 @@ std::vector<std::uint32_t> primaries_of(const List &at_walls)
 
 void Dynamics::part(const std::vector<Wall> &walls)
 {
-  const bool repeats = std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return w.repeats(); });
+  const bool repeats =
+      std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return is_side_of_cell(w); });
   if (exchange == nullptr || exchange->alone() || repeats || adhesion.acts() || obstacles != nullptr ||
       primaries.size() < fewest_to_part)
     return;
@@ -94,7 +96,7 @@ void Dynamics::tell_energies()
   for (unsigned int colour = 0; colour < 2; ++colour)
     for (unsigned int r = 0; r < share->exchange.number(); ++r)
     {
-      const auto [begin, end] = share->tiles(colour, r);
+      const auto [begin, end] = tiles_of(share->end_of_tiles(), colour, r);
       pieces.push_back({r, tile_energy.data() + begin, end - begin});
     }
   share->exchange.share(pieces);
@@ -242,10 +244,10 @@ void Dynamics::save_memory(StateWriter &out, const std::string &name) const
                    { std::copy(&values[begin * width], values.data() + end * width, rows); });
     return;
   }
-  const StripShare::TileRows tiles = share->rows_of_tiles(list.tile_start()[list.colour_start()[1]], n_here);
+  const TileRows tiles = rows_of_tiles(share->exchange, list.tile_start()[list.colour_start()[1]], n_here);
   out.write_rows(name, tiles.n_all, width,
                  [&](const std::size_t begin, const std::size_t end, double *const rows)
-                 { share->bring_tiles(values, width, tiles, begin, end, rows); });
+                 { bring_tiles(share->exchange, values, width, tiles, begin, end, rows); });
 }
 
 void Dynamics::build_list(const contact::ImageLattice &lattice,
@@ -258,7 +260,7 @@ void Dynamics::build_list(const contact::ImageLattice &lattice,
     list.memory().forget(0, list.n_pairs());
     share->share_out(primaries, kept, list);
     weigh();
-    share->take_tiles(in, name, list);
+    take_tiles(share->exchange, in, name, list);
     return;
   }
   list.build(primaries.position, lattice);

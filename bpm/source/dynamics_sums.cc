@@ -162,9 +162,9 @@ void Dynamics::account(const double dt,
   if (share)
     add_over_all(all, share->exchange);
   report.contact_loss += all[0].value();
-  report.force_work += all[1].value();
+  report.loads.work += all[1].value();
   for (std::size_t load = 0; load < n_loads; ++load)
-    report.load_work.push_back(all[4 + load].value());
-  report.force_impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
+    report.loads.of_loads.push_back(all[4 + load].value());
+  report.loads.impulse = dealii::Tensor<1, 2>({all[2].value(), all[3].value()});
 }
 } // namespace softgrain::bpm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/bpm/gathered_primaries.h>
+#include <softgrain/bpm/strips_in_files.h>
 
 #include <algorithm>
 
@@ -70,7 +71,7 @@ void GatheredPrimaries::gather_rows()
     if (row < first_end)
       n_first = numbers.size();
   }
-  std::vector<double> all = share.tiles_at_first(numbers, n_first);
+  std::vector<double> all = tiles_at_first(share.exchange, numbers, n_first);
   all.insert(all.end(), at_walls.begin(), at_walls.end()); // only the first owner has any
   contact::DiskContacts &rows = gathered->rows;
   for (std::size_t k = 0; k < all.size(); k += n)
@@ -100,7 +101,7 @@ void GatheredPrimaries::gather_bonds()
   for_bonds_here(0, first_end, note);
   const std::size_t n_first = numbers.size();
   for_bonds_here(first_end, list.n_pairs(), note);
-  const std::vector<double> all = dynamics.strips()->tiles_at_first(numbers, n_first);
+  const std::vector<double> all = tiles_at_first(dynamics.strips()->exchange, numbers, n_first);
   for (std::size_t k = 0; k < all.size(); k += n)
     gathered->bonds.push_back(
         {static_cast<std::uint32_t>(all[k]), static_cast<std::uint32_t>(all[k + 1]), all[k + 2], all[k + 3]});

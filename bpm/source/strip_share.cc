@@ -135,9 +135,9 @@ void StripShare::share_out(Primaries &disks, Motion &kept, contact::NeighbourLis
   const std::vector<std::vector<double>> came = send_memories(disks, list);
   carry(disks, kept);
   make_rounds(disks);
-  list.set_disks(disks.radius, disks.body);
   const std::size_t first = first_strip(exchange.here());
-  list.build_part(disks.position, n_own_primaries, {grid, first, end_strip[exchange.here()]},
+  list.build_part({disks.position, disks.radius, disks.body}, n_own_primaries,
+                  {grid, first, end_strip[exchange.here()]},
                   memories_of(came, disks.number, list.memory().n_impulses()));
 }
 
@@ -153,7 +153,7 @@ void StripShare::choose_strips(const Primaries &disks, const double cell)
       bounds.upper[d] = std::max(bounds.upper[d], other[2 + d]);
     }
   grid = contact::StripGrid(bounds.lower, bounds.upper, n_primaries, cell,
-                            contact::StripGrid::is_sparse(bounds.lower, bounds.upper, n_primaries, cell)
+                            contact::is_sparse(bounds.lower, bounds.upper, n_primaries, cell)
                                 ? spans_of_all(disks, cell)
                                 : std::vector<contact::StripGrid::Span>());
   std::vector<double> here(grid.n_strips(), 0.), all(grid.n_strips(), 0.);
@@ -169,14 +169,13 @@ std::vector<contact::StripGrid::Span> StripShare::spans_of_all(const Primaries &
                                                                const double cell) const
 {
   std::vector<double> here;
-  for (const contact::StripGrid::Span &span :
-       contact::StripGrid::spans_of(disks.position, n_own_primaries, cell))
+  for (const contact::StripGrid::Span &span : contact::spans_of(disks.position, n_own_primaries, cell))
     here.insert(here.end(), span.begin(), span.end());
   std::vector<contact::StripGrid::Span> spans;
   for (const std::vector<double> &other : exchange.lists_of_all(here))
     for (std::size_t k = 0; k + 1 < other.size(); k += 2)
       spans.push_back({{other[k], other[k + 1]}});
-  return contact::StripGrid::joined(std::move(spans), cell);
+  return contact::joined(std::move(spans), cell);
 }
 
 void StripShare::divide(const std::vector<double> &weight)
@@ -202,13 +201,14 @@ void StripShare::divide(const std::vector<double> &weight)
   }
 }
 
-std::pair<std::uint32_t, std::uint32_t> StripShare::tiles(const unsigned int colour,
-                                                          const unsigned int rank) const
+std::pair<std::uint32_t, std::uint32_t> tiles_of(const std::vector<std::vector<std::uint32_t>> &end_of_tiles,
+                                                 const unsigned int colour,
+                                                 const unsigned int owner)
 {
-  const std::uint32_t begin = rank > 0     ? tile_end[colour][rank - 1]
-                              : colour > 0 ? tile_end[colour - 1].back()
+  const std::uint32_t begin = owner > 0    ? end_of_tiles[colour][owner - 1]
+                              : colour > 0 ? end_of_tiles[colour - 1].back()
                                            : 0;
-  return {begin, tile_end[colour][rank]};
+  return {begin, end_of_tiles[colour][owner]};
 }
 
 unsigned int StripShare::owner(const std::size_t strip) const
@@ -364,5 +364,33 @@ std::uint32_t StripShare::place_of(const std::uint32_t number,
       return found - numbers.begin();
   }
   return none;
+}
+
+std::vector<double>
+StripShare::at_first(const double *const values, const unsigned int n, const Primaries &disks) const
+{
+  // One rank after the other, so that the first one holds little more than the result.
+  if (!exchange.first())
+  {
+    std::vector<double> numbers(disks.number.begin(), disks.number.begin() + n_own_primaries),
+        own(values, values + n * n_own_primaries);
+    for (std::vector<double> *const list : {&numbers, &own})
+      if (!list->empty())
+        exchange.swap({{0, list->data(), list->size()}}, {});
+    return {};
+  }
+  std::vector<double> all(n * n_primaries);
+  for (std::size_t i = 0; i < n_own_primaries; ++i)
+    std::copy_n(values + n * i, n, &all[static_cast<std::size_t>(n) * disks.number[i]]);
+  for (unsigned int r = 1; r < exchange.number(); ++r)
+  {
+    std::vector<double> numbers(n_own_of[r]), came(n * numbers.size());
+    for (std::vector<double> *const list : {&numbers, &came})
+      if (!list->empty())
+        exchange.swap({}, {{r, list->data(), list->size()}});
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      std::copy_n(&came[n * i], n, &all[n * static_cast<std::size_t>(numbers[i])]);
+  }
+  return all;
 }
 } // namespace softgrain::bpm

@@ -11,7 +11,7 @@ Dynamics::find_at_walls(const std::vector<Wall> &walls, const std::size_t begin,
   for (std::uint32_t w = 0; w < walls.size(); ++w)
   {
     const Wall &wall = walls[w];
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
       continue;
     const dealii::Point<2> &start = wall.description.point;
     const std::array<double, 2> normal = {wall.normal()[0], wall.normal()[1]};

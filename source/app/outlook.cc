@@ -41,7 +41,7 @@ public:
     const std::optional<Box<2>> before = box_of(walls());
     for (Wall &wall : moving)
     {
-      wall.speed = wall.prescribed() ? wall.demand(now, dt).velocity : 0.;
+      wall.speed = wall.prescribed() ? demand_of(wall, now, dt).velocity : 0.;
       wall.travel += dt * wall.speed;
       fastest = std::max(fastest, std::abs(wall.speed));
       pressed = pressed || !wall.prescribed();
@@ -82,7 +82,7 @@ private:
   void give_way(const double area_before)
   {
     const std::optional<Box<2>> box = box_of(walls());
-    const auto yields = [](const Wall &wall) { return !wall.prescribed() && !wall.repeats(); };
+    const auto yields = [](const Wall &wall) { return !wall.prescribed() && !is_side_of_cell(wall); };
     const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
     const double lost = box ? area_before - box->volume() : 0.;
     for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)

@@ -72,7 +72,7 @@ Summary RunStatistics::summary(const std::string &status, const AnyModel &model)
   Summary summary;
   summary.status = status;
   summary.model = model.name();
-  summary.points_name = model.name() == "bpm" ? "primaries" : "material_points";
+  summary.points.name = model.name() == "bpm" ? "primaries" : "material_points";
   summary.steps = model.step();
   summary.simulated_time = model.time();
   summary.wall_seconds = wall_seconds();
@@ -80,11 +80,11 @@ Summary RunStatistics::summary(const std::string &status, const AnyModel &model)
   summary.threads = n_threads();
   summary.ranks = Ranks().number();
   summary.bodies = model.n_bodies();
-  summary.points = model.n_points();
-  summary.max_contact_residual = max_contact_residual;
-  summary.max_penetration = max_penetration;
-  summary.momentum_error = model.momentum_error();
-  summary.energy_balance_error = energy_balance_error();
+  summary.points.number = model.n_points();
+  summary.errors.contact_residual = max_contact_residual;
+  summary.errors.penetration = max_penetration;
+  summary.errors.momentum = model.momentum_error();
+  summary.errors.energy_balance = energy_balance_error();
   summary.peak_memory = peak_memory();
   summary.phases = model.phases();
   summary.phases["output"] += output_seconds;

@@ -71,7 +71,7 @@ void Simulation<dim>::restart(CheckpointReader &checkpoint,
                               const std::string &file_name,
                               const std::vector<std::string> &changes)
 {
-  path.load(checkpoint);
+  at_end_of_stage = path.load(checkpoint);
   model.load(checkpoint);
   statistics.load(checkpoint);
   planner.set_natural_step(checkpoint.read_doubles("driver/natural_step", 1)[0]);
@@ -240,7 +240,7 @@ template <int dim>
 std::string Simulation<dim>::loop()
 {
   progress.start();
-  if (path.was_at_end_of_stage() && !finished() && next_stage_is_due())
+  if (at_end_of_stage && !finished() && next_stage_is_due())
     end_stage();
   auto last_checkpoint = std::chrono::steady_clock::now();
   while (!finished() && !interruption_requested())
@@ -309,7 +309,7 @@ double Simulation<dim>::next_target() const
 template <int dim>
 bool Simulation<dim>::finished(const double of_run) const
 {
-  return of_run >= 1. || (!path.empty() && path.is_last() && path.stage_is_done(planner.slack()));
+  return of_run >= 1. || (!path.empty() && path.is_last() && stage_is_done(path, planner.slack()));
 }
 
 template <int dim>
@@ -344,7 +344,7 @@ void Simulation<dim>::settle_if_written(StepReport &report)
 template <int dim>
 bool Simulation<dim>::next_stage_is_due() const
 {
-  return !path.is_last() && path.stage_is_done(planner.slack());
+  return !path.is_last() && stage_is_done(path, planner.slack());
 }
 
 template <int dim>

@@ -214,7 +214,7 @@ void Simulation<dim>::write_state(const std::string &file)
   ranks.at_first([&]() { writer = std::make_unique<CheckpointWriter>(file); });
   FirstRankWriter of_all(writer.get());
   model.save(of_all);
-  const bool stage_ends = path.stage_is_done(planner.slack());
+  const bool stage_ends = stage_is_done(path, planner.slack());
   ranks.at_first(
       [&]()
       {

@@ -51,15 +51,15 @@ void Simulation<dim>::print_end(const std::string &status)
              << duration_in_words(summary.processor_seconds) << " of processor time)\n";
   // Without inertia nothing is said of momentum.
   for (const auto &[what, error, counts] :
-       {std::make_tuple("energy", summary.energy_balance_error, true),
-        std::make_tuple("momentum", summary.momentum_error, statistics.has_moved())})
+       {std::make_tuple("energy", summary.errors.energy_balance, true),
+        std::make_tuple("momentum", summary.errors.momentum, statistics.has_moved())})
     if (counts && !std::isfinite(error))
       log.both() << "there is no balance of " << what << ": no " << what
                  << " was above what rounding makes of it\n";
   constexpr double much = 0.02;
-  if (summary.energy_balance_error > much)
+  if (summary.errors.energy_balance > much)
     log.both() << "warning: energy came from nothing, or is gone: the balance misses "
-               << 100. * summary.energy_balance_error
+               << 100. * summary.errors.energy_balance
                << " % of the largest energy (energy_balance_error of summary.json); a smaller 'Time/Time "
                   "step' may help"
                << '\n';

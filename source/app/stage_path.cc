@@ -114,10 +114,10 @@ std::size_t number_of_stages_begun(const StateReader &reader)
 }
 
 template <int dim>
-void StagePath<dim>::load(const StateReader &reader)
+bool StagePath<dim>::load(const StateReader &reader)
 {
   if (stages.empty())
-    return;
+    return false;
   const std::vector<double> numbers = reader.read_doubles(state_name, 2 + dim * walls_at_begin.size());
   if (!(numbers[0] >= 0. && numbers[0] < stages.size()) || numbers[0] != std::floor(numbers[0]))
     reader.refuse(state_name, "the run has " + std::to_string(stages.size()) + " stages");
@@ -125,12 +125,13 @@ void StagePath<dim>::load(const StateReader &reader)
   begin_time = numbers[1];
   seen = load_stop_memory(reader, seen_name);
   run_done_at_begin = reader.read_doubles(run_done_name, 1)[0];
-  loaded_at_end = reader.read_integers(ended_name, 1, 2)[0] != 0;
+  const bool ends = reader.read_integers(ended_name, 1, 2)[0] != 0;
   for (std::size_t w = 0; w < walls_at_begin.size(); ++w)
     for (unsigned int d = 0; d < dim; ++d)
       walls_at_begin[w].point[d] = numbers[2 + dim * w + d];
   for (unsigned int n = 0; n <= current; ++n)
     model.take_drives(stages[n].drives);
+  return ends;
 }
 
 template class StagePath<2>;

@@ -87,7 +87,7 @@ public:
   double fraction_done() const
   {
     const double of_run = run_done();
-    const bool stages_done = !path.empty() && path.is_last() && path.stage_is_done(planner.slack());
+    const bool stages_done = !path.empty() && path.is_last() && stage_is_done(path, planner.slack());
     if (of_run >= 1. || stages_done)
       return 1.;
     return path.empty() ? of_run : path.fraction_done(planner.slack(), of_run);
@@ -106,7 +106,7 @@ public:
     settle_if_written(report);
     fields.reached(model.time(), planner.slack());
     snapshots.reached(model.time(), planner.slack());
-    if (!path.empty() && !path.is_last() && path.stage_is_done(planner.slack()))
+    if (!path.empty() && !path.is_last() && stage_is_done(path, planner.slack()))
       path.next(run_done());
   }
 

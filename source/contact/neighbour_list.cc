@@ -19,9 +19,8 @@ StripGrid grid_of(const std::vector<std::array<double, 2>> &positions, const dou
   const std::size_t n = positions.size();
   bounds.take(positions, n);
   return StripGrid(bounds.lower, bounds.upper, n, size,
-                   StripGrid::is_sparse(bounds.lower, bounds.upper, n, size)
-                       ? StripGrid::spans_of(positions, n, size)
-                       : std::vector<StripGrid::Span>());
+                   is_sparse(bounds.lower, bounds.upper, n, size) ? spans_of(positions, n, size)
+                                                                  : std::vector<StripGrid::Span>());
 }
 
 /// Image of the disk with the higher number, as that with the lower one sees it.
@@ -159,7 +158,7 @@ bool NeighbourList::update(const std::vector<std::array<double, 2>> &positions, 
 {
   const auto alone = [](const std::vector<double> &numbers)
   { return std::vector<std::vector<double>>{numbers}; };
-  if (built_at.size() == positions.size() && !is_outdated(positions, lattice, {}, alone))
+  if (built.positions.size() == positions.size() && !is_outdated(positions, lattice, {}, alone))
     return false;
   build(positions, lattice);
   return true;
@@ -171,8 +170,8 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
     throw InputError("neighbour list: " + std::to_string(places.size()) + " places for " +
                      std::to_string(radius.size()) + " disks");
   Remembered old{std::move(first), std::move(second), std::move(images), std::move(memories)};
-  built_at = places;
-  built_in = lattice;
+  built.positions = places;
+  built.lattice = lattice;
   forget_pairs();
   if (!places.empty())
   {
@@ -186,24 +185,20 @@ void NeighbourList::build(const std::vector<std::array<double, 2>> &places, cons
   take_over_memories(old);
 }
 
-void NeighbourList::build_part(const std::vector<std::array<double, 2>> &places,
+void NeighbourList::build_part(const Disks &disks,
                                const std::size_t n_own,
                                const Part &part,
                                const Remembered &old)
 {
-  built_at.assign(places.begin(), places.begin() + n_own);
-  built_in = ImageLattice();
+  radius = disks.radii;
+  if (range.stretch > 0.)
+    group = disks.groups;
+  built.positions.assign(disks.positions.begin(), disks.positions.begin() + n_own);
+  built.lattice = ImageLattice();
   forget_pairs();
   const ImagesNear copies;
-  list_pairs(find(places, copies, part), copies);
+  list_pairs(find(disks.positions, copies, part), copies);
   take_over_memories(old);
-}
-
-void NeighbourList::set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups)
-{
-  radius = radii;
-  if (range.stretch > 0.)
-    group = groups;
 }
 
 void NeighbourList::forget_pairs()
@@ -228,7 +223,7 @@ std::vector<std::vector<NeighbourList::Pair>> NeighbourList::find(
 void NeighbourList::list_pairs(const std::vector<std::vector<Pair>> &found, const ImagesNear &copies)
 {
   const std::size_t n_disks = radius.size(), n_strips = found.size();
-  const bool repeats = built_in.repeats();
+  const bool repeats = built.lattice.repeats();
   std::size_t n = 0;
   for (const auto &pairs : found)
     n += pairs.size();

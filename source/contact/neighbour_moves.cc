@@ -59,7 +59,7 @@ struct NeighbourList::Moves
         const std::vector<std::array<double, 2>> &places,
         const ImageLattice &now,
         const std::vector<std::uint32_t> &numbers)
-      : list(list), places(places), now(now), then(list.built_in), numbers(numbers)
+      : places(places), list(list), now(now), then(list.built.lattice), numbers(numbers)
   {
     double strain = 0.;
     if (now.repeats())
@@ -76,7 +76,7 @@ struct NeighbourList::Moves
 
   std::array<double, 2> way(const std::size_t i) const
   {
-    const std::array<double, 2> &start = list.built_at[i];
+    const std::array<double, 2> &start = list.built.positions[i];
     if (!now.repeats())
       return {{places[i][0] - start[0], places[i][1] - start[1]}};
     const double x = start[0] - then.lower[0], y = start[1] - then.lower[1];
@@ -96,22 +96,6 @@ struct NeighbourList::Moves
   }
 
   double number(const std::size_t i) const { return numbers.empty() ? i : numbers[i]; }
-
-  /// Shortest way from @p from to an image of @p to, where it is less than half of the cell.
-  std::array<double, 2> between(const std::array<double, 2> &from, const std::array<double, 2> &to) const
-  {
-    std::array<double, 2> d = {{to[0] - from[0], to[1] - from[1]}};
-    if (now.periodic[1])
-    {
-      const double turns = std::round(d[1] / now.length[1]);
-      d[1] -= turns * now.length[1];
-      if (now.periodic[0])
-        d[0] -= turns * now.offset;
-    }
-    if (now.periodic[0])
-      d[0] -= std::round(d[0] / now.length[0]) * now.length[0];
-    return d;
-  }
 
   /// Whether the box of @p mover, grown by @p reach, is smaller than the cell.
   bool fits(const Mover &mover, const double reach) const
@@ -137,12 +121,31 @@ struct NeighbourList::Moves
     return !(std::abs(d[0]) > half[0] || std::abs(d[1]) > half[1]);
   }
 
-  const NeighbourList &list;
   const std::vector<std::array<double, 2>> &places;
+  double room = 0.; ///< to move in the skin [m]
+
+private:
+  /// Shortest way from @p from to an image of @p to, where it is less than half of the cell.
+  std::array<double, 2> between(const std::array<double, 2> &from, const std::array<double, 2> &to) const
+  {
+    std::array<double, 2> d = {{to[0] - from[0], to[1] - from[1]}};
+    if (now.periodic[1])
+    {
+      const double turns = std::round(d[1] / now.length[1]);
+      d[1] -= turns * now.length[1];
+      if (now.periodic[0])
+        d[0] -= turns * now.offset;
+    }
+    if (now.periodic[0])
+      d[0] -= std::round(d[0] / now.length[0]) * now.length[0];
+    return d;
+  }
+
+  const NeighbourList &list;
   const ImageLattice &now, &then;
   const std::vector<std::uint32_t> &numbers;
   double stretch[2] = {1., 1.};
-  double shear = 0., room = 0.;
+  double shear = 0.;
 };
 
 bool NeighbourList::is_outdated(const std::vector<std::array<double, 2>> &positions,
@@ -150,12 +153,12 @@ bool NeighbourList::is_outdated(const std::vector<std::array<double, 2>> &positi
                                 const std::vector<std::uint32_t> &numbers,
                                 const Tell &tell)
 {
-  if (built_in.periodic != lattice.periodic)
+  if (built.lattice.periodic != lattice.periodic)
     return true;
   const Moves moves(*this, positions, lattice, numbers);
   std::vector<double> names;
   bool many = !(moves.room > 0.);
-  for (std::size_t i = 0; i < built_at.size() && !many; ++i)
+  for (std::size_t i = 0; i < built.positions.size() && !many; ++i)
   {
     const std::array<double, 2> way = moves.way(i);
     if (moves.within(way))
@@ -232,7 +235,7 @@ bool NeighbourList::come_near(const Moves &moves, std::vector<Mover> &movers, co
     if (Mover *const mover = mover_of(i))
     {
       mover->has_neighbours = mover->has_neighbours || has_partner[i] != 0;
-      if (i >= built_at.size())
+      if (i >= built.positions.size())
         continue;
       if (moves.number(i) < mover->reference)
       {
@@ -254,7 +257,7 @@ bool NeighbourList::come_near(const Moves &moves, std::vector<Mover> &movers, co
       movers[m].join(&other[m * n_numbers]);
 
   bool near = meet_each_other(moves, movers, range.gap);
-  for (std::size_t i = 0; i < built_at.size() && !near; ++i)
+  for (std::size_t i = 0; i < built.positions.size() && !near; ++i)
     if (const Mover *const mover = mover_of(i))
     {
       const std::array<double, 2> way = moves.way(i);

@@ -14,17 +14,17 @@ double most_cells(const std::size_t n_disks)
 }
 } // namespace
 
-bool StripGrid::is_sparse(const std::array<double, 2> &lower,
-                          const std::array<double, 2> &upper,
-                          const std::size_t n_disks,
-                          const double size)
+bool is_sparse(const std::array<double, 2> &lower,
+               const std::array<double, 2> &upper,
+               const std::size_t n_disks,
+               const double size)
 {
   return !((upper[0] - lower[0]) / size * ((upper[1] - lower[1]) / size) <= most_cells(n_disks) &&
            (upper[0] - lower[0]) / size <= most_cells(n_disks) &&
            (upper[1] - lower[1]) / size <= most_cells(n_disks));
 }
 
-std::vector<StripGrid::Span> StripGrid::joined(std::vector<Span> spans, const double size)
+std::vector<StripGrid::Span> joined(std::vector<StripGrid::Span> spans, const double size)
 {
   std::sort(spans.begin(), spans.end());
   std::vector<Span> result;
@@ -36,9 +36,8 @@ std::vector<StripGrid::Span> StripGrid::joined(std::vector<Span> spans, const do
   return result;
 }
 
-std::vector<StripGrid::Span> StripGrid::spans_of(const std::vector<std::array<double, 2>> &positions,
-                                                 const std::size_t n,
-                                                 const double size)
+std::vector<StripGrid::Span>
+spans_of(const std::vector<std::array<double, 2>> &positions, const std::size_t n, const double size)
 {
   std::vector<Span> spans(n);
   for (std::size_t i = 0; i < n; ++i)

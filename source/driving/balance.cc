@@ -7,24 +7,24 @@
 
 namespace softgrain
 {
-void Balance::note_momentum(const double moving)
+void MomentumBalance::note(const double moving)
 {
-  largest_momentum = std::max({largest_momentum, moving, wall_impulse.norm(), body_force_impulse.norm()});
+  largest = std::max({largest, moving, of_walls.norm(), of_loads.norm()});
 }
 
-double Balance::momentum_error(const dealii::Tensor<1, 2> &momentum, const double rounding) const
+double MomentumBalance::error(const dealii::Tensor<1, 2> &now, const double rounding) const
 {
-  const auto error = momentum - initial_momentum - wall_impulse - body_force_impulse;
-  if (!(largest_momentum > rounding))
+  const auto error = now - initial - of_walls - of_loads;
+  if (!(largest > rounding))
     return std::numeric_limits<double>::quiet_NaN();
-  return error.norm() / largest_momentum;
+  return error.norm() / largest;
 }
 
 void Balance::save(StateWriter &out, const std::string &name) const
 {
-  out.write(name, std::vector<double>{initial_momentum[0], initial_momentum[1], body_force_impulse[0],
-                                      body_force_impulse[1], wall_impulse[0], wall_impulse[1],
-                                      largest_momentum, contact_loss, wall_damping_loss, adhesion_work,
+  out.write(name, std::vector<double>{momentum.initial[0], momentum.initial[1], momentum.of_loads[0],
+                                      momentum.of_loads[1], momentum.of_walls[0], momentum.of_walls[1],
+                                      momentum.largest, contact_loss, wall_damping_loss, adhesion_work,
                                       growth_work, cell_work, driven_work});
   load_work.save(out, name + "_of_loads");
   losses.save(out, name + "_of_losses");
@@ -34,10 +34,10 @@ void Balance::save(StateWriter &out, const std::string &name) const
 void Balance::load(const StateReader &in, const std::string &name)
 {
   const std::vector<double> b = in.read_doubles(name, 13);
-  initial_momentum = dealii::Tensor<1, 2>({b[0], b[1]});
-  body_force_impulse = dealii::Tensor<1, 2>({b[2], b[3]});
-  wall_impulse = dealii::Tensor<1, 2>({b[4], b[5]});
-  largest_momentum = b[6];
+  momentum.initial = dealii::Tensor<1, 2>({b[0], b[1]});
+  momentum.of_loads = dealii::Tensor<1, 2>({b[2], b[3]});
+  momentum.of_walls = dealii::Tensor<1, 2>({b[4], b[5]});
+  momentum.largest = b[6];
   contact_loss = b[7];
   wall_damping_loss = b[8];
   adhesion_work = b[9];

@@ -18,7 +18,7 @@ PeriodicCell<2> cell_of(const std::vector<Wall> &walls)
   std::vector<CellSide<2>> sides;
   double offset = 0.;
   for (const Wall &wall : walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
     {
       sides.push_back({wall.point(), wall.normal()});
       offset = wall.offset;
@@ -29,7 +29,7 @@ PeriodicCell<2> cell_of(const std::vector<Wall> &walls)
 void load_sides(std::vector<Wall> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
 {
   for (Wall &wall : walls)
-    if (wall.repeats())
-      wall.force = -1. / cell.length[axis_of(wall.normal())] * (virial * wall.normal());
+    if (is_side_of_cell(wall))
+      wall.book.force = -1. / cell.length[axis_of(wall.normal())] * (virial * wall.normal());
 }
 } // namespace softgrain

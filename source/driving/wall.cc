@@ -49,47 +49,89 @@ std::string tangential_key(const WallDescription<2> &wall)
 }
 } // namespace
 
-WallState<2> Wall::state() const
+WallState<2> state_of(const Wall &wall)
 {
   WallState<2> state;
-  state.name = description.name;
-  state.point = point();
-  state.normal = normal();
+  state.name = wall.description.name;
+  state.point = wall.point();
+  state.normal = wall.normal();
   state.position = wall_position(state.point, state.normal);
-  state.velocity = speed;
-  state.slide_velocity = slide_speed;
-  state.repeats = repeats();
-  state.offset = offset;
-  state.normal_force = 0. - force * normal();
-  state.tangential_force = force * tangent();
+  state.velocity = wall.speed;
+  state.slide_velocity = wall.slide_speed;
+  state.repeats = is_side_of_cell(wall);
+  state.offset = wall.offset;
+  state.normal_force = 0. - wall.book.force * wall.normal();
+  state.tangential_force = wall.book.force * wall.tangent();
   return state;
 }
 
-void Wall::press(const double asked, const double length, const double share_of_damping)
+dealii::Tensor<1, 2> prescribed_velocity_of(const Wall &wall)
 {
-  pressure = pressure_before + (description.drive->looks_beside() ? 0.4 : 1.) * (asked - pressure_before);
-  load = pressure * length;
-  // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
-  // mass rearrange under that pressure.
-  damping = description.drive->inertia().damping.value_or(2. * std::sqrt(mass * std::abs(pressure)) *
-                                                          share_of_damping);
+  return (wall.prescribed() ? wall.speed : 0.) * wall.description.normal +
+         (slides_freely(wall) ? 0. : wall.slide_speed) * wall.tangent();
 }
 
-void Wall::shear(const double asked, const double length)
+void put_pressure(Wall &wall, const double asked, const double length, const double share_of_damping)
 {
-  slide_load = asked * length;
-  slide_damping = description.drive->inertia().damping.value_or(2. * std::sqrt(slide_mass * std::abs(asked)));
+  FreeMotion &free = wall.free;
+  const WallDrive &drive = *wall.description.drive;
+  free.pressure = free.pressure_before + (drive.looks_beside() ? 0.4 : 1.) * (asked - free.pressure_before);
+  free.across.force = free.pressure * length;
+  // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
+  // mass rearrange under that pressure.
+  free.across.damping = drive.inertia().damping.value_or(
+      2. * std::sqrt(free.across.mass * std::abs(free.pressure)) * share_of_damping);
+}
+
+void put_shear(Wall &wall, const double asked, const double length)
+{
+  WallLoad &along = wall.free.along;
+  along.force = asked * length;
+  along.damping =
+      wall.description.drive->inertia().damping.value_or(2. * std::sqrt(along.mass * std::abs(asked)));
+}
+
+double kinetic_energy_of(const Wall &wall)
+{
+  return 0.5 * (wall.free.across.mass * wall.speed * wall.speed +
+                wall.free.along.mass * wall.slide_speed * wall.slide_speed);
+}
+
+namespace
+{
+/// The step of a wall as its drive sees it.
+WallStep step_of(const Wall &wall, const double time, const double dt, const double stress_beside = 0.)
+{
+  return {time - wall.driven_since.time, dt, wall.travel - wall.driven_since.travel, stress_beside};
+}
+} // namespace
+
+WallDemand demand_of(const Wall &wall, const double time, const double dt, const double stress_beside)
+{
+  return wall.description.drive->demand(step_of(wall, time, dt, stress_beside));
+}
+
+double demanded_slide(const Wall &wall, const double time, const double dt)
+{
+  const WallDrive &drive = *wall.description.drive;
+  return drive.slides() ? drive.slide_velocity(step_of(wall, time, dt)) : 0.;
+}
+
+double demanded_shear(const Wall &wall, const double time, const double dt)
+{
+  return wall.description.drive->shear_stress(step_of(wall, time, dt));
 }
 
 FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
 {
-  return free_step(wall.mass, wall.damping, wall.speed, wall.load, impulse, dt, theta);
+  return free_step(wall.free.across.mass, wall.free.across.damping, wall.speed, wall.free.across.force,
+                   impulse, dt, theta);
 }
 
 FreeWallStep free_slide_step(const Wall &wall, const double dt, const double theta, const double impulse)
 {
-  return free_step(wall.slide_mass, wall.slide_damping, wall.slide_speed, wall.slide_load, impulse, dt,
-                   theta);
+  return free_step(wall.free.along.mass, wall.free.along.damping, wall.slide_speed, wall.free.along.force,
+                   impulse, dt, theta);
 }
 
 std::vector<Wall> make_walls(const Scene<2> &scene)
@@ -103,11 +145,11 @@ std::vector<Wall> make_walls(const Scene<2> &scene)
   {
     walls.emplace_back();
     walls.back().description = description;
-    walls.back().usual_mass = 0.1 * mass;
+    walls.back().free.usual_mass = 0.1 * mass;
     if (!walls.back().prescribed())
-      walls.back().mass = description.drive->inertia().mass.value_or(0.1 * mass);
+      walls.back().free.across.mass = description.drive->inertia().mass.value_or(0.1 * mass);
     if (description.drive->shears())
-      walls.back().slide_mass = description.drive->inertia().mass.value_or(0.1 * mass);
+      walls.back().free.along.mass = description.drive->inertia().mass.value_or(0.1 * mass);
   }
   return walls;
 }
@@ -122,7 +164,7 @@ double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
       const double length = pressed_length(walls, v);
       if (length <= 0.)
         continue;
-      sum -= walls[v].force * walls[v].normal() / length;
+      sum -= walls[v].book.force * walls[v].normal() / length;
       ++n;
     }
   return n > 0 ? sum / n : 0.;
@@ -138,14 +180,15 @@ void take_drives(std::vector<Wall> &walls,
     if (!drives[w])
       continue;
     Wall &wall = walls[w];
-    const double energy_before = wall.kinetic_energy();
+    const double energy_before = kinetic_energy_of(wall);
     wall.description.drive = drives[w];
-    wall.drive_begin = time;
-    wall.travel_before = wall.travel;
-    wall.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.usual_mass);
-    wall.slide_mass = wall.slides_freely() ? drives[w]->inertia().mass.value_or(wall.usual_mass) : 0.;
+    wall.driven_since.time = time;
+    wall.driven_since.travel = wall.travel;
+    wall.free.across.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.free.usual_mass);
+    wall.free.along.mass =
+        slides_freely(wall) ? drives[w]->inertia().mass.value_or(wall.free.usual_mass) : 0.;
     if (inertia)
-      wall.work += wall.kinetic_energy() - energy_before;
+      wall.book.work += kinetic_energy_of(wall) - energy_before;
   }
 }
 
@@ -207,7 +250,7 @@ std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)
 {
   std::vector<WallState<2>> states;
   for (const Wall &wall : walls)
-    states.push_back(wall.state());
+    states.push_back(state_of(wall));
   return states;
 }
 
@@ -220,9 +263,9 @@ void save_walls(StateWriter &out, const std::string &name, const std::vector<Wal
 {
   std::vector<double> numbers;
   for (const Wall &wall : walls)
-    numbers.insert(numbers.end(),
-                   {wall.travel, wall.speed, wall.force[0], wall.force[1], wall.impulse[0], wall.impulse[1],
-                    wall.pressure_before, wall.drive_begin, wall.travel_before, wall.work});
+    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.book.force[0], wall.book.force[1],
+                                   wall.book.impulse[0], wall.book.impulse[1], wall.free.pressure_before,
+                                   wall.driven_since.time, wall.driven_since.travel, wall.book.work});
   out.write(name, numbers);
   if (std::none_of(walls.begin(), walls.end(), keeps_slide))
     return;
@@ -240,12 +283,12 @@ void load_walls(const StateReader &in, const std::string &name, std::vector<Wall
     const double *v = &numbers[n_numbers * w];
     walls[w].travel = v[0];
     walls[w].speed = v[1];
-    walls[w].force = dealii::Tensor<1, 2>({v[2], v[3]});
-    walls[w].impulse = dealii::Tensor<1, 2>({v[4], v[5]});
-    walls[w].pressure = walls[w].pressure_before = v[6];
-    walls[w].drive_begin = v[7];
-    walls[w].travel_before = v[8];
-    walls[w].work = v[9];
+    walls[w].book.force = dealii::Tensor<1, 2>({v[2], v[3]});
+    walls[w].book.impulse = dealii::Tensor<1, 2>({v[4], v[5]});
+    walls[w].free.pressure = walls[w].free.pressure_before = v[6];
+    walls[w].driven_since.time = v[7];
+    walls[w].driven_since.travel = v[8];
+    walls[w].book.work = v[9];
   }
   if (!in.contains(name + "_sliding"))
     return;

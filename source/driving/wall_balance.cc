@@ -17,9 +17,9 @@ double unbalanced(const std::vector<Wall> &walls)
   for (const Wall &wall : walls)
   {
     if (!wall.prescribed())
-      look(wall.load, wall.force * wall.normal());
-    if (wall.slides_freely())
-      look(wall.slide_load, wall.force * wall.tangent());
+      look(wall.free.across.force, wall.book.force * wall.normal());
+    if (slides_freely(wall))
+      look(wall.free.along.force, wall.book.force * wall.tangent());
   }
   return largest;
 }

@@ -17,8 +17,8 @@ double step_of_wall_way(const std::vector<Wall> &walls,
     double farthest = 0.;
     for (const Wall &wall : walls)
       if (wall.prescribed())
-        farthest = std::max(farthest,
-                            std::hypot(wall.demand(time, dt).velocity, wall.demanded_slide(time, dt)) * dt);
+        farthest = std::max(
+            farthest, std::hypot(demand_of(wall, time, dt).velocity, demanded_slide(wall, time, dt)) * dt);
     return farthest;
   };
   // A wall that goes to and fro is at the same place again after a period: so from short steps to longer

@@ -9,7 +9,7 @@ double external_work(const Balance &balance,
 {
   double sum = balance.work_beside_walls();
   for (const Wall &wall : walls)
-    sum += wall.work;
+    sum += wall.book.work;
   for (const Obstacle<2> &obstacle : obstacles)
     sum += obstacle.work;
   return sum;
@@ -27,7 +27,7 @@ std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balan
       columns.emplace_back(name + "_work_J_per_m", work);
   };
   for (const Wall &wall : walls)
-    add(true, wall.description.name, wall.work);
+    add(true, wall.description.name, wall.book.work);
   for (const Obstacle<2> &obstacle : obstacles)
     add(true, obstacle.description.name, obstacle.work);
   for (const std::string &load : workers.loads)

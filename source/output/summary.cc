@@ -13,7 +13,8 @@ namespace softgrain
 {
 double Summary::microseconds_per_point_step() const
 {
-  return steps == 0 || points == 0 ? 0. : wall_seconds * 1e6 / (static_cast<double>(points) * steps);
+  return steps == 0 || points.number == 0 ? 0.
+                                          : wall_seconds * 1e6 / (static_cast<double>(points.number) * steps);
 }
 
 namespace
@@ -35,12 +36,12 @@ std::string text_of(const Summary &summary)
   json["threads"] = summary.threads;
   json["ranks"] = summary.ranks;
   json["bodies"] = summary.bodies;
-  json[summary.points_name] = summary.points;
+  json[summary.points.name] = summary.points.number;
   json["microseconds_per_point_step"] = summary.microseconds_per_point_step();
-  json["max_contact_residual"] = summary.max_contact_residual;
-  json["max_penetration_m"] = summary.max_penetration;
-  json["momentum_error"] = summary.momentum_error;
-  json["energy_balance_error"] = summary.energy_balance_error;
+  json["max_contact_residual"] = summary.errors.contact_residual;
+  json["max_penetration_m"] = summary.errors.penetration;
+  json["momentum_error"] = summary.errors.momentum;
+  json["energy_balance_error"] = summary.errors.energy_balance;
   json["peak_memory_bytes"] = summary.peak_memory;
   json["phases"] = summary.phases;
   json["version"] = summary.version;

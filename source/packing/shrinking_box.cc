@@ -121,7 +121,7 @@ void ShrinkingBox::set_contacts(const double factor)
   contacts = {};
   contacts.colour_start = list.colour_start();
   contacts.tile_start.push_back(0);
-  for (unsigned int tile = 0; tile < list.n_tiles(); ++tile)
+  for (std::size_t tile = 0; tile + 1 < list.tile_start().size(); ++tile)
   {
     for (std::uint32_t pair = list.tile_start()[tile]; pair < list.tile_start()[tile + 1]; ++pair)
       add_pair(list.a(pair), list.b(pair), branch(list.a(pair), list.b(pair), false));

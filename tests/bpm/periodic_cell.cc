@@ -28,7 +28,7 @@ Wall side(const dealii::Point<2> &point,
   wall.description.normal = normal;
   wall.description.drive = make_drive(pressure > 0. ? "pressure" : "velocity", "side");
   wall.speed = speed;
-  wall.mass = pressure > 0. ? 3. : 0.;
+  wall.free.across.mass = pressure > 0. ? 3. : 0.;
   return wall;
 }
 
@@ -134,8 +134,8 @@ void deform(const std::string &what,
     height = walls[1].point()[1] - walls[0].point()[1];
     if (pressure > 0.)
     {
-      walls[1].press(pressure, width);
-      walls[3].press(pressure, height);
+      put_pressure(walls[1], pressure, width);
+      put_pressure(walls[3], pressure, height);
     }
     walls[1].slide_speed = slide;
     const DynamicsReport report = model.step(dt, walls, {});
@@ -143,13 +143,13 @@ void deform(const std::string &what,
     given += report.cell_impulse;
     double kinetic = model.kinetic_energy();
     for (const Wall &wall : walls)
-      kinetic += wall.kinetic_energy();
+      kinetic += kinetic_energy_of(wall);
     off = std::max(off, std::abs(kinetic - books));
     largest = std::max(largest, kinetic);
     if (2 * i >= n)
     {
-      const double now[4] = {walls[3].force[0] / height, walls[1].force[1] / width, walls[1].force[0] / width,
-                             walls[3].force[1] / height};
+      const double now[4] = {walls[3].book.force[0] / height, walls[1].book.force[1] / width,
+                             walls[1].book.force[0] / width, walls[3].book.force[1] / height};
       for (unsigned int k = 0; k < 4; ++k)
         stress[k] += 2. * now[k] / n;
     }

@@ -31,8 +31,8 @@ Wall wall_at(const dealii::Point<2> &point,
   if (sheared)
     drive->shear(Expression("1", {"t"}));
   wall.description.drive = drive;
-  wall.mass = pressed ? 3. : 0.;
-  wall.slide_mass = sheared ? 3. : 0.;
+  wall.free.across.mass = pressed ? 3. : 0.;
+  wall.free.along.mass = sheared ? 3. : 0.;
   return wall;
 }
 
@@ -64,7 +64,7 @@ struct Books
     sum += report.wall_work - report.contact_loss - report.damping_loss;
     double kinetic = model.kinetic_energy();
     for (const Wall &wall : walls)
-      kinetic += wall.kinetic_energy();
+      kinetic += kinetic_energy_of(wall);
     largest = std::max({largest, kinetic, std::abs(sum)});
     off = std::max(off, std::abs(kinetic - sum));
   }
@@ -92,9 +92,9 @@ void roll(const double friction, const double load, const double shear)
   const double dt = 0.01;
   for (unsigned int i = 0; i < 100; ++i)
   {
-    walls[1].press(load, 1.);
-    walls[1].shear(shear, 1.);
-    walls[1].slide_damping = 0.;
+    put_pressure(walls[1], load, 1.);
+    put_shear(walls[1], shear, 1.);
+    walls[1].free.along.damping = 0.;
     books.look(model, model.step(dt, walls, {}), walls);
   }
   const double rolling = shear / (3. + 3. / 8. * 2.), sliding = (shear - friction * load) / 3.;
@@ -137,14 +137,14 @@ void cell(const std::string &what, const double shear)
   {
     width = walls[3].point()[0] - walls[2].point()[0];
     height = walls[1].point()[1] - walls[0].point()[1];
-    walls[1].press(1., width);
-    walls[3].press(1., height);
-    walls[1].shear(i > n / 4 ? shear : 0., width);
+    put_pressure(walls[1], 1., width);
+    put_pressure(walls[3], 1., height);
+    put_shear(walls[1], i > n / 4 ? shear : 0., width);
     books.look(model, model.step(0.05, walls, {}), walls);
     if (2 * i >= n)
     {
-      mean[0] -= 2. / n * (walls[1].force * walls[1].tangent()) / width;
-      mean[1] -= 2. / n * walls[3].force[1] / height;
+      mean[0] -= 2. / n * (walls[1].book.force * walls[1].tangent()) / width;
+      mean[1] -= 2. / n * walls[3].book.force[1] / height;
     }
   }
   const double rate = std::abs(walls[1].slide_speed) / height;

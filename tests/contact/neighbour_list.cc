@@ -82,8 +82,8 @@ void random_disks(const std::string &what,
   list.update(x);
   const Pairs all = brute_force(x, r, group, range);
   std::cout << what << ": " << (listed(list) == all ? "the pairs of a search over all" : "OTHER PAIRS")
-            << ", " << (list.n_tiles() > 2 ? "several tiles" : "one or two tiles") << ", disks shared "
-            << shared_disks(list) << '\n';
+            << ", " << (list.tile_start().size() > 3 ? "several tiles" : "one or two tiles")
+            << ", disks shared " << shared_disks(list) << '\n';
 
   // Pairs remember their own numbers; after a small move nothing is searched, after a larger one they still
   // do.

@@ -25,7 +25,7 @@ int main()
     const double dt = step_of_wall_way(walls, time, way, 1e-6, 1e6);
     double gone = 0.;
     for (const Wall &wall : walls)
-      gone = std::max(gone, std::abs(wall.demand(time, dt).velocity) * dt);
+      gone = std::max(gone, std::abs(demand_of(wall, time, dt).velocity) * dt);
     std::cout << what << ": step " << dt << " s, way " << gone << " m\n";
   };
   look("one at 2 m/s", {"2"}, 0.);

@@ -40,21 +40,22 @@ int main()
   double time = 0.;
   for (const double dt : {0.1, 0.4, 0.5})
   {
-    walls[2].speed = walls[2].demand(time, dt).velocity;
+    walls[2].speed = demand_of(walls[2], time, dt).velocity;
     walls[2].travel += dt * walls[2].speed;
     time += dt;
   }
-  std::cout << "left is at " << walls[2].state().position << ", 1/2 expected\n";
-  walls[1].press(walls[1].demand(time, 1.).pressure, pressed_length(walls, 1));
+  std::cout << "left is at " << state_of(walls[2]).position << ", 1/2 expected\n";
+  put_pressure(walls[1], demand_of(walls[1], time, 1.).pressure, pressed_length(walls, 1));
   std::cout << "top: " << (walls[1].prescribed() ? "prescribed" : "free") << ", pressure "
-            << walls[1].demand(time, 1.).pressure << " on " << pressed_length(walls, 1) << " m, load "
-            << walls[1].load << ", mass " << walls[1].mass << ", damping " << walls[1].damping << '\n';
+            << demand_of(walls[1], time, 1.).pressure << " on " << pressed_length(walls, 1) << " m, load "
+            << walls[1].free.across.force << ", mass " << walls[1].free.across.mass << ", damping "
+            << walls[1].free.across.damping << '\n';
   // At rest under P = load dt it stays at rest, whatever mass, damping and theta are.
   for (const double theta : {0.5, 1.})
   {
     const FreeWallStep step = free_wall_step(walls[1], 0.1, theta);
     std::cout << "  theta " << theta << ": given what it bears it moves at "
-              << step.free_speed - 0.1 * walls[1].load / step.mass << " m/s\n";
+              << step.free_speed - 0.1 * walls[1].free.across.force / step.mass << " m/s\n";
   }
   // What nobody gives the program chooses: of one disk of 1 kg/m, a tenth.
   Scene<2> disk = scene;
@@ -63,8 +64,9 @@ int main()
   disk.bodies.emplace_back();
   disk.bodies[0].shape = std::make_shared<Disk2D>(dealii::Point<2>(), 1.);
   Wall chosen = make_walls(disk)[1];
-  chosen.press(160., 1.);
-  std::cout << "chosen mass " << chosen.mass << ", damping " << chosen.damping << ", expected 0.1 and 8\n";
+  put_pressure(chosen, 160., 1.);
+  std::cout << "chosen mass " << chosen.free.across.mass << ", damping " << chosen.free.across.damping
+            << ", expected 0.1 and 8\n";
   std::cout << "length of left " << pressed_length(walls, 2) << ", without walls beside it "
             << pressed_length({walls[0], walls[1]}, 0) << '\n';
 
@@ -73,24 +75,24 @@ int main()
   Wall beside = make_walls(disk)[1];
   for (const bool accepted : {false, false, true, true})
   {
-    beside.press(beside.demand(0., 1.).pressure, 1.);
+    put_pressure(beside, demand_of(beside, 0., 1.).pressure, 1.);
     if (accepted)
-      beside.accept_pressure();
-    std::cout << (accepted ? "accepted" : "refused") << " at " << beside.pressure << " Pa; ";
+      accept_pressure(beside);
+    std::cout << (accepted ? "accepted" : "refused") << " at " << beside.free.pressure << " Pa; ";
   }
   std::cout << "40, 40, 40 and 64 expected\n";
 
   // A wall that pushes down and to the right: 2 N s/m within 0.1 s.
   Balance balance;
-  balance.initial_momentum[0] = 1.;
-  walls[1].give(2. * walls[1].normal() + 0.5 * walls[1].tangent(), 0.1);
-  balance.wall_impulse += walls[1].impulse;
-  const WallState<2> state = walls[1].state();
+  balance.momentum.initial[0] = 1.;
+  walls[1].book.give(2. * walls[1].normal() + 0.5 * walls[1].tangent(), 0.1);
+  balance.momentum.of_walls += walls[1].book.impulse;
+  const WallState<2> state = state_of(walls[1]);
   std::cout << "force " << state.normal_force << ' ' << state.tangential_force << ", impulse "
-            << walls[1].impulse << '\n';
-  balance.note_momentum(1.);
-  std::cout << "momentum error " << balance.momentum_error(walls[1].impulse) << " of "
-            << balance.largest_momentum << ", expected 1/sqrt(4.25)\n";
+            << walls[1].book.impulse << '\n';
+  balance.momentum.note(1.);
+  std::cout << "momentum error " << balance.momentum.error(walls[1].book.impulse) << " of "
+            << balance.momentum.largest << ", expected 1/sqrt(4.25)\n";
 
   TouchingPairs touching;
   touching.add_bodies(0, 1);

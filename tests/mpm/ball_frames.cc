@@ -106,7 +106,7 @@ int main()
         frame.partner == ContactFrame<3>::none ? "wall" : state.bodies[frame.partner].name;
     look(state.bodies[frame.body].name + " at " + partner, Contact<3>(scene, start, frame), state.bodies);
     ContactFrame<3> swapped = frame;
-    swapped.turn(-frame.direction);
+    turn(swapped, -frame.direction);
     const auto here = frame.offset({{1, 2}}), there = swapped.offset({{3, -2}});
     dealii::Tensor<1, 3> apart;
     for (unsigned int m = 0; m < 2; ++m)

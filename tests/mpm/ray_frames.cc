@@ -83,7 +83,7 @@ void carry(const std::string &name,
     contact.go(here);
     difference += sign / (2. * little) * contact.gaps();
     for (unsigned int k = 0; k < contact.forces.size(); ++k)
-      slid += sign / (2. * little) * contact.frame.ray(k).slide[0];
+      slid += sign / (2. * little) * contact.frame.ray(k).rub.slide[0];
   }
   std::cout << name << ": carried, gaps off by " << below(1e-7, std::abs(gap / difference - 1.))
             << ", slides by " << below(1e-7, std::abs(slide - slid)) << '\n';

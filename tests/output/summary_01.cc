@@ -12,11 +12,11 @@ int main()
   Summary summary;
   summary.status = "completed";
   summary.model = "mpm";
-  summary.points_name = "material_points";
+  summary.points.name = "material_points";
   summary.steps = 100;
   summary.wall_seconds = 2;
-  summary.points = 1000;
-  summary.momentum_error = std::numeric_limits<double>::quiet_NaN();
+  summary.points.number = 1000;
+  summary.errors.momentum = std::numeric_limits<double>::quiet_NaN();
   summary.phases = {{"assembly", 1.5}, {"contact", 0.5}};
   summary.version = "0.1.0";
   write_summary(".", summary);

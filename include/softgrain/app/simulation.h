@@ -143,8 +143,9 @@ private:
   bool restarted = false;
   StepPlanner planner;
   StagePath<dim> path;
-  StopMemory seen;        ///< by the stop conditions of the whole run
-  StepReport last_report; ///< of the step that led to the state
+  bool at_end_of_stage = false; ///< the run goes on where a stage has ended and the next has not begun
+  StopMemory seen;              ///< by the stop conditions of the whole run
+  StepReport last_report;       ///< of the step that led to the state
   WaitingOutput<dim> waiting;
   std::uint64_t step_of_start = 0; ///< of the run, or where it goes on
   bool step_given_up = false;      ///< the model has begun a step after that of the state

@@ -43,7 +43,6 @@ public:
 
   /// Part of the present stage that is done. @param slack what counts as having arrived [s]
   double fraction_of_stage(double slack) const;
-  bool stage_is_done(const double slack) const { return fraction_of_stage(slack) >= 1.; }
   bool is_last() const { return current + 1 >= stages.size(); }
   /// Part of the whole path, by how long the stages are expected to last. The present one ends by its own
   /// stop conditions or those of the run, whichever have come farther since it began. @param run_done as in
@@ -55,10 +54,9 @@ public:
   /// @param ends whether the present stage is done
   void save(StateWriter &writer, bool ends) const;
   /// Loads the path before the model is loaded: its walls are driven as they were.
-  void load(const StateReader &reader);
-  /// Whether the loaded state was written as the end of its stage, after its row of the history. The next
+  /// @return whether the state was written as the end of its stage, after its row of the history. The next
   /// stage then begins before the first step.
-  bool was_at_end_of_stage() const { return loaded_at_end; }
+  bool load(const StateReader &reader);
 
 private:
   RunStateIn<dim> state(double slack) const;
@@ -69,11 +67,17 @@ private:
   unsigned int current = 0;
   double begin_time = 0.; ///< [s]
   double run_done_at_begin = 0.;
-  bool loaded_at_end = false;
   std::vector<double> expected; ///< durations of all stages
   std::vector<WallState<dim>> walls_at_begin;
   StopMemory seen; ///< by the stop conditions of the present stage
 };
+
+/// Whether the present stage has come to its end.
+template <int dim>
+bool stage_is_done(const StagePath<dim> &path, const double slack)
+{
+  return path.fraction_of_stage(slack) >= 1.;
+}
 
 /// How many stages had begun in the state of a checkpoint; the parameters of the others may still change.
 std::size_t number_of_stages_begun(const StateReader &reader);

@@ -54,7 +54,7 @@ public:
   /// The cell beside @p cell.
   static Cell beside(const Cell &cell, const int right, const int up)
   {
-    return {{cell[0] + right, StripGrid::within_turn(cell[1] + up)}};
+    return {{cell[0] + right, within_turn(cell[1] + up)}};
   }
 
 private:

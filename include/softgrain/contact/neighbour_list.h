@@ -61,6 +61,14 @@ public:
     void take(const std::vector<std::array<double, 2>> &positions, std::size_t n);
   };
 
+  /// Disks that may be others than before.
+  struct Disks
+  {
+    const std::vector<std::array<double, 2>> &positions;
+    const std::vector<double> &radii;
+    const std::vector<std::uint32_t> &groups;
+  };
+
   /// Some strips of a grid.
   struct Part
   {
@@ -104,18 +112,12 @@ public:
    *
    * Of all disks of all strips, in their order, there are those of the own strips, and behind them those in
    * the first column of the next one. Pairs have the order of a list of all.
-   * @param positions of these disks [m]
+   * @param disks where these are [m], their radii [m] and groups
    * @param n_own disks in the own strips
    * @param part the own strips of the grid of all disks
    * @param old what is remembered, of these disks
    */
-  void build_part(const std::vector<std::array<double, 2>> &positions,
-                  std::size_t n_own,
-                  const Part &part,
-                  const Remembered &old);
-
-  /// Other disks than before, for build_part(): their radii [m] and groups.
-  void set_disks(const std::vector<double> &radii, const std::vector<std::uint32_t> &groups);
+  void build_part(const Disks &disks, std::size_t n_own, const Part &part, const Remembered &old);
 
   /// Tells all owners some numbers, as many on each. @return those of all, in the order of the owners
   using Tell = std::function<std::vector<std::vector<double>>(const std::vector<double> &)>;
@@ -141,11 +143,14 @@ public:
   /// Size of a cell of the grid [m].
   double cell_size() const { return largest_distance; }
 
-  /// Places for which the list was made [m]: together with memory() all that a restart needs.
-  const std::vector<std::array<double, 2>> &build_positions() const { return built_at; }
-
-  /// The lattice for which it was made.
-  const ImageLattice &build_lattice() const { return built_in; }
+  /// Places and lattice for which a list was made.
+  struct Origin
+  {
+    std::vector<std::array<double, 2>> positions; ///< [m]
+    ImageLattice lattice;
+  };
+  /// Together with memory() all that a restart needs.
+  const Origin &origin() const { return built; }
 
   /// Image of b(pair) that a(pair) is near to.
   ImageLattice::Image image(const std::size_t pair) const
@@ -161,7 +166,6 @@ public:
   /// …).
   const std::vector<std::uint32_t> &tile_start() const { return tiles; }
   const std::vector<std::uint32_t> &colour_start() const { return colours; }
-  unsigned int n_tiles() const { return tiles.empty() ? 0 : tiles.size() - 1; }
 
   PairMemory &memory() { return memories; }
   const PairMemory &memory() const { return memories; }
@@ -186,8 +190,7 @@ private:
   Range range;
   double largest_distance = 0; ///< of the centres of a listed pair
   std::vector<double> levels;  ///< by size of disks, how many times smaller their cells are
-  std::vector<std::array<double, 2>> built_at;
-  ImageLattice built_in;
+  Origin built;
   std::vector<std::uint32_t> first, second;
   std::vector<ImageLattice::Image> images; ///< of the second; empty when nothing repeats
   PairMemory memories;

@@ -10,6 +10,15 @@
 
 namespace softgrain::contact
 {
+/// Rows of cells that are far away come round again: whole numbers below a turn are exact, also after adding
+/// one.
+inline double within_turn(const double row)
+{
+  constexpr double turn = 1125899906842624.; // 2^50
+  const double rest = std::fmod(row, turn);
+  return rest < 0. ? rest + turn : rest;
+}
+
 /**
  * @brief Cells in which disks look for their neighbours, and the vertical strips of some columns of cells
  * that make the tiles of a NeighbourList.
@@ -41,19 +50,6 @@ struct StripGrid
             double size,
             const std::vector<Span> &spans = {});
 
-  /// Whether a box full of cells would have many more cells than there are disks.
-  static bool is_sparse(const std::array<double, 2> &lower,
-                        const std::array<double, 2> &upper,
-                        std::size_t n_disks,
-                        double size);
-
-  /// Joins @p spans that are no farther than @p size from each other: the same in whatever parts they came.
-  static std::vector<Span> joined(std::vector<Span> spans, double size);
-
-  /// Spans of the first @p n of @p positions.
-  static std::vector<Span>
-  spans_of(const std::vector<std::array<double, 2>> &positions, std::size_t n, double size);
-
   std::size_t column(const std::array<double, 2> &x) const
   {
     return pieces.empty() ? index(x, 0, n_columns) : column_of_piece(x[0]);
@@ -74,13 +70,6 @@ struct StripGrid
   double fine_row(const std::array<double, 2> &x, const double factor) const
   {
     return within_turn(std::floor(x[1] / cell * factor));
-  }
-  /// Whole numbers below this one are exact, also after adding one.
-  static double within_turn(const double row)
-  {
-    constexpr double turn = 1125899906842624.; // 2^50
-    const double rest = std::fmod(row, turn);
-    return rest < 0. ? rest + turn : rest;
   }
   std::size_t strip(const std::array<double, 2> &x) const { return column(x) / width; }
   std::size_t n_strips() const { return (n_columns + width - 1) / width; }
@@ -114,6 +103,20 @@ private:
     return std::min<std::size_t>((x[d] - lower[d]) / cell, n - 1);
   }
 };
+
+/// Whether a box full of cells of @p size [m] would have many more cells than there are disks.
+/// @param lower,upper least and largest coordinates of the disks [m]
+bool is_sparse(const std::array<double, 2> &lower,
+               const std::array<double, 2> &upper,
+               std::size_t n_disks,
+               double size);
+
+/// Joins @p spans that are no farther than @p size from each other: the same in whatever parts they came.
+std::vector<StripGrid::Span> joined(std::vector<StripGrid::Span> spans, double size);
+
+/// Spans of the first @p n of @p positions.
+std::vector<StripGrid::Span>
+spans_of(const std::vector<std::array<double, 2>> &positions, std::size_t n, double size);
 } // namespace softgrain::contact
 
 #endif

@@ -8,12 +8,27 @@
 
 namespace softgrain
 {
+/// What bodies are made of.
+struct PointCount
+{
+  std::string name; ///< "material_points" or "primaries"
+  std::uint64_t number = 0;
+};
+
+/// How wrong a run has been at most.
+struct RunErrors
+{
+  double contact_residual = 0;
+  double penetration = 0; ///< [m]
+  double momentum = 0;
+  double energy_balance = 0;
+};
+
 /// What `summary.json` says of a run, for scripts that compare many.
 struct Summary
 {
   std::string status; ///< "running", "completed", "interrupted" or "failed"
   std::string model;
-  std::string points_name; ///< "material_points" or "primaries"
   std::uint64_t steps = 0;
   double simulated_time = 0;    ///< [s]
   double wall_seconds = 0;      ///< of all parts of a run that was restarted
@@ -21,11 +36,8 @@ struct Summary
   unsigned int threads = 1;     ///< of each process
   unsigned int ranks = 1;
   std::uint64_t bodies = 0;
-  std::uint64_t points = 0;
-  double max_contact_residual = 0;
-  double max_penetration = 0; ///< [m]
-  double momentum_error = 0;
-  double energy_balance_error = 0;
+  PointCount points;
+  RunErrors errors;
   std::uint64_t peak_memory = 0;        ///< [bytes]
   std::map<std::string, double> phases; ///< seconds
   std::string version;

@@ -79,7 +79,7 @@ ContactMemory<dim> ContactSystem<dim>::memory(const double dt) const
   now.step = dt;
   now.impulses.reserve(rows.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (carries_force(r))
+    if (carries_force(*this, r))
     {
       std::array<double, dim> value{};
       for (unsigned int c = 0; c < n_components(); ++c)
@@ -194,10 +194,12 @@ void ContactSystem<dim>::condense(const BodyShare &share,
 }
 
 template <int dim>
-void ContactSystem<dim>::take_back_softness(const double dt, std::vector<double> &free_velocity) const
+void take_back_softness(const ContactSystem<dim> &system, const double dt, std::vector<double> &free_velocity)
 {
-  for (unsigned int k = 0; k < rows.size() * n_components(); ++k)
-    free_velocity[k] -= rows[k / n_components()].softness / (dt * dt) * impulse[k];
+  const auto &rows = system.contact_rows();
+  const unsigned int n = system.n_components();
+  for (unsigned int k = 0; k < rows.size() * n; ++k)
+    free_velocity[k] -= rows[k / n].softness / (dt * dt) * system.impulses()[k];
 }
 
 template <int dim>
@@ -291,5 +293,6 @@ void ContactSystem<dim>::save_problem(const std::string &file,
              delassus->kind);
 }
 
+template void take_back_softness<2>(const ContactSystem<2> &, double, std::vector<double> &);
 template class ContactSystem<2>;
 } // namespace softgrain::mpm

@@ -105,7 +105,7 @@ void FrameState<dim>::follow(const FrameScene<dim> &scene,
       follows = false;
       moved = mean_motion(increment);
       for (RayHere &ray : rays)
-        for (PlaceFunctions<dim> &hold : ray.hold)
+        for (PlaceFunctions<dim> &hold : ray.rub.hold)
           hold.node.clear(); // it holds what was in contact at the start
       return;
     }

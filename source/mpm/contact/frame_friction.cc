@@ -26,21 +26,21 @@ void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &w
   RayHere &here = rays[k];
   for (unsigned int side = 0; side < 2; ++side)
     if (side == 1 || !flat_partner())
-      here.start[side] = here.side[side].place;
+      here.rub.start[side] = here.side[side].place;
   const Vector pushed = resultant(k);
-  here.bound = friction * pushed.norm();
+  here.rub.bound = friction * pushed.norm();
   const Vector normal = pushed / pushed.norm();
   if constexpr (dim == 2)
-    here.e[0] = Vector({normal[1], -normal[0]});
+    here.rub.e[0] = Vector({normal[1], -normal[0]});
   else
   {
     // As the frame's own from step to step, so friction that a ray carries on keeps its direction.
     const Vector along = frame.across[0] - (frame.across[0] * normal) * normal;
-    here.e[0] = along / along.norm();
-    here.e[1] = dealii::cross_product_3d(normal, here.e[0]);
+    here.rub.e[0] = along / along.norm();
+    here.rub.e[1] = dealii::cross_product_3d(normal, here.rub.e[0]);
   }
   if (theta < 1.)
-    hold_at(scene, here.start, wall_way, k);
+    hold_at(scene, here.rub.start, wall_way, k);
 }
 
 /// The places that friction holds together from now on. Friction rests where end velocities are alike.
@@ -56,11 +56,11 @@ void FrameState<dim>::hold_at(const FrameScene<dim> &scene,
     if (const unsigned int b = body(side); b != none)
     {
       apart_by += sign(side) * carried[side];
-      here.hold[side] = scene.bodies[b].field.functions_at(place[side].position);
+      here.rub.hold[side] = scene.bodies[b].field.functions_at(place[side].position);
       if (unknown(side) != none && theta < 1.)
-        apart_by += sign(side) * scene.dt * here.hold[side].at(scene.bodies[b].velocity);
+        apart_by += sign(side) * scene.dt * here.rub.hold[side].at(scene.bodies[b].velocity);
     }
-  here.known_slide = (1. - theta) * along_slides(k, apart_by);
+  here.rub.known_slide = (1. - theta) * along_slides(k, apart_by);
 }
 
 template <int dim>
@@ -71,16 +71,16 @@ void FrameState<dim>::look_for_slide(const FrameScene<dim> &scene,
 {
   RayHere &here = rays[k];
   // A ray that follows its contact holds what is in contact halfway.
-  std::array<SurfacePlace<dim>, 2> place = here.start;
+  std::array<SurfacePlace<dim>, 2> place = here.rub.start;
   for (unsigned int side = 0; side < 2 && follows && !begins; ++side)
     place[side] = here.side[side].place;
-  if (follows || here.hold[1].node.empty())
+  if (follows || here.rub.hold[1].node.empty())
     hold_at(scene, place, wall_way, k);
   Vector slid = -1. * way_of_partner(wall_way, place[0]);
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
-      slid += sign(side) * (here.hold[side].at(increment[b]) + carried[side]);
-  here.slide = along_slides(k, slid);
+      slid += sign(side) * (here.rub.hold[side].at(increment[b]) + carried[side]);
+  here.rub.slide = along_slides(k, slid);
 }
 
 template void FrameState<2>::begin_to_rub(const FrameScene<2> &, const FrameState<2>::Vector &, unsigned int);

@@ -26,7 +26,7 @@ void FrameState<dim>::add_kinks(const std::vector<double> &force,
   {
     const double before = frame.rays[k].force, now = force[k];
     // Adhesion does work of its own on what is open.
-    if (!rays[k].met || rays[k].left || rays[k].pull > 0. || frame.rays[k].pull > 0.)
+    if (!rays[k].met || rays[k].left || rays[k].held.pull > 0. || frame.rays[k].pull > 0.)
       continue;
     if (before == 0. && now > 0.)
       kinks.of_gaps -= 0.5 * now * std::max(0., rays[k].at_start + dent_at_start);
@@ -36,7 +36,7 @@ void FrameState<dim>::add_kinks(const std::vector<double> &force,
       continue;
     const Across mean = 0.5 * (frame.rays[k].friction + rubbing[k]),
                  sliding = 0.5 * (before + now) / now * rubbing[k];
-    kinks.of_slides -= (sliding - mean) * (rays[k].slide - rays[k].known_slide);
+    kinks.of_slides -= (sliding - mean) * (rays[k].rub.slide - rays[k].rub.known_slide);
   }
 }
 

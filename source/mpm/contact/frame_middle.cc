@@ -196,7 +196,7 @@ std::optional<double> FrameLayout<dim>::find_middle(Places place, ContactFrame<d
       moved += way[1] * frame.across[1];
     frame.origin += moved + (wall ? 0. : met->height) * frame.direction;
     if (!wall)
-      frame.turn(met->normal / met->normal.norm());
+      mpm::turn(frame, met->normal / met->normal.norm());
     note_dent(place, frame);
     if (way.norm() < 1e-10 * scene.cell_size)
       break;
@@ -219,7 +219,7 @@ void FrameLayout<dim>::turn(const Vector &direction, ContactFrame<dim> &frame) c
   move_across(middle, frame);
   if (const std::optional<Met> met = meet_both(frame, place))
     frame.origin += met->height * frame.direction;
-  frame.turn(direction);
+  mpm::turn(frame, direction);
   move_across(-1. * middle, frame);
 }
 

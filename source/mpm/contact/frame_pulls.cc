@@ -88,7 +88,7 @@ double FrameState<dim>::pull_now(const FrameScene<dim> &scene, const unsigned in
     return 0.;
   double sum = 0.;
   for (const HalfLength &half : half_lengths(scene, k))
-    sum += half.length * scene.adhesion->mean_share(rays[k].memory, rays[k].gap, half.gap);
+    sum += half.length * scene.adhesion->mean_share(rays[k].held.memory, rays[k].gap, half.gap);
   return strength * sum;
 }
 
@@ -98,7 +98,7 @@ double FrameState<dim>::parts_for_now(const FrameScene<dim> &scene, const unsign
 {
   double sum = 0.;
   for (const HalfLength &half : half_lengths(scene, k))
-    sum += half.length * mean_way(*scene.adhesion, rays[k].memory, rays[k].gap, half.gap);
+    sum += half.length * mean_way(*scene.adhesion, rays[k].held.memory, rays[k].gap, half.gap);
   return strength * sum;
 }
 
@@ -108,7 +108,7 @@ double FrameState<dim>::adhesion_work(const FrameScene<dim> &scene) const
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size() && strength != 0.; ++k)
     if (rays[k].met && !rays[k].left)
-      sum += parts_for_now(scene, k) - rays[k].parts_for;
+      sum += parts_for_now(scene, k) - rays[k].held.parts_for;
   return sum;
 }
 
@@ -122,12 +122,13 @@ void FrameState<dim>::find_pulls(const FrameScene<dim> &scene, const bool held)
     RayHere &ray = rays[k];
     if (!ray.met)
       continue;
-    ray.memory = frame.rays[k].memory != 0. ? frame.rays[k].memory : scene.adhesion->first_memory(ray.gap);
-    ray.pull = pull_now(scene, k);
+    ray.held.memory =
+        frame.rays[k].memory != 0. ? frame.rays[k].memory : scene.adhesion->first_memory(ray.gap);
+    ray.held.pull = pull_now(scene, k);
     if (held)
-      ray.pull = 0.5 * (ray.pull + frame.rays[k].pull);
+      ray.held.pull = 0.5 * (ray.held.pull + frame.rays[k].pull);
     if (!inertia())
-      ray.parts_for = parts_for_now(scene, k);
+      ray.held.parts_for = parts_for_now(scene, k);
   }
 }
 
@@ -136,7 +137,7 @@ double FrameState<dim>::pull_to_come(const FrameScene<dim> &scene) const
 {
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
-    sum += std::abs(pull_now(scene, k) - rays[k].pull);
+    sum += std::abs(pull_now(scene, k) - rays[k].held.pull);
   return sum;
 }
 
@@ -154,7 +155,7 @@ double FrameState<dim>::memory_after(const FrameScene<dim> &scene,
       rubs(k) && closed(k, force) && std::abs(rubbing) >= near_limit * most_friction(k, force);
   const double nearest =
       scene.adhesion->nearest(rays[k].gap, {{halves[0].gap - rays[k].gap, halves[1].gap - rays[k].gap}});
-  return scene.adhesion->memory_after(rays[k].memory, {nearest, closed(k, force), slides, scene.dt});
+  return scene.adhesion->memory_after(rays[k].held.memory, {nearest, closed(k, force), slides, scene.dt});
 }
 
 template void FrameState<2>::find_pulls(const FrameScene<2> &, bool);

@@ -49,7 +49,7 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
     row.wall = scene.bodies[layout.partner].wall;
   const double length = frame.resultant(k).norm();
   row.normal = frame.resultant(k) / length;
-  row.pull = ray.pull * length;
+  row.pull = ray.held.pull * length;
   const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion()[0];
   row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
   row.length = layout.spacing * length; // of outline
@@ -79,19 +79,19 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
       dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
       row.gap = ray.at_start;
       row.work_beyond = force[f][k] * ray.beyond;
-      row.pull_beyond = -ray.pull * ray.beyond;
+      row.pull_beyond = -ray.held.pull * ray.beyond;
       if (frame.rubs(k))
       {
         // Friction does its work between the places that it holds together.
-        row.normal = dealii::Tensor<1, 2>({-ray.e[0][1], ray.e[0][0]});
+        row.normal = dealii::Tensor<1, 2>({-ray.rub.e[0][1], ray.rub.e[0][0]});
         row.friction = frame.friction_coefficient();
         if (frame.obstacle() != nullptr)
-          row.partner_velocity = frame.obstacle()->way_of(ray.start[0]) / scene.dt;
+          row.partner_velocity = frame.obstacle()->way_of(ray.rub.start[0]) / scene.dt;
         given += frame.in_space(k, rubbing[f][k]);
       }
-      row.body_weights = weights_of(frame.rubs(k) ? ray.hold[1] : ray.side[1].function);
+      row.body_weights = weights_of(frame.rubs(k) ? ray.rub.hold[1] : ray.side[1].function);
       if (frame.unknown(0) != FrameState<2>::none)
-        row.partner_weights = weights_of(frame.rubs(k) ? ray.hold[0] : ray.side[0].function);
+        row.partner_weights = weights_of(frame.rubs(k) ? ray.rub.hold[0] : ray.side[0].function);
       memory.impulses[row.key] = {
           {given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
       rows.push_back(std::move(row));

@@ -69,10 +69,9 @@ void look(const FrameScene<dim> &scene,
 /// Frames of the step before, by what they have in common with their successors: moved with bodies that have
 /// been brought into the cell since then.
 template <int dim>
-std::multimap<typename Frame<dim>::Key, Frame<dim>> by_key(const FrameScene<dim> &scene,
-                                                           std::vector<Frame<dim>> frames)
+std::multimap<FrameKey<dim>, Frame<dim>> by_key(const FrameScene<dim> &scene, std::vector<Frame<dim>> frames)
 {
-  std::multimap<typename Frame<dim>::Key, Frame<dim>> result;
+  std::multimap<FrameKey<dim>, Frame<dim>> result;
   for (Frame<dim> &frame : frames)
   {
     const Body<dim> &body = scene.bodies[frame.body];
@@ -83,7 +82,7 @@ std::multimap<typename Frame<dim>::Key, Frame<dim>> by_key(const FrameScene<dim>
             scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
         frame.home = body.home;
       }
-    result.emplace(frame.key(), std::move(frame));
+    result.emplace(key_of(frame), std::move(frame));
   }
   return result;
 }
@@ -97,10 +96,10 @@ bool is_pressed(const Frame<dim> &frame)
 /// The pressed frame of those before that is nearest to a stretch and has its direction within @p cosine.
 template <int dim>
 auto nearest_before(const FrameStretch<dim> &stretch,
-                    const typename Frame<dim>::Key &key,
+                    const FrameKey<dim> &key,
                     const double cosine,
                     double within,
-                    std::multimap<typename Frame<dim>::Key, Frame<dim>> &before)
+                    std::multimap<FrameKey<dim>, Frame<dim>> &before)
 {
   const auto [first, end] = before.equal_range(key);
   auto best = before.end();
@@ -125,12 +124,13 @@ template <int dim>
 Frame<dim> start_frame(const FrameScene<dim> &scene,
                        const FrameStretch<dim> &stretch,
                        const Frame<dim> &named,
-                       std::multimap<typename Frame<dim>::Key, Frame<dim>> &before)
+                       std::multimap<FrameKey<dim>, Frame<dim>> &before)
 {
-  auto old =
-      nearest_before<dim>(stretch, named.key(), keeps_direction, std::numeric_limits<double>::max(), before);
+  auto old = nearest_before<dim>(stretch, key_of(named), keeps_direction, std::numeric_limits<double>::max(),
+                                 before);
   if (old == before.end() && scene.inertia() && named.corner == Frame<dim>::none)
-    old = nearest_before<dim>(stretch, named.key(), turns_direction, turns_within * scene.cell_size, before);
+    old =
+        nearest_before<dim>(stretch, key_of(named), turns_direction, turns_within * scene.cell_size, before);
   if (old != before.end())
   {
     Frame<dim> kept = std::move(old->second);
@@ -140,7 +140,7 @@ Frame<dim> start_frame(const FrameScene<dim> &scene,
   Frame<dim> frame = named;
   frame.rays.clear();
   frame.home = scene.bodies[frame.body].home;
-  frame.turn(stretch.direction);
+  turn(frame, stretch.direction);
   frame.origin = stretch.middle;
   frame.spacing = spacing_in_cells<dim> * scene.cell_size;
   return frame;
@@ -149,9 +149,9 @@ Frame<dim> start_frame(const FrameScene<dim> &scene,
 /// Rays of a frame that is new remember what has become of the material that they meet. @param before frames
 /// that have no successor
 template <int dim>
-void inherit_memory(const std::multimap<typename Frame<dim>::Key, Frame<dim>> &before, Frame<dim> &frame)
+void inherit_memory(const std::multimap<FrameKey<dim>, Frame<dim>> &before, Frame<dim> &frame)
 {
-  const auto [first, end] = before.equal_range(frame.key());
+  const auto [first, end] = before.equal_range(key_of(frame));
   for (typename Frame<dim>::RayPlace &ray : frame.rays)
   {
     double nearest = 0.75 * frame.spacing;
@@ -185,7 +185,7 @@ bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStr
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
 template <int dim>
 void find_here(const LookedAt<dim> &at,
-               std::multimap<typename Frame<dim>::Key, Frame<dim>> &before,
+               std::multimap<FrameKey<dim>, Frame<dim>> &before,
                const std::vector<FrameTask<dim> *> &tasks)
 {
   parallel_for(tasks.size(), 4,
@@ -236,7 +236,7 @@ void find_here(const LookedAt<dim> &at,
 /// Finds the frames of all tasks, those of others' bodies by asking their owners.
 template <int dim>
 void find_in_tasks(const LookedAt<dim> &at,
-                   std::multimap<typename Frame<dim>::Key, Frame<dim>> &before,
+                   std::multimap<FrameKey<dim>, Frame<dim>> &before,
                    std::vector<FrameTask<dim>> &tasks)
 {
   const BodyShare *const share = at.scene.looking;
@@ -299,7 +299,7 @@ std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
   std::uint64_t next_id = 1;
   for (const Frame<dim> &frame : frames)
     next_id = std::max(next_id, frame.id + 1);
-  std::multimap<typename Frame<dim>::Key, Frame<dim>> before = by_key(scene, std::move(frames));
+  std::multimap<FrameKey<dim>, Frame<dim>> before = by_key(scene, std::move(frames));
   std::vector<SampledSurface<dim>> samples(scene.bodies.size());
   parallel_for(samples.size(), 1,
                [&](const std::size_t begin, const std::size_t end)

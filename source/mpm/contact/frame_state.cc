@@ -349,7 +349,7 @@ bool FrameState<dim>::leave_unmet(std::vector<double> &force, std::vector<Across
     if (force[k] != 0. && !rays[k].met)
     {
       any = rays[k].left = true;
-      force[k] = rays[k].pull = 0.;
+      force[k] = rays[k].held.pull = 0.;
       rubbing[k] = Across();
     }
   return any;
@@ -390,7 +390,7 @@ ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
   {
     result.rays[k].force = force[k];
     result.rays[k].friction = rubbing[k];
-    result.rays[k].pull = rays[k].pull;
+    result.rays[k].pull = rays[k].held.pull;
     if constexpr (dim == 2)
       result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k].norm());
     for (unsigned int side = 0; side < 2; ++side)

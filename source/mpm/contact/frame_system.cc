@@ -101,7 +101,7 @@ void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
   }
   for (unsigned int m = 0; m < dim - 1; ++m)
   {
-    columns.push_back({Column::slide, f, k, ray_column, frame.stiffness(), frame.ray(k).bound,
+    columns.push_back({Column::slide, f, k, ray_column, frame.stiffness(), frame.ray(k).rub.bound,
                        frame.most_friction(k, force), 0., m, axes[m], axes[m], m == 1 ? give : 0.});
     active.push_back(active[ray_column]);
     gap.push_back(axes[m] * frame.free_slide(k));
@@ -179,7 +179,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
       continue;
     columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
-    columns.back().pull = ray.pull;
+    columns.back().pull = ray.held.pull;
     active.push_back(frame.closed(k, force[f][k]) || frame.free_gap(k) < 0.);
     gap.push_back(frame.free_gap(k));
   }

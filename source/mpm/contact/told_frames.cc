@@ -56,7 +56,7 @@ std::vector<ContactFrame<dim>> take_frames(const ContactFrame<dim> &named, const
       frame.origin[d] = *at++;
       frame.direction[d] = *at++;
     }
-    frame.turn(frame.direction);
+    turn(frame, frame.direction);
     for (typename ContactFrame<dim>::RayPlace &ray : frame.rays)
     {
       std::memcpy(static_cast<void *>(&ray), at, sizeof(ray));

@@ -79,13 +79,13 @@ void FrameState<dim>::for_told(RayHere &ray, const Part &part) const
     part(ray.by_motion[m]);
   part(ray.at_start);
   part(ray.beyond);
-  part(ray.bound);
+  part(ray.rub.bound);
   for (unsigned int m = 0; m < dim - 1; ++m)
   {
-    part(ray.slide[m]);
-    part(ray.known_slide[m]);
+    part(ray.rub.slide[m]);
+    part(ray.rub.known_slide[m]);
     for (unsigned int d = 0; d < dim; ++d)
-      part(ray.e[m][d]);
+      part(ray.rub.e[m][d]);
   }
   for (unsigned int s = flat_partner() ? 1 : 0; s < 2; ++s)
   {

@@ -124,7 +124,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
     prepare_solver(body);
   choose_for_long_steps(wanted_step(), cfl_step(), problem.settings);
   settings.scheme.check_step(wanted_step(), cfl_step());
-  state.balance.initial_momentum = momentum();
+  state.balance.momentum.initial = momentum();
   initial_energy = energies().kinetic;
   update_momentum_scale();
 }

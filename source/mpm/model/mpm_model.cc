@@ -124,7 +124,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   report.dt = last_dt = taken.dt;
   ++steps;
   for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
-    report.n_contacts += work.contact.carries_force(r);
+    report.n_contacts += carries_force(work.contact, r);
   renew_grids();
   if (!settings.scheme.solves_equations() && steps % 20 == 0)
     check_energy();
@@ -215,7 +215,7 @@ void MpmModel::update_momentum_scale()
       sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
     scale = std::max(scale, sum);
   }
-  state.balance.note_momentum(scale);
+  state.balance.momentum.note(scale);
 }
 
 } // namespace softgrain::mpm

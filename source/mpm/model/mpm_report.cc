@@ -39,7 +39,7 @@ double MpmModel::momentum_error() const
     if (!body.driven)
       sum += rounded_strain * problem.scene.bodies[body.index].shape->area() *
              std::sqrt(body.law->wave_modulus() * body.density);
-  return state.balance.momentum_error(momentum(), sum);
+  return state.balance.momentum.error(momentum(), sum);
 }
 
 double MpmModel::energy_of_rounding() const
@@ -61,7 +61,7 @@ Energies MpmModel::energies() const
       if (!body.driven)
         energies.kinetic += body.kinetic_energy();
     for (const Wall &wall : state.walls)
-      energies.kinetic += wall.kinetic_energy();
+      energies.kinetic += kinetic_energy_of(wall);
   }
   energies.elastic = stored_energy(state, work.share);
   energies.dissipated = state.balance.dissipated();

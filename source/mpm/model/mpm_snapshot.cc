@@ -149,7 +149,7 @@ void MpmModel::add_contacts(Snapshot<2> &snapshot) const
   };
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    if (!work.contact.carries_force(r) || last_dt == 0.)
+    if (!carries_force(work.contact, r) || last_dt == 0.)
       continue;
     ContactState<2> contact;
     contact.body_a = rows[r].body;
@@ -201,7 +201,7 @@ double MpmModel::coordination() const
   TouchingPairs touching;
   const auto &rows = work.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if (work.contact.carries_force(r))
+    if (carries_force(work.contact, r))
     {
       if (rows[r].wall != Row::none)
         touching.add_wall(rows[r].body, rows[r].wall);

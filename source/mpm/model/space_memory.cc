@@ -234,8 +234,8 @@ void load_laws(const StateReader &in, SpaceState &state)
 void SpaceModel::save(StateWriter &out) const
 {
   out.write("space/time",
-            std::vector<double>{state.time, step_control.scale, last_dt, state.regularisation_work,
-                                state.released_energy, state.dent_energy, state.rubbed});
+            std::vector<double>{state.time, step_control.scale, last_dt, state.losses.regularisation,
+                                state.losses.released, state.dent_energy, state.losses.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
   std::vector<double> walls;
   for (const SpaceWall &wall : driven)
@@ -271,10 +271,10 @@ void SpaceModel::load(StateReader &in)
   state.time = times[0];
   step_control.scale = times[1];
   last_dt = times[2];
-  state.regularisation_work = times[3];
-  state.released_energy = times[4];
+  state.losses.regularisation = times[3];
+  state.losses.released = times[4];
   state.dent_energy = times[5];
-  state.rubbed = times[6];
+  state.losses.rubbed = times[6];
   steps = in.read_integers("space/steps", 1)[0];
   for (std::size_t w = 0; w < driven.size(); ++w)
   {

@@ -295,7 +295,7 @@ void SpaceModel::settle(StepReport &report)
   note(outcome, report);
   follow_loads();
   if (outcome.held_steps > 0)
-    state.released_energy += before - not_booked();
+    state.losses.released += before - not_booked();
   for (std::size_t w = 0; w < driven.size(); ++w)
     driven[w].force = state.wall_force[w];
   report.n_contacts = state.contacts.size();

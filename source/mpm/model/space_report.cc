@@ -29,7 +29,7 @@ Energies SpaceModel::energies() const
         measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
     energies.kinetic += body.kinetic_energy();
   }
-  energies.dissipated = state.regularisation_work + state.released_energy + state.rubbed +
+  energies.dissipated = state.losses.regularisation + state.losses.released + state.losses.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
   energies.external_work = state.load_work.sum() + state.laws.supply;
   for (const SpaceWall &wall : driven)
@@ -156,7 +156,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
                                  {"contact_loss_J", state.motion.contact_loss},
                                  {"rotational_energy_J", rotational},
                                  {"scheme_damping_J", state.motion.scheme_damping},
-                                 {"regularisation_work_J", state.regularisation_work}});
+                                 {"regularisation_work_J", state.losses.regularisation}});
   return columns;
 }
 

@@ -103,7 +103,7 @@ void SpaceModel::book(const SpaceMotion &motion, const double dt)
   if (!at_rest())
     return;
   book_obstacles(motion, works);
-  state.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
+  state.losses.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
 }
 
 // From balance to balance; with inertia the step has told their work.

@@ -21,7 +21,7 @@ void State::order_points()
 
 bool State::repeats() const
 {
-  return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) { return wall.repeats(); });
+  return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) { return is_side_of_cell(wall); });
 }
 
 std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &motion) const
@@ -31,7 +31,7 @@ std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &m
   CellMotion cell;
   cell.cell = cell_of(walls);
   for (unsigned int w = 0; w < walls.size(); ++w)
-    if (walls[w].repeats())
+    if (is_side_of_cell(walls[w]))
       cell.add_side(motion[w].normal, motion[w].mean_velocity());
   return cell;
 }

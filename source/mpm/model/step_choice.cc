@@ -75,6 +75,6 @@ void parse_time_parameters(dealii::ParameterHandler &prm, Settings &settings)
 bool all_are_told(const std::vector<Wall> &walls)
 {
   return std::all_of(walls.begin(), walls.end(),
-                     [](const Wall &wall) { return wall.prescribed() && !wall.slides_freely(); });
+                     [](const Wall &wall) { return wall.prescribed() && !slides_freely(wall); });
 }
 } // namespace softgrain::mpm

@@ -50,7 +50,7 @@ void measure_against_cell(State &state, const CellMotion &cell, const double dt)
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       for (unsigned int d = 0; d < 2; ++d)
         body.velocity[2 * i + d] += change[d];
-    state.balance.body_force_impulse += mass * change;
+    state.balance.momentum.of_loads += mass * change;
     state.balance.cell_work += (momentum + 0.5 * mass * change) * change;
   }
 }
@@ -73,21 +73,21 @@ void move_bodies(const Problem &problem,
   if (cell && cell->deforms())
     for (const Body<2> &body : state.bodies)
       centers.push_back(body.center());
-  state.for_moving_bodies(
-      [&](Body<2> &body)
-      {
-        Eigen::VectorXd &v = step.velocity[body.index];
-        body.kept = problem.settings.scheme.integrator->kept(
-            {body, step.plan, v, step.rate[body.index], step.external[body.index]});
-        std::swap(body.internal_force, step.internal_force[body.index]);
-        body.displacement += step.increment[body.index];
-        if (cell && cell->deforms())
-          body.translate(dt * cell->velocity(centers[body.index]));
-        if (body.velocity.size() > 0)
-          std::swap(body.velocity, v);
-        if (body.field.knows_markers())
-          move_boundary(body);
-      });
+  for_moving(state.bodies,
+             [&](Body<2> &body)
+             {
+               Eigen::VectorXd &v = step.velocity[body.index];
+               body.kept = problem.settings.scheme.integrator->kept(
+                   {body, step.plan, v, step.rate[body.index], step.external[body.index]});
+               std::swap(body.internal_force, step.internal_force[body.index]);
+               body.displacement += step.increment[body.index];
+               if (cell && cell->deforms())
+                 body.translate(dt * cell->velocity(centers[body.index]));
+               if (body.velocity.size() > 0)
+                 std::swap(body.velocity, v);
+               if (body.field.knows_markers())
+                 move_boundary(body);
+             });
 }
 
 /// What points of owned bodies do, and what their laws have lost and got.
@@ -122,8 +122,8 @@ void move_walls(State &state, const FoundStep &step, const std::optional<CellMot
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     state.walls[w].travel += dt * step.motion[w].velocity;
-    state.walls[w].accept_pressure();
-    if (state.walls[w].repeats())
+    accept_pressure(state.walls[w]);
+    if (is_side_of_cell(state.walls[w]))
       state.walls[w].offset = cell->offset_after(dt);
   }
 }

@@ -33,7 +33,7 @@ private:
   /// The part of the velocity of a wall with which it does work, not its load [m/s].
   Vector working_velocity(const Wall &wall) const
   {
-    return step.balanced ? wall.velocity() : wall.prescribed_velocity();
+    return step.balanced ? wall.velocity() : prescribed_velocity_of(wall);
   }
   void book_wall(unsigned int w, std::vector<DrivenWork> &driven);
 
@@ -52,8 +52,8 @@ ContactAccounts::ContactAccounts(State &state, const Workspace &work, const Foun
 {
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    force_before.push_back(state.walls[w].force);
-    state.walls[w].force = 0.;
+    force_before.push_back(state.walls[w].book.force);
+    state.walls[w].book.force = 0.;
     state.walls[w].speed = step.motion[w].rate;
     state.walls[w].slide_speed = step.motion[w].slide;
   }
@@ -66,9 +66,9 @@ ContactAccounts::ContactAccounts(State &state, const Workspace &work, const Foun
 
 void ContactAccounts::give(Wall &wall, const Vector &given)
 {
-  wall.give(given, dt);
-  state.balance.wall_impulse += given;
-  wall.work += given * working_velocity(wall);
+  wall.book.give(given, dt);
+  state.balance.momentum.of_walls += given;
+  wall.book.work += given * working_velocity(wall);
 }
 
 void ContactAccounts::book_partner(const ContactRow<2> &row,
@@ -81,7 +81,7 @@ void ContactAccounts::book_partner(const ContactRow<2> &row,
   {
     Obstacle<2> &obstacle = state.obstacles[row.wall - state.walls.size()];
     obstacle.give(given, row.place, dt);
-    state.balance.wall_impulse += given;
+    state.balance.momentum.of_walls += given;
     if (!step.balanced)
       obstacle.work += acting * (row.partner_velocity * direction);
   }
@@ -89,7 +89,7 @@ void ContactAccounts::book_partner(const ContactRow<2> &row,
     give(state.walls[row.wall], given);
   else if (row.partner != ContactRow<2>::none && state.bodies[row.partner].driven)
   {
-    state.balance.wall_impulse += given;
+    state.balance.momentum.of_walls += given;
     state.balance.driven_work += acting * (direction * work.drive[row.partner]);
   }
 }
@@ -130,18 +130,18 @@ void ContactAccounts::load_sides_of_cell()
     return;
   load_sides(state.walls, cell->cell, virial);
   for (Wall &wall : state.walls)
-    if (wall.repeats())
-      wall.work -= dt * (wall.force * working_velocity(wall));
+    if (is_side_of_cell(wall))
+      wall.book.work -= dt * (wall.book.force * working_velocity(wall));
 }
 
 void ContactAccounts::book_wall(const unsigned int w, std::vector<DrivenWork> &driven)
 {
   Wall &wall = state.walls[w];
-  double change = 0.5 * dt * wall.speed * (wall.force - force_before[w]) * wall.description.normal;
+  double change = 0.5 * dt * wall.speed * (wall.book.force - force_before[w]) * wall.description.normal;
   if (wall.slide_speed != 0.)
-    change += 0.5 * dt * wall.slide_speed * (wall.force - force_before[w]) * wall.tangent();
-  wall.work += change;
-  driven.push_back({&wall.work, std::abs(change)});
+    change += 0.5 * dt * wall.slide_speed * (wall.book.force - force_before[w]) * wall.tangent();
+  wall.book.work += change;
+  driven.push_back({&wall.book.work, std::abs(change)});
 }
 
 void ContactAccounts::book_means()

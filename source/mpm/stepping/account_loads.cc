@@ -107,6 +107,6 @@ void account_loads(State &state, Workspace &work, const FoundStep &step)
         work.load[body.index][d] += force[2 * i + d];
     sum += work.load[body.index];
   }
-  state.balance.body_force_impulse += dt * sum;
+  state.balance.momentum.of_loads += dt * sum;
 }
 } // namespace softgrain::mpm

@@ -22,10 +22,11 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
   std::vector<WallMotion<2>> motion;
   for (const Wall &wall : walls)
   {
-    const double velocity = plan.held || !wall.prescribed() ? 0. : wall.demand(state.time, plan.dt).velocity;
-    motion.push_back({wall.point(), wall.normal(), velocity, wall.body == Wall::no_body && !wall.repeats(),
-                      velocity, std::abs(velocity),
-                      plan.held || wall.slides_freely() ? 0. : wall.demanded_slide(state.time, plan.dt)});
+    const double velocity =
+        plan.held || !wall.prescribed() ? 0. : demand_of(wall, state.time, plan.dt).velocity;
+    motion.push_back({wall.point(), wall.normal(), velocity,
+                      wall.body == Wall::no_body && !is_side_of_cell(wall), velocity, std::abs(velocity),
+                      plan.held || slides_freely(wall) ? 0. : demanded_slide(wall, state.time, plan.dt)});
   }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     if (!free.slides() || free.length > 0.)

@@ -37,7 +37,7 @@ void solve_contacts(const Problem &problem,
   work.contact.lump(state.bodies, dt);
   // An open gap may close, but no further; a closed one holds at velocity level.
   std::vector<double> free_velocity = row_velocity(state, work, v, motion, {}, 1., dt, {});
-  work.contact.take_back_softness(dt, free_velocity);
+  take_back_softness(work.contact, dt, free_velocity);
   const contact::SolverReport report =
       work.contact.solve(std::move(free_velocity), problem.settings.contact_solver);
   outcome.contact_sweeps = report.sweeps;
@@ -50,31 +50,31 @@ void solve_contacts(const Problem &problem,
     outcome.reason = text.str();
     return;
   }
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
-        work.contact.add_impulses(body.index, impulse);
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-          v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
-      });
+  for_moving(state.bodies,
+             [&](const Body<2> &body)
+             {
+               Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
+               work.contact.add_impulses(body.index, impulse);
+               for (unsigned int i = 0; i < body.mass.size(); ++i)
+                 v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
+             });
 }
 
 /// What forces and loads do to the velocities @p v in a step, without contact.
 void push_freely(const State &state, const double dt, const Vectors &external, Vectors &v)
 {
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const Eigen::VectorXd &load = external[body.index];
-        for (unsigned int i = 0; i < body.mass.size(); ++i)
-        {
-          auto velocity = v[body.index].segment<2>(2 * i);
-          velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
-          if (load.size() > 0)
-            velocity += dt / body.mass[i] * load.segment<2>(2 * i);
-        }
-      });
+  for_moving(state.bodies,
+             [&](const Body<2> &body)
+             {
+               const Eigen::VectorXd &load = external[body.index];
+               for (unsigned int i = 0; i < body.mass.size(); ++i)
+               {
+                 auto velocity = v[body.index].segment<2>(2 * i);
+                 velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
+                 if (load.size() > 0)
+                   velocity += dt / body.mass[i] * load.segment<2>(2 * i);
+               }
+             });
 }
 
 /// Internal forces at the end of the step. @return why they are not found or not taken

@@ -182,7 +182,9 @@ void ImplicitStep::accept(State &state_to_change)
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        told[b] = {equations.scheme_damping(b, trial[b]), equations.regularisation_work(b)};
+        const BodyTerms<2> &terms = equations.terms(b);
+        told[b] = {terms.damping(body, trial[b], equations.increment[b], equations.internal[b]),
+                   terms.regularisation_work(body, equations.increment[b])};
         spread_imbalance(body, equations.unbalanced(b), trial[b]);
       },
       [&](BodyShare::Message &message)

@@ -100,7 +100,7 @@ void MovingStep::account_body(Body<3> &body, SpaceState &state)
   MotionBalance &balance = state.motion;
   spread_imbalance(body, moving.missing(b) + plan.dt * contact_forces(b), trial[b]);
   balance.scheme_damping += moving.damping(b, trial[b]);
-  state.regularisation_work += moving.held_work(b);
+  state.losses.regularisation += moving.held_work(b);
   if (const Eigen::VectorXd &load = moving.external[b]; load.size() > 0)
   {
     account_load(body, load, moving.load_times(), state);

@@ -42,7 +42,7 @@ FreeWall<2> free_wall(const State &state, const unsigned int w, const dealii::Te
   free.wall = w;
   free.normal = state.walls[w].normal();
   free.way = way;
-  if (state.walls[w].repeats())
+  if (is_side_of_cell(state.walls[w]))
     free.length = cell_of(state.walls).length[axis_of(free.normal)];
   return free;
 }
@@ -84,16 +84,16 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
   {
     Wall &wall = state.walls[w];
     const double length = pressed_length(state.walls, w);
-    if (wall.slides_freely())
+    if (slides_freely(wall))
     {
-      wall.shear(wall.demanded_shear(time, over), length);
-      add_free_wall(problem, state, work, plan, wall.slide_load, wall.slide_speed, &free_slide_step,
+      put_shear(wall, demanded_shear(wall, time, over), length);
+      add_free_wall(problem, state, work, plan, wall.free.along.force, wall.slide_speed, &free_slide_step,
                     free_wall(state, w, wall.tangent()));
     }
     if (wall.prescribed())
       continue;
-    wall.press(asked_pressure(state.walls, w, time, over), length);
-    add_free_wall(problem, state, work, plan, wall.load, wall.speed, &free_wall_step,
+    put_pressure(wall, asked_pressure(state.walls, w, time, over), length);
+    add_free_wall(problem, state, work, plan, wall.free.across.force, wall.speed, &free_wall_step,
                   free_wall(state, w, wall.normal()));
   }
 }
@@ -134,12 +134,11 @@ void account_free_wall(
   (slides ? wall.slide_speed : wall.speed) = scheme.ends_in_balance() ? rate : free.speed;
   if (scheme.ends_in_balance())
     return;
-  const double load = slides ? wall.slide_load : wall.load, mass = slides ? wall.slide_mass : wall.mass,
-               damping = slides ? wall.slide_damping : wall.damping;
+  const WallLoad &load = slides ? wall.free.along : wall.free.across;
   const double moving = scheme.over_step(free.start_speed, free.speed);
-  wall.work += dt * load * rate;
-  state.balance.wall_damping_loss += dt * damping * moving * rate;
-  state.balance.losses.add(loss::scheme, scheme.loss_of_wall(mass, free.speed - free.start_speed));
+  wall.book.work += dt * load.force * rate;
+  state.balance.wall_damping_loss += dt * load.damping * moving * rate;
+  state.balance.losses.add(loss::scheme, scheme.loss_of_wall(load.mass, free.speed - free.start_speed));
 }
 
 namespace
@@ -151,12 +150,12 @@ WallImbalance worst_wall(const Problem &problem, const State &state)
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     const Wall &wall = state.walls[w];
-    if (wall.slides_freely())
-      worst.compare(w, true, -1. * (wall.force * wall.tangent()),
-                    wall.demanded_shear(state.time, 0.) * pressed_length(state.walls, w), floor);
+    if (slides_freely(wall))
+      worst.compare(w, true, -1. * (wall.book.force * wall.tangent()),
+                    demanded_shear(wall, state.time, 0.) * pressed_length(state.walls, w), floor);
     // Walls beside it have moved: length and stress are others.
     if (!wall.prescribed())
-      worst.compare(w, false, -1. * (wall.force * wall.normal()),
+      worst.compare(w, false, -1. * (wall.book.force * wall.normal()),
                     asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w), floor);
   }
   return worst;
@@ -195,7 +194,7 @@ void check_room_of_walls(const Problem &problem, const State &state, const doubl
 {
   const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
   for (const Wall &wall : state.walls)
-    if (wall.slides_freely() && slid > room)
+    if (slides_freely(wall) && slid > room)
     {
       std::ostringstream message;
       message << "at time " << state.time << " s nothing bears the shear stress of wall '"

@@ -82,7 +82,7 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
 {
   const FrameState<2> &frame = frames[f];
   const FrameState<2>::RayHere &here = frame.ray(k);
-  if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.pull > 0.))
+  if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.held.pull > 0.))
     return;
   ContactRow<2> row = row_of_ray(scene, frame, k);
   row.gap = here.at_start / frame.resultant(k).norm();

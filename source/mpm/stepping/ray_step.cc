@@ -98,7 +98,7 @@ void RayStep::find_free_walls()
   {
     const Wall &wall = state.walls[free.wall];
     const unsigned int slab = wall.body == Wall::no_body ? FrameState<2>::none : wall.body;
-    const PeriodicCell<2> *const side = wall.repeats() ? repeats : nullptr;
+    const PeriodicCell<2> *const side = is_side_of_cell(wall) ? repeats : nullptr;
     if (inertia)
     {
       const double dt = plan.dt, begun = (1. - theta) * free.start_speed,
@@ -110,7 +110,8 @@ void RayStep::find_free_walls()
       system.ways.back().at = dt * free.start_speed;
       continue;
     }
-    const double load = free.slides() ? wall.slide_load : wall.load, net = load + wall.force * free.way;
+    const double load = free.slides() ? wall.free.along.force : wall.free.across.force,
+                 net = load + wall.book.force * free.way;
     // The spring is that of bodies that resist no more than they must.
     system.ways.emplace_back(free, slab, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
                              problem.settings.wall_motion * h,
@@ -162,9 +163,12 @@ std::vector<StepEquations::Told> RayStep::tell_ends()
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        const FrameState<2>::Vector resistance = step_equations.resistance(b);
-        told[b] = {step_equations.regularisation_work(b), step_equations.scheme_damping(b, trial[b]),
-                   resistance[0], resistance[1], step_equations.held_back(b)};
+        const BodyTerms<2> &terms = step_equations.terms(b);
+        const Eigen::VectorXd &increment = equations.increment[b];
+        const FrameState<2>::Vector resistance = terms.resistance(body, increment);
+        told[b] = {terms.regularisation_work(body, increment),
+                   terms.damping(body, trial[b], increment, equations.internal[b]), resistance[0],
+                   resistance[1], terms.held_back(body, increment)};
         if (inertia)
           spread_imbalance(body, equations.missing(b) + plan.dt * contact_forces(b), trial[b]);
       },

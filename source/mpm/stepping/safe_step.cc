@@ -119,7 +119,7 @@ double safe_from_walls(
     const dealii::Point<2> nearest(n[0] > 0. ? flight.lower[0] : flight.upper[0],
                                    n[1] > 0. ? flight.lower[1] : flight.upper[1]);
     const double gap = (nearest - wall.point()) * n;
-    const double own = wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed;
+    const double own = wall.prescribed() ? demand_of(wall, state.time, dt).velocity : wall.speed;
     const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
     step = std::min(step, time_of_way(std::max(reach, gap), speed, pull_of(problem, state)));
   }
@@ -213,10 +213,11 @@ double safe_in_cell(const Problem &problem,
   CellMotion cell;
   cell.cell = cell_of(state.walls);
   for (const Wall &wall : state.walls)
-    if (wall.repeats())
+    if (is_side_of_cell(wall))
       cell.add_side(wall.normal(),
-                    (wall.prescribed() ? wall.demand(state.time, dt).velocity : wall.speed) * wall.normal() +
-                        (wall.slides_freely() ? wall.slide_speed : wall.demanded_slide(state.time, dt)) *
+                    (wall.prescribed() ? demand_of(wall, state.time, dt).velocity : wall.speed) *
+                            wall.normal() +
+                        (slides_freely(wall) ? wall.slide_speed : demanded_slide(wall, state.time, dt)) *
                             wall.tangent());
   return std::min(dt, time_of_way(std::min(largest_way_in_widths * narrowest, reach),
                                   2. * fastest + cell.gradient.norm() * widest, pull_of(problem, state)));

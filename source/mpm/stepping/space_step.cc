@@ -69,7 +69,7 @@ void StepAtRest::account_frame(const unsigned int f, SpaceState &state) const
   frame.add_kinks(force[f], rubbing[f], state.kinks);
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
     if (frame.ray(k).met && frame.rubs(k))
-      state.rubbed -= 0.5 * (frame.layout().rays[k].friction + rubbing[f][k]) * frame.ray(k).slide;
+      state.losses.rubbed -= 0.5 * (frame.layout().rays[k].friction + rubbing[f][k]) * frame.ray(k).rub.slide;
 }
 
 void StepAtRest::accept(SpaceState &state)
@@ -78,7 +78,7 @@ void StepAtRest::accept(SpaceState &state)
   for (unsigned int b = 0; b < way.size(); ++b)
   {
     state.held_back[b] = of_space.held_back(b);
-    state.regularisation_work += of_space.regularisation_work(b);
+    state.losses.regularisation += of_space.regularisation_work(b);
     account_loads(state.bodies[b], state);
   }
   state.dent_energy = 0.;

@@ -40,16 +40,16 @@ StepEquations::StepEquations(const Problem &problem,
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
-  state.for_moving_bodies(
-      [&](const Body<2> &body)
-      {
-        const unsigned int b = body.index;
-        if (!work.share.mine(b))
-          return;
-        scheme_terms[b] = scheme.integrator->terms_of(
-            {body, scheme, this->plan, body.boundary.circular && problem.slippery(), external[b],
-             state.resistance.empty() ? dealii::Tensor<1, 2>() : state.resistance[b]});
-      });
+  for_moving(state.bodies,
+             [&](const Body<2> &body)
+             {
+               const unsigned int b = body.index;
+               if (!work.share.mine(b))
+                 return;
+               scheme_terms[b] = scheme.integrator->terms_of(
+                   {body, scheme, this->plan, body.boundary.circular && problem.slippery(), external[b],
+                    state.resistance.empty() ? dealii::Tensor<1, 2>() : state.resistance[b]});
+             });
 }
 
 void StepEquations::rows_changed()
@@ -174,26 +174,6 @@ double StepEquations::trial_length() const
   for (const auto &[square, norm, scale, length_square] : measured)
     sum += length_square;
   return std::sqrt(sum);
-}
-
-double StepEquations::scheme_damping(const unsigned int b, const Eigen::VectorXd &v) const
-{
-  return scheme_terms[b]->damping(state.bodies[b], v, increment[b], internal[b]);
-}
-
-double StepEquations::regularisation_work(const unsigned int b) const
-{
-  return scheme_terms[b]->regularisation_work(state.bodies[b], increment[b]);
-}
-
-dealii::Tensor<1, 2> StepEquations::resistance(const unsigned int b) const
-{
-  return scheme_terms[b]->resistance(state.bodies[b], increment[b]);
-}
-
-double StepEquations::held_back(const unsigned int b) const
-{
-  return scheme_terms[b]->held_back(state.bodies[b], increment[b]);
 }
 
 void StepEquations::tell(std::vector<Told> &told, BodyShare::Message &message)

@@ -76,7 +76,7 @@ std::string StepEquations::factorise()
         [&](BodyShare::Message &message) { message.add(pending); });
     const auto unstable =
         std::find_if(state.bodies.begin(), state.bodies.end(),
-                     [&](const Body<2> &body) { return moves(body.index) && pending[body.index]; });
+                     [&](const Body<2> &body) { return !body.driven && pending[body.index]; });
     if (unstable == state.bodies.end())
       return "";
     if (attempt == most_attempts)

@@ -16,7 +16,7 @@ bool touches(const Workspace &work, const unsigned int b)
 {
   const auto &rows = work.contact.contact_rows();
   for (unsigned int r = 0; r < rows.size(); ++r)
-    if ((rows[r].body == b || rows[r].partner == b) && work.contact.carries_force(r))
+    if ((rows[r].body == b || rows[r].partner == b) && carries_force(work.contact, r))
       return true;
   return false;
 }

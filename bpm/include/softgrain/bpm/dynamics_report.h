@@ -12,6 +12,14 @@
 
 namespace softgrain::bpm
 {
+/// What loads did in a step.
+struct LoadReport
+{
+  double work = 0;              ///< [J/m]
+  std::vector<double> of_loads; ///< of it, by all loads but the last [J/m]
+  dealii::Tensor<1, 2> impulse; ///< [N s/m]
+};
+
 /// What one step did.
 struct DynamicsReport
 {
@@ -26,12 +34,10 @@ struct DynamicsReport
   double damping_loss = 0;             ///< in the damping of walls [J/m]
   NamedSums losses;                    ///< beside these, see Balance::losses [J/m]
   NamedSums sums;                      ///< what the step adds to columns of the history, see Balance::sums
-  double force_work = 0;               ///< done by loads [J/m]
-  std::vector<double> load_work;       ///< of it, by all loads but the last [J/m]
-  dealii::Tensor<1, 2> force_impulse;  ///< of loads [N s/m]
-  double max_penetration = 0;          ///< after the step, and on the way to there [m]
-  Overlap on_the_way;                  ///< the deepest one between the ends of the step
-  dealii::Tensor<1, 2> cell_impulse;   ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
+  LoadReport loads;
+  double max_penetration = 0;        ///< after the step, and on the way to there [m]
+  Overlap on_the_way;                ///< the deepest one between the ends of the step
+  dealii::Tensor<1, 2> cell_impulse; ///< on the primaries, of a cell that deforms: see CellMotion [N s/m]
 };
 } // namespace softgrain::bpm
 

@@ -6,13 +6,11 @@
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/disk_exchanges.h>
 #include <softgrain/contact/neighbour_list.h>
-#include <softgrain/model/state_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,9 +49,7 @@ public:
    */
   void share_out(Primaries &disks, Motion &kept, contact::NeighbourList &list);
 
-  /// Whether primaries turn, have a strength, and places at the start; where there are none, that cannot be
-  /// seen.
-  bool rotates() const { return rotate; }
+  /// Whether primaries have a strength, and places at the start; where there are none, that cannot be seen.
   bool graded() const { return has_strength; }
   bool started() const { return has_start; }
 
@@ -70,61 +66,8 @@ public:
 
   /// End of the tiles of every rank, for both colours.
   const std::vector<std::vector<std::uint32_t>> &end_of_tiles() const { return tile_end; }
-  /// Tiles of @p colour of @p rank: first and end.
-  std::pair<std::uint32_t, std::uint32_t> tiles(unsigned int colour, unsigned int rank) const;
-
   /// Numbers of all primaries on the first rank, @p n of each, by number; nothing on others.
   std::vector<double> at_first(const double *values, unsigned int n, const Primaries &disks) const;
-  /// Gathers numbers of all tiles on the first rank, in the order of one process. @p values are those of the
-  /// tiles here, of which the first @p n_first belong to the first colour.
-  std::vector<double> tiles_at_first(const std::vector<double> &values, std::size_t n_first) const;
-
-  /// @name Files: all ranks together bring rows of a list of all, from @p begin to @p end, to the first rank.
-  ///@{
-
-  /// Brings @p n numbers of every primary, by number; @p values are those here.
-  void bring_rows(const double *values,
-                  std::size_t n,
-                  const Primaries &disks,
-                  std::size_t begin,
-                  std::size_t end,
-                  double *rows) const;
-
-  /// Where rows of the tiles here stand in the list of all: of each colour, those from one row here to
-  /// another, and the first of them there.
-  struct TileRows
-  {
-    std::size_t n_all = 0;
-    std::array<std::size_t, 3> here{};
-    std::array<std::size_t, 2> there{};
-
-    /// Calls @p work for those of them that are among the rows from @p begin to @p end of all: the first one
-    /// here, the same in the list of all, and how many follow.
-    template <class Work>
-    void among(const std::size_t begin, const std::size_t end, const Work &work) const
-    {
-      for (unsigned int colour = 0; colour < 2; ++colour)
-      {
-        const std::size_t first = std::max(begin, there[colour]),
-                          last = std::min(end, there[colour] + here[colour + 1] - here[colour]);
-        if (first < last)
-          work(here[colour] + first - there[colour], first, last - first);
-      }
-    }
-  };
-  /// Places in the list of all of @p n rows here, ordered by tiles; @p n_first have the first colour.
-  TileRows rows_of_tiles(std::size_t n_first, std::size_t n) const;
-  /// Brings @p width numbers of each of these rows.
-  void bring_tiles(const std::vector<double> &values,
-                   std::size_t width,
-                   const TileRows &tiles,
-                   std::size_t begin,
-                   std::size_t end,
-                   double *rows) const;
-
-  /// Takes what the pairs of @p list remember from the list of all in a state.
-  void take_tiles(const StateReader &in, const std::string &name, contact::NeighbourList &list) const;
-  ///@}
 
 private:
   void choose_strips(const Primaries &disks, double cell);
@@ -151,6 +94,11 @@ private:
   std::array<contact::DiskRound, 2> rounds;
   std::vector<std::uint32_t> to_previous; ///< own primaries of which the rank before has copies
 };
+
+/// Tiles of @p colour that number @p owner has: first and end. @param end_of_tiles see StripShare
+std::pair<std::uint32_t, std::uint32_t> tiles_of(const std::vector<std::vector<std::uint32_t>> &end_of_tiles,
+                                                 unsigned int colour,
+                                                 unsigned int owner);
 } // namespace softgrain::bpm
 
 #endif

@@ -52,7 +52,7 @@ struct ContactFrame
   {
     std::array<int, dim - 1> index;      ///< on the lattice
     double force = 0;                    ///< multiplier of its gap [N/m^(dim-2)]; adhesion makes it negative
-    dealii::Tensor<1, dim - 1> friction; ///< on the body, along RayHere::e [N/m^(dim-2)]
+    dealii::Tensor<1, dim - 1> friction; ///< on the body, along RayRub::e [N/m^(dim-2)]
     double pull = 0;                     ///< of adhesion in the step before [N/m^(dim-2)]
     double memory = 0;                   ///< of a contact law that remembers
     std::array<SurfacePlace<dim>, 2> place; ///< where it meets the partner and the body
@@ -71,38 +71,42 @@ struct ContactFrame
     }
     return way;
   }
-
-  /// Turns it to another direction. @param to unit
-  void turn(const dealii::Tensor<1, dim> &to);
-
-  /// What a frame and its successor have in common.
-  using Key = std::tuple<unsigned int,
-                         unsigned int,
-                         unsigned int,
-                         typename PeriodicCell<dim>::Image,
-                         unsigned int,
-                         unsigned int>;
-  Key key() const
-  {
-    return {body,  partner, wall,
-            image, corner,  corner == none || rays.empty() ? none : rays[0].place[corner].piece};
-  }
 };
 
-template <>
-inline void ContactFrame<2>::turn(const dealii::Tensor<1, 2> &to)
+/// What a frame and its successor have in common.
+template <int dim>
+using FrameKey = std::tuple<unsigned int,
+                            unsigned int,
+                            unsigned int,
+                            typename PeriodicCell<dim>::Image,
+                            unsigned int,
+                            unsigned int>;
+
+template <int dim>
+FrameKey<dim> key_of(const ContactFrame<dim> &frame)
 {
-  direction = to;
-  across[0] = dealii::Tensor<1, 2>({to[1], -to[0]});
+  constexpr unsigned int none = ContactFrame<dim>::none;
+  return {frame.body,
+          frame.partner,
+          frame.wall,
+          frame.image,
+          frame.corner,
+          frame.corner == none || frame.rays.empty() ? none : frame.rays[0].place[frame.corner].piece};
+}
+
+/// Turns a frame to another direction. @param to unit
+inline void turn(ContactFrame<2> &frame, const dealii::Tensor<1, 2> &to)
+{
+  frame.direction = to;
+  frame.across[0] = dealii::Tensor<1, 2>({to[1], -to[0]});
 }
 
 /// The first of the unit vectors across the rays goes along the axis of space that is nearest to lying across
 /// them, so lattices of mirrored scenes are mirror images.
-template <>
-inline void ContactFrame<3>::turn(const dealii::Tensor<1, 3> &to)
+inline void turn(ContactFrame<3> &frame, const dealii::Tensor<1, 3> &to)
 {
   constexpr double rounding = 1e-6;
-  direction = to;
+  frame.direction = to;
   unsigned int axis = 0;
   for (unsigned int d = 1; d < 3; ++d)
     if (std::abs(to[d]) < std::abs(to[axis]) - rounding)
@@ -110,8 +114,8 @@ inline void ContactFrame<3>::turn(const dealii::Tensor<1, 3> &to)
   dealii::Tensor<1, 3> along;
   along[axis] = 1.;
   along -= to[axis] * to;
-  across[0] = along / along.norm();
-  across[1] = dealii::cross_product_3d(to, across[0]);
+  frame.across[0] = along / along.norm();
+  frame.across[1] = dealii::cross_product_3d(to, frame.across[0]);
 }
 } // namespace softgrain::mpm
 

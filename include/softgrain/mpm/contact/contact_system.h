@@ -48,12 +48,6 @@ public:
   unsigned int n_components() const { return problem.n_components; }
   /// Impulses of the last solve [N s].
   const std::vector<double> &impulses() const { return impulse; }
-  /// Whether row @p r pushes, or pulls because it adheres.
-  bool carries_force(const unsigned int r) const
-  {
-    const double P = impulse[r * problem.n_components];
-    return P > 0. || (P < 0. && rows[r].pull > 0.);
-  }
   /// Relative velocities w of the last solve, gap terms included [m/s].
   const std::vector<double> &velocities() const { return velocity; }
 
@@ -66,14 +60,6 @@ public:
                                         const std::vector<Body<dim>> &bodies,
                                         const std::vector<dealii::Tensor<1, dim>> &drive,
                                         const Velocities &nodal) const;
-  std::vector<double> relative_velocity(const BodyShare &share,
-                                        const std::vector<Body<dim>> &bodies,
-                                        const std::vector<dealii::Tensor<1, dim>> &drive,
-                                        const std::vector<Eigen::VectorXd> &nodal) const
-  {
-    return relative_velocity(share, bodies, drive,
-                             [&](const unsigned int b) -> const Eigen::VectorXd & { return nodal[b]; });
-  }
 
   /// Adds H^T P of body @p b, whose rows are known here, to @p nodal, with the present impulses.
   void add_impulses(unsigned int b, Eigen::VectorXd &nodal) const;
@@ -88,9 +74,6 @@ public:
 
   /// W from nodal masses, H M^-1 H^T, plus the softness of rows in a step of length @p dt [s].
   void lump(const std::vector<Body<dim>> &bodies, double dt);
-  /// Rows yield to the change of their force only: subtracts from @p free_velocity [m/s] what softness makes
-  /// of the impulses with which the next solve() starts, those of the step before.
-  void take_back_softness(double dt, std::vector<double> &free_velocity) const;
 
   /**
    * @brief Solves Signorini and Coulomb for the given free relative velocity, starting from the present
@@ -135,6 +118,20 @@ private:
   std::vector<double> impulse, velocity, last_start;
   std::shared_ptr<Operator> delassus;
 };
+
+/// Whether row @p r of a system pushes, or pulls because it adheres.
+template <int dim>
+bool carries_force(const ContactSystem<dim> &system, const unsigned int r)
+{
+  const double P = system.impulses()[r * system.n_components()];
+  return P > 0. || (P < 0. && system.contact_rows()[r].pull > 0.);
+}
+
+/// Rows yield to the change of their force only: subtracts from @p free_velocity [m/s] what softness makes of
+/// the impulses with which the next solve() starts, those of the step before. @param dt length of the step
+/// [s]
+template <int dim>
+void take_back_softness(const ContactSystem<dim> &system, double dt, std::vector<double> &free_velocity);
 } // namespace softgrain::mpm
 
 #endif

@@ -70,10 +70,10 @@ public:
   /// The force of a ray as the step begins: no less than adhesion leaves of it [N/m].
   double start_force(const unsigned int k) const
   {
-    const double least = -rays[k].pull, force = frame.rays[k].force;
+    const double least = -rays[k].held.pull, force = frame.rays[k].force;
     if (rays[k].left)
       return 0.;
-    return rays[k].pull > 0. && force <= 0. && free_gap(k) > 0. ? least : std::max(force, least);
+    return rays[k].held.pull > 0. && force <= 0. && free_gap(k) > 0. ? least : std::max(force, least);
   }
   /// Finds by how much rays pull in this step: what adhesion does where they were met as the step begins.
   /// @param held the step seeks balance only: pulls go half-way there
@@ -122,19 +122,19 @@ public:
   using RayHere = mpm::RayHere<dim>;
 
   /// Whether a ray is closed: its surfaces part where adhesion alone is left of its force.
-  bool closed(const unsigned int k, const double force) const { return force > -rays[k].pull; }
+  bool closed(const unsigned int k, const double force) const { return force > -rays[k].held.pull; }
   /// The largest friction for a force [N/m].
   double most_friction(const unsigned int k, const double force) const
   {
-    return rays[k].bound * (force + rays[k].pull);
+    return rays[k].rub.bound * (force + rays[k].held.pull);
   }
   /// Whether a ray rubs: a pair with friction, met at the start of the step.
-  bool rubs(const unsigned int k) const { return rays[k].bound > 0.; }
+  bool rubs(const unsigned int k) const { return rays[k].rub.bound > 0.; }
   double friction_coefficient() const { return friction; }
   /// Slide that softness lets a force on a ray have that differs from the one at the start of the step [m].
   Across free_slide(const unsigned int k) const
   {
-    return rays[k].slide - rays[k].known_slide - softness * frame.rays[k].friction;
+    return rays[k].rub.slide - rays[k].rub.known_slide - softness * frame.rays[k].friction;
   }
 
   unsigned int n_rays() const { return rays.size(); }
@@ -165,14 +165,14 @@ public:
     for (unsigned int i = 0; i < here.function.node.size(); ++i)
       add(here.function.node[i], here.function.value[i] * along);
   }
-  /// Adds the derivative of a slide along @p way, in the directions of RayHere::e, by the nodes of a side.
+  /// Adds the derivative of a slide along @p way, in the directions of RayRub::e, by the nodes of a side.
   template <class F>
   void for_slide(const unsigned int k, const unsigned int side, const Across &way, const F &add) const
   {
     Vector along;
     for (unsigned int m = 0; m < dim - 1; ++m)
-      along += sign(side) * way[m] * rays[k].e[m];
-    const PlaceFunctions<dim> &hold = rays[k].hold[side];
+      along += sign(side) * way[m] * rays[k].rub.e[m];
+    const PlaceFunctions<dim> &hold = rays[k].rub.hold[side];
     for (unsigned int i = 0; i < hold.node.size(); ++i)
       add(hold.node[i], hold.value[i] * along);
   }
@@ -247,9 +247,9 @@ public:
   {
     return along_slides(k, moves[1] - moves[0]);
   }
-  /// Components of a vector along RayHere::e.
+  /// Components of a vector along RayRub::e.
   Across along_slides(unsigned int k, const Vector &way) const;
-  /// The vector that stands at @p way in the directions of RayHere::e.
+  /// The vector that stands at @p way in the directions of RayRub::e.
   Vector in_space(unsigned int k, const Across &way) const;
   /// What it does to the mean motion across the rays.
   Across motion_by(const std::array<Vector, 2> &moves) const;

@@ -19,7 +19,7 @@ typename FrameState<dim>::Across FrameState<dim>::along_slides(const unsigned in
 {
   Across result;
   for (unsigned int m = 0; m < dim - 1; ++m)
-    result[m] = rays[k].e[m] * way;
+    result[m] = rays[k].rub.e[m] * way;
   return result;
 }
 
@@ -28,7 +28,7 @@ typename FrameState<dim>::Vector FrameState<dim>::in_space(const unsigned int k,
 {
   Vector result;
   for (unsigned int m = 0; m < dim - 1; ++m)
-    result += way[m] * rays[k].e[m];
+    result += way[m] * rays[k].rub.e[m];
   return result;
 }
 

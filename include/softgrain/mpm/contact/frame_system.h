@@ -26,7 +26,7 @@ using BodySolver = std::conditional_t<dim == 2, RankOneSolver, LowRankSolver>;
 
 /// Forces of the rays of all frames [N/m].
 using RayForces = std::vector<std::vector<double>>;
-/// Friction of the rays of all frames, along RayHere::e [N/m^(3-dim)].
+/// Friction of the rays of all frames, along RayRub::e [N/m^(3-dim)].
 template <int dim>
 using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
 
@@ -135,18 +135,18 @@ private:
     double stiffness = 0;           ///< of a ray or a slide: what makes a gap a force [N/m^2]
     double bound = 0;               ///< of a slide: largest friction over force
     double threshold = 0;           ///< largest friction for the force of the last iterate [N/m]
-    double pull = 0;            ///< of a ray, FrameState::RayHere::pull: what is left where it opens [N/m]
-    unsigned int component = 0; ///< of a slide
-    Across axis{};              ///< direction of a slide, along RayHere::e
-    Across axis_of_v{};         ///< likewise, when the column of V was made
-    double give = 0;            ///< of a slide across friction that slips: slide for a unit force [m^2/N]
+    double pull = 0;                ///< of a ray, RayHold::pull: what is left where it opens [N/m]
+    unsigned int component = 0;     ///< of a slide
+    Across axis{};                  ///< direction of a slide, along RayRub::e
+    Across axis_of_v{};             ///< likewise, when the column of V was made
+    double give = 0;                ///< of a slide across friction that slips: slide for a unit force [m^2/N]
   };
   void add_slides(const FrameState<dim> &frame, const Across &rubbing, double force, unsigned int ray_column);
   /// Turns both slides of a ray, so that the first goes along (@p c, @p s) in their present directions.
   void turn_slides(unsigned int first, double c, double s);
   /// Puts friction into found_rubbing, at its bound where it slips.
   void note_friction(unsigned int first);
-  /// Friction in z, along RayHere::e.
+  /// Friction in z, along RayRub::e.
   Across found_friction(unsigned int first) const;
   double give_of(const unsigned int i) const
   {

@@ -8,6 +8,26 @@
 
 namespace softgrain::mpm
 {
+/// How both surfaces under a ray rub: vectors of e are 0 where there is no friction.
+template <int dim>
+struct RayRub
+{
+  std::array<SurfacePlace<dim>, 2> start;        ///< places under the ray at the start of the step
+  std::array<PlaceFunctions<dim>, 2> hold;       ///< of the field there
+  std::array<dealii::Tensor<1, dim>, dim - 1> e; ///< unit, at right angles to each other and to its push
+  double bound = 0;                              ///< largest friction over force
+  dealii::Tensor<1, dim - 1> slide;              ///< along e [m]
+  dealii::Tensor<1, dim - 1> known_slide; ///< what velocities at the start have in it, with inertia [m]
+};
+
+/// How adhesion holds both surfaces under a ray.
+struct RayHold
+{
+  double pull = 0;      ///< with which it holds them together [N/m]
+  double memory = 0;    ///< of a contact law that remembers
+  double parts_for = 0; ///< what parting takes from it, as the step begins [J/m]
+};
+
 /// A ray of a frame in a step: what it meets and what it knows of its gap.
 template <int dim>
 struct RayHere
@@ -27,18 +47,9 @@ struct RayHere
   double at_start = 0; ///< gap at the start of the step [m]
   double beyond =
       0; ///< what its gap opens beside the way of the places that its row stands for, with inertia [m]
-  double stays = 0;     ///< what the step leaves closed of an overlap with which it began [m]
-  double pull = 0;      ///< with which adhesion holds the surfaces together [N/m]
-  double memory = 0;    ///< of a contact law that remembers
-  double parts_for = 0; ///< what parting takes from adhesion, as the step begins [J/m]
-
-  // Of friction; vectors of e are 0 where there is none.
-  std::array<SurfacePlace<dim>, 2> start;  ///< places under the ray at the start of the step
-  std::array<PlaceFunctions<dim>, 2> hold; ///< of the field there
-  std::array<Vector, dim - 1> e;           ///< unit, at right angles to each other and to what its force does
-  double bound = 0;                        ///< largest friction over force
-  Across slide;                            ///< along e [m]
-  Across known_slide;                      ///< what velocities at the start have in it, with inertia [m]
+  double stays = 0; ///< what the step leaves closed of an overlap with which it began [m]
+  RayHold held;     ///< by adhesion
+  RayRub<dim> rub;
 };
 } // namespace softgrain::mpm
 

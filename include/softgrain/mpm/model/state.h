@@ -77,33 +77,21 @@ struct State
 
   /// How the cell deforms in a step; nothing when it does not repeat.
   std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
-
-  /// Calls @p work for every body that is not driven, on all threads; it may write only to what is its
-  /// body's.
-  template <class Work>
-  void for_moving_bodies(const Work &work)
-  {
-    for_moving(bodies, work);
-  }
-  template <class Work>
-  void for_moving_bodies(const Work &work) const
-  {
-    for_moving(bodies, work);
-  }
-
-private:
-  template <class Bodies, class Work>
-  static void for_moving(Bodies &bodies, const Work &work)
-  {
-    parallel_for(bodies.size(), 1,
-                 [&](const std::size_t begin, const std::size_t end)
-                 {
-                   for (std::size_t b = begin; b < end; ++b)
-                     if (!bodies[b].driven)
-                       work(bodies[b]);
-                 });
-  }
 };
+
+/// Calls @p work for every one of @p bodies that is not driven, on all threads; it may write only to what is
+/// its body's.
+template <class Bodies, class Work>
+void for_moving(Bodies &bodies, const Work &work)
+{
+  parallel_for(bodies.size(), 1,
+               [&](const std::size_t begin, const std::size_t end)
+               {
+                 for (std::size_t b = begin; b < end; ++b)
+                   if (!bodies[b].driven)
+                     work(bodies[b]);
+               });
+}
 } // namespace softgrain::mpm
 
 #endif

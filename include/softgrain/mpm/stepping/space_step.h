@@ -35,6 +35,14 @@ struct MotionBalance
   double largest_momentum = 0;  ///< of the nodes of a body [N s]
 };
 
+/// What steps at rest in space have lost, beside what laws lose.
+struct SpaceLosses
+{
+  double regularisation = 0; ///< taken by what resists [J]
+  double released = 0;       ///< in held steps beside that, see loss::released [J]
+  double rubbed = 0;         ///< by friction [J]
+};
+
 /// What steps in space change beside the bodies.
 struct SpaceProgress
 {
@@ -44,10 +52,8 @@ struct SpaceProgress
   std::vector<double> held_back;                ///< see State::held_back [N]
   std::vector<dealii::Tensor<1, 3>> wall_force; ///< of walls on the bodies [N]
   std::vector<LoadedWall> loaded;               ///< of all walls; those that are told how to move have none
-  double regularisation_work = 0;               ///< taken by what resists, since the start [J]
-  double released_energy = 0;                   ///< lost in held steps beside that, see loss::released [J]
+  SpaceLosses losses;                           ///< since the start
   double dent_energy = 0;                       ///< in the dents that the grid misses, now [J]
-  double rubbed = 0;                            ///< by friction, since the start [J]
   WorkOfLaw laws;                               ///< what laws did, since the start
   std::size_t law_cuts = 0;                     ///< steps that a law has asked to be shorter
   NamedSums load_work;                          ///< done by loads, since the start [J]

@@ -32,8 +32,6 @@ public:
   /// Takes forces and loads at the start of the step from @p state.
   StepEquations(const Problem &problem, const State &state, Workspace &work, const StepPlan &plan);
 
-  bool moves(const unsigned int b) const { return !state.bodies[b].driven; }
-
   /// Stress and unbalanced impulse for the end velocities @p v; false when a point turns inside out
   /// or deforms by too much over the step.
   bool evaluate(const Vectors &v) override;
@@ -78,17 +76,8 @@ public:
   /// @return why not, empty when it went well
   std::string factorise();
 
-  /// What the scheme itself takes from body @p b in a step to the velocities @p v, to second order in the
-  /// step; 0 for schemes that are not a choice of theta alone [J/m].
-  double scheme_damping(unsigned int b, const Eigen::VectorXd &v) const;
-
-  /// Work that regularising forces take from owned body @p b in the step as last evaluated: of
-  /// quasi_static and against rotation of what is round [J/m].
-  double regularisation_work(unsigned int b) const;
-  /// What resists the motion of such a body at the end of a step of `quasi_static` [N/m].
-  dealii::Tensor<1, 2> resistance(unsigned int b) const;
-  /// What State::held_back will be of a body.
-  double held_back(unsigned int b) const;
+  /// What the scheme does with an owned body.
+  const BodyTerms<2> &terms(const unsigned int b) const { return *scheme_terms[b]; }
 
   /// Numbers that a step tells of a body.
   using Told = std::array<double, 5>;
