@@ -2,7 +2,8 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_reader.h>
+#include <softgrain/output/hdf5_writer.h>
 #include <softgrain/output/seal.h>
 #include <softgrain/output/snapshot_layout.h>
 
@@ -60,7 +61,7 @@ void require_this_format(const std::string &path, const std::string &format)
 } // namespace
 
 CheckpointWriter::CheckpointWriter(const std::string &final_path)
-    : target(final_path), file(std::make_unique<Hdf5File>(target.temporary_path(), Hdf5File::Mode::create))
+    : target(final_path), file(std::make_unique<Hdf5Writer>(target.temporary_path()))
 {
 }
 
@@ -137,7 +138,7 @@ CheckpointReader::CheckpointReader(const std::string &path) : path(path)
                        " is damaged: its checksum does not fit; restart from an older one");
     throw InputError(path + " is not a checkpoint of softgrain");
   }
-  file = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read);
+  file = std::make_unique<Hdf5Reader>(path);
   require_this_format(path, file->has_attribute("/", "format") ? file->read_text_attribute("/", "format")
                                                                : "sealed file of another kind");
   read_contents();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/atomic_file.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_reader.h>
+#include <softgrain/output/hdf5_writer.h>
 #include <softgrain/output/series.h>
 #include <softgrain/output/snapshot_file.h>
 #include <softgrain/output/snapshot_layout.h>
@@ -25,7 +26,7 @@ std::string group_name(const std::size_t number)
   return "steps/" + series_number(number);
 }
 
-void check_index(const Hdf5File &file, const std::string &path)
+void check_index(const Hdf5Reader &file, const std::string &path)
 {
   if (!file.has_attribute("/", "format") || file.read_text_attribute("/", "format") != index_format)
     throw InputError(path + " is not an index of snapshots of this version ('" + index_format + "')");
@@ -43,7 +44,7 @@ void SnapshotFile::resume(const double time)
   const std::string path = directory + "/snapshots.h5";
   if (!std::filesystem::exists(path))
     return;
-  const Hdf5File file(path, Hdf5File::Mode::read);
+  const Hdf5Reader file(path);
   check_index(file, path);
   const std::vector<double> times = file.read_doubles("time_s");
   const std::vector<std::uint64_t> steps = file.read_integers("step");
@@ -64,7 +65,7 @@ void SnapshotFile::append(const Snapshot<dim> &snapshot)
     stale_files_removed = true;
   }
   AtomicFile target(directory + "/" + part_name(entries.size()));
-  Hdf5File file(target.temporary_path(), Hdf5File::Mode::create, options.compression_level);
+  Hdf5Writer file(target.temporary_path(), options.compression_level);
   write_snapshot(file, snapshot, options.points);
   file.close();
   target.commit(late);
@@ -75,7 +76,7 @@ void SnapshotFile::append(const Snapshot<dim> &snapshot)
 void SnapshotFile::write_index()
 {
   AtomicFile target(directory + "/snapshots.h5");
-  Hdf5File file(target.temporary_path(), Hdf5File::Mode::create);
+  Hdf5Writer file(target.temporary_path());
   std::vector<double> times;
   std::vector<std::uint64_t> steps;
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -109,7 +110,7 @@ void remove_snapshots(const std::string &directory)
 
 std::vector<double> snapshot_times(const std::string &path)
 {
-  const Hdf5File file(path, Hdf5File::Mode::read);
+  const Hdf5Reader file(path);
   check_index(file, path);
   return file.read_doubles("time_s");
 }
@@ -117,7 +118,7 @@ std::vector<double> snapshot_times(const std::string &path)
 template <int dim>
 Snapshot<dim> read_snapshot(const std::string &path, const std::size_t index)
 {
-  const Hdf5File file(path, Hdf5File::Mode::read);
+  const Hdf5Reader file(path);
   check_index(file, path);
   const std::string group = group_name(index) + "/";
   if (!file.contains(group_name(index)))
@@ -128,7 +129,7 @@ Snapshot<dim> read_snapshot(const std::string &path, const std::size_t index)
 
 unsigned int dimension_of_snapshots(const std::string &path)
 {
-  const Hdf5File file(path, Hdf5File::Mode::read);
+  const Hdf5Reader file(path);
   check_index(file, path);
   return file.contains(group_name(0)) ? dimension_of_snapshot(file, group_name(0) + "/") : 2;
 }

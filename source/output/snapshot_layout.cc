@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_reader.h>
+#include <softgrain/output/hdf5_writer.h>
 #include <softgrain/output/snapshot_arrays.h>
 #include <softgrain/output/snapshot_layout.h>
 #include <softgrain/output/snapshot_outlines.h>
@@ -30,7 +31,7 @@ const std::vector<std::pair<std::string, std::string>> old_names = {
     {"energies/dissipated_energy_J_per_m", "energies/dissipated_J_per_m"}};
 
 /// The name of an array as a file has it.
-std::string name_in(const Hdf5File &file, const std::string &group, const std::string &name)
+std::string name_in(const Hdf5Reader &file, const std::string &group, const std::string &name)
 {
   if (!file.contains(group + name))
     for (const auto &[now, before] : old_names)
@@ -65,7 +66,7 @@ void write_cell(const Hdf5Group &file, const Snapshot<2> &snapshot)
   write_rows(file, "contacts/image_m", snapshot.contacts, [](const auto &contact) { return contact.image; });
 }
 
-void read_cell(const Hdf5File &file, const std::string &group, Snapshot<2> &snapshot)
+void read_cell(const Hdf5Reader &file, const std::string &group, Snapshot<2> &snapshot)
 {
   if (!file.contains(group + "walls/repeats"))
     return;
@@ -96,7 +97,7 @@ void write_widths(const Hdf5Group &file, const std::vector<BodyState<2>> &bodies
                          { write_rows(file, name, bodies, member); });
 }
 
-void read_widths(const Hdf5File &file, const std::string &group, std::vector<BodyState<2>> &bodies)
+void read_widths(const Hdf5Reader &file, const std::string &group, std::vector<BodyState<2>> &bodies)
 {
   if (file.contains(group + "bodies/curvature_per_m"))
     for_each_width_array([&](const std::string &name, const auto &member)
@@ -135,7 +136,7 @@ void write_points(const Hdf5Group &file, const PointStates<dim> &points)
 }
 
 template <int dim>
-void read_points(const Hdf5File &file, const std::string &group, PointStates<dim> &points)
+void read_points(const Hdf5Reader &file, const std::string &group, PointStates<dim> &points)
 {
   if (!file.contains(group + "points"))
     return;
@@ -169,7 +170,7 @@ void write_obstacles(const Hdf5Group &file, const std::vector<ObstacleState<dim>
 
 /// @param items in the order of the names
 template <typename Item>
-void read_names(const Hdf5File &file, const std::string &name, std::vector<Item> &items)
+void read_names(const Hdf5Reader &file, const std::string &name, std::vector<Item> &items)
 {
   const std::vector<std::string> names = file.read_texts(name);
   for (std::size_t i = 0; i < names.size() && i < items.size(); ++i)
@@ -177,7 +178,7 @@ void read_names(const Hdf5File &file, const std::string &name, std::vector<Item>
 }
 
 template <int dim>
-void read_obstacles(const Hdf5File &file,
+void read_obstacles(const Hdf5Reader &file,
                     const std::string &group,
                     std::vector<ObstacleState<dim>> &obstacles)
 {
@@ -191,7 +192,7 @@ void read_obstacles(const Hdf5File &file,
 } // namespace
 
 template <int dim>
-void write_snapshot(Hdf5File &whole_file,
+void write_snapshot(Hdf5Writer &whole_file,
                     const Snapshot<dim> &snapshot,
                     const bool points,
                     const std::string &group)
@@ -227,13 +228,13 @@ void write_snapshot(Hdf5File &whole_file,
     write_units(whole_file);
 }
 
-unsigned int dimension_of_snapshot(const Hdf5File &file, const std::string &group)
+unsigned int dimension_of_snapshot(const Hdf5Reader &file, const std::string &group)
 {
   return file.has_attribute(group, dimension_name) ? file.read_integer_attribute(group, dimension_name) : 2;
 }
 
 template <int dim>
-Snapshot<dim> read_snapshot_group(const Hdf5File &file, const std::string &group)
+Snapshot<dim> read_snapshot_group(const Hdf5Reader &file, const std::string &group)
 {
   if (const unsigned int dimension = dimension_of_snapshot(file, group); dimension != dim)
     throw InputError("cannot read '" + group + "' from " + file.name() + ": it is a snapshot in " +
@@ -268,8 +269,8 @@ Snapshot<dim> read_snapshot_group(const Hdf5File &file, const std::string &group
   return snapshot;
 }
 
-template void write_snapshot<2>(Hdf5File &, const Snapshot<2> &, bool, const std::string &);
-template void write_snapshot<3>(Hdf5File &, const Snapshot<3> &, bool, const std::string &);
-template Snapshot<2> read_snapshot_group<2>(const Hdf5File &, const std::string &);
-template Snapshot<3> read_snapshot_group<3>(const Hdf5File &, const std::string &);
+template void write_snapshot<2>(Hdf5Writer &, const Snapshot<2> &, bool, const std::string &);
+template void write_snapshot<3>(Hdf5Writer &, const Snapshot<3> &, bool, const std::string &);
+template Snapshot<2> read_snapshot_group<2>(const Hdf5Reader &, const std::string &);
+template Snapshot<3> read_snapshot_group<3>(const Hdf5Reader &, const std::string &);
 } // namespace softgrain

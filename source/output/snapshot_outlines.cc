@@ -17,7 +17,7 @@ bool rising(const std::vector<std::uint64_t> &list, const std::size_t end)
   return !list.empty() && list.front() == 0 && list.back() == end && std::is_sorted(list.begin(), list.end());
 }
 
-[[noreturn]] void refuse(const Hdf5File &file, const std::string &name)
+[[noreturn]] void refuse(const Hdf5Reader &file, const std::string &name)
 {
   throw InputError("cannot read '" + name + "' from " + file.name() + ": the offsets do not fit");
 }
@@ -42,7 +42,7 @@ void write_outlines(const Hdf5Group &file, const std::vector<BodyState<2>> &bodi
   file.write("outlines/points_m", rows, 2);
 }
 
-void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<2>> &bodies)
+void read_outlines(const Hdf5Reader &file, const std::string &group, std::vector<BodyState<2>> &bodies)
 {
   const std::vector<std::uint64_t> rings = file.read_integers(group + "outlines/body_offsets");
   const std::vector<std::uint64_t> offsets = file.read_integers(group + "outlines/ring_offsets");
@@ -71,7 +71,7 @@ void write_lines(const Hdf5Group &file, const std::vector<ObstacleState<2>> &obs
   file.write("obstacles/points_m", rows, 2);
 }
 
-void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<2>> &obstacles)
+void read_lines(const Hdf5Reader &file, const std::string &group, std::vector<ObstacleState<2>> &obstacles)
 {
   const std::vector<std::uint64_t> offsets = file.read_integers(group + "obstacles/line_offsets");
   std::vector<dealii::Point<2>> points;
@@ -129,7 +129,7 @@ void write_triangles(const Hdf5Group &file, const std::string &folder, const std
 }
 
 template <class Item>
-void read_triangles(const Hdf5File &file, const std::string &folder, std::vector<Item> &items)
+void read_triangles(const Hdf5Reader &file, const std::string &folder, std::vector<Item> &items)
 {
   const std::vector<std::uint64_t> first = file.read_integers(folder + "/vertex_offsets"),
                                    begin = file.read_integers(folder + "/triangle_offsets"),
@@ -164,7 +164,7 @@ void write_outlines(const Hdf5Group &file, const std::vector<BodyState<3>> &bodi
   write_triangles(file, "surfaces", bodies);
 }
 
-void read_outlines(const Hdf5File &file, const std::string &group, std::vector<BodyState<3>> &bodies)
+void read_outlines(const Hdf5Reader &file, const std::string &group, std::vector<BodyState<3>> &bodies)
 {
   read_triangles(file, group + "surfaces", bodies);
 }
@@ -174,7 +174,7 @@ void write_lines(const Hdf5Group &file, const std::vector<ObstacleState<3>> &obs
   write_triangles(file, "obstacles", obstacles);
 }
 
-void read_lines(const Hdf5File &file, const std::string &group, std::vector<ObstacleState<3>> &obstacles)
+void read_lines(const Hdf5Reader &file, const std::string &group, std::vector<ObstacleState<3>> &obstacles)
 {
   read_triangles(file, group + "obstacles", obstacles);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_writer.h>
 #include <softgrain/output/units.h>
 
 #include <array>
@@ -48,7 +48,7 @@ std::string unit_of(const std::string &name)
   return "1";
 }
 
-void write_units(Hdf5File &file)
+void write_units(Hdf5Writer &file)
 {
   for (const std::string &name : file.array_names())
     if (file.array_type(name) == 'd')

@@ -4,7 +4,7 @@
 #include <softgrain/base/config.h>
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_writer.h>
 
 #include <filesystem>
 #include <fstream>
@@ -71,7 +71,7 @@ bool refused(const std::string &path)
 /// As versions before wrote them: @p sealed not until format 4.
 void write_of_format(const std::string &path, const std::string &format, const bool sealed)
 {
-  Hdf5File file(path, Hdf5File::Mode::create);
+  Hdf5Writer file(path);
   file.write("numbers", std::vector<double>{1.5});
   file.write_attribute("/", "format", format);
   file.close(sealed);

@@ -3,7 +3,8 @@
 // not taken for one of space; surfaces whose offsets do not fit are refused.
 #include <softgrain/base/exceptions.h>
 #include <softgrain/output/checkpoint.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_reader.h>
+#include <softgrain/output/hdf5_writer.h>
 #include <softgrain/output/snapshot_file.h>
 #include <softgrain/output/snapshot_layout.h>
 
@@ -159,8 +160,8 @@ int main()
   refused([] { read_snapshot<3>("plane/snapshots.h5", 0); });
   Snapshot<3> beyond = out;
   beyond.bodies[0].triangles[0][1] = 4; // there are four vertices
-  Hdf5File made("beyond.h5", Hdf5File::Mode::create);
+  Hdf5Writer made("beyond.h5");
   write_snapshot(made, beyond, true, "here/");
   made.close();
-  refused([] { read_snapshot_group<3>(Hdf5File("beyond.h5", Hdf5File::Mode::read), "here/"); });
+  refused([] { read_snapshot_group<3>(Hdf5Reader("beyond.h5"), "here/"); });
 }

@@ -3,14 +3,12 @@
 #define softgrain_model_model_h
 
 #include <softgrain/analysis/snapshot.h>
-#include <softgrain/base/rank_times.h>
+#include <softgrain/model/model_facts.h>
 
 #include <cstddef>
 #include <iosfwd>
-#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace softgrain
@@ -32,18 +30,13 @@ struct StepReport
   unsigned int n_contacts = 0; ///< rows that carry force
 };
 
-/// A line of `softgrain check` and of the log's head: name and value with unit.
-using SizeReport = std::vector<std::pair<std::string, std::string>>;
-
 /**
  * @brief A way to compute a scene: what the driver and the command line see of it that is the same in the
  * plane and in space. Units are those of space; in the plane all is per metre of thickness.
  */
-class AnyModel
+class AnyModel : public ModelFacts
 {
 public:
-  virtual ~AnyModel() = default;
-
   /// "mpm" or "bpm".
   virtual std::string name() const = 0;
 
@@ -86,41 +79,6 @@ public:
 
   /// Drives the walls as @p drives say from now on, one per wall; null: as before.
   virtual void take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives) = 0;
-
-  virtual double time() const = 0; ///< [s]
-  virtual std::size_t step() const = 0;
-
-  /// What working with other processes has taken so far.
-  virtual RankTimes rank_times() const { return {}; }
-
-  /// Largest |force on a wall - its load| over its load, of the walls that are free to move; 0 without any.
-  virtual double unbalanced_walls() const { return 0.; }
-  /// May cost a pass over the points.
-  virtual Energies energies() const = 0;
-  /// What rounding alone can make of energies [J/m]; no balance is formed of energies that are not above it.
-  virtual double energy_of_rounding() const { return 0.; }
-
-  /// Sum of the areas, in space of the volumes, that the bodies enclose now [m^dim], for the packing
-  /// fraction.
-  virtual double solid_area() const = 0;
-  /// Mean number of bodies and walls a body touches.
-  virtual double coordination() const = 0;
-  /// |momentum - (initial momentum + impulses of walls and body forces)| over the largest momentum term;
-  /// rounding only. No number while no momentum was above what rounding makes.
-  virtual double momentum_error() const = 0;
-
-  virtual std::size_t n_points() const = 0; ///< material points or primaries
-  virtual std::size_t n_bodies() const = 0;
-
-  /// Sizes, CFL step, ratio of the time step to it, estimate of cost: printed before step 0.
-  virtual SizeReport size_report() const = 0;
-  /// What was done on the bodies since the start, by whom [J/m]: columns of history.csv. Their sum is
-  /// external_work of energies().
-  virtual std::vector<std::pair<std::string, double>> works() const { return {}; }
-  /// Names of the columns that this model adds to history.csv, and their values.
-  virtual std::vector<std::pair<std::string, double>> extra_history() const { return {}; }
-  /// Seconds spent per phase since the start.
-  virtual std::map<std::string, double> phases() const = 0;
 
   /// Everything needed to go on as if never stopped. All processes call both; what counts is what the
   /// first one writes, and all read the same.

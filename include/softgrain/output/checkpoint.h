@@ -15,7 +15,8 @@
 
 namespace softgrain
 {
-class Hdf5File;
+class Hdf5Reader;
+class Hdf5Writer;
 
 /**
  * @brief Writes a model's state to an HDF5 file that is whole or absent.
@@ -49,7 +50,7 @@ private:
   void note(const std::string &name, char type, std::size_t size);
 
   AtomicFile target;
-  std::unique_ptr<Hdf5File> file;
+  std::unique_ptr<Hdf5Writer> file;
   std::string contents; ///< a line for each list
 };
 
@@ -86,7 +87,7 @@ private:
   void check_finite(const std::string &name, const double *values, std::size_t n) const;
 
   std::string path;
-  std::unique_ptr<Hdf5File> file;
+  std::unique_ptr<Hdf5Reader> file;
   std::map<std::string, std::string> listed; ///< by name: type and size
 };
 

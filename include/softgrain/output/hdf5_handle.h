@@ -38,6 +38,9 @@ std::string hdf5_reason();
 /// Type of texts of @p size bytes.
 Hdf5Handle hdf5_text_type(std::size_t size);
 
+/// A part of an array of one column, to be read or written.
+Hdf5Handle hdf5_part(hid_t set, hsize_t begin, hsize_t size);
+
 /// 'd' double, 'u' unsigned integer, 't' text, '?' another.
 char kind_of_hdf5(hid_t type);
 } // namespace softgrain

@@ -3,7 +3,8 @@
 #define softgrain_output_snapshot_rows_h
 
 #include <softgrain/base/exceptions.h>
-#include <softgrain/output/hdf5_file.h>
+#include <softgrain/output/hdf5_reader.h>
+#include <softgrain/output/hdf5_writer.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -19,7 +20,7 @@ namespace softgrain::snapshot_rows
 /// A group of a file that is being written: names count from there.
 struct Hdf5Group
 {
-  Hdf5File &file;
+  Hdf5Writer &file;
   const std::string group; ///< with a slash at its end; empty: the file itself
 
   template <typename Values>
@@ -117,7 +118,10 @@ void write_rows(const Hdf5Group &file, const std::string &name, const std::vecto
 }
 
 template <typename Item, typename Function>
-void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items, const Function &place)
+void read_rows(const Hdf5Reader &file,
+               const std::string &name,
+               std::vector<Item> &items,
+               const Function &place)
 {
   using Value = std::decay_t<decltype(place(items[0]))>;
   const std::vector<double> rows = file.read_doubles(name);
@@ -128,7 +132,7 @@ void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> 
 }
 
 template <typename Item>
-void read_rows(const Hdf5File &file, const std::string &name, std::vector<Item> &items)
+void read_rows(const Hdf5Reader &file, const std::string &name, std::vector<Item> &items)
 {
   read_rows(file, name, items, [](Item &item) -> Item & { return item; });
 }
@@ -146,7 +150,7 @@ void write_indices(const Hdf5Group &file,
 }
 
 template <typename Item, typename Function>
-void read_indices(const Hdf5File &file,
+void read_indices(const Hdf5Reader &file,
                   const std::string &name,
                   std::vector<Item> &items,
                   const Function &place)

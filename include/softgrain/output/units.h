@@ -6,7 +6,7 @@
 
 namespace softgrain
 {
-class Hdf5File;
+class Hdf5Writer;
 
 /**
  * @brief The unit that the end of a name says, in the notation of UDUNITS: "Pa" for `stress_Pa`, "kg m/s",
@@ -16,7 +16,7 @@ class Hdf5File;
 std::string unit_of(const std::string &name);
 
 /// Gives every array of numbers that is not a list of indices the attribute `units`.
-void write_units(Hdf5File &file);
+void write_units(Hdf5Writer &file);
 } // namespace softgrain
 
 #endif

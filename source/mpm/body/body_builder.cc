@@ -38,7 +38,7 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
   for (unsigned int p = 0; p < n; ++p)
   {
     context.lattice.check_inside(generated.position[p], "material point");
-    PointView<2> point = store(store.add(generated.position[p], body.index));
+    WritablePoint<2> point = store(store.add(generated.position[p], body.index));
     const double volume = generated.volume[p];
     point.rest_volume() = volume;
     point.mass() = body.density * volume;

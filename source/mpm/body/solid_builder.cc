@@ -142,7 +142,7 @@ void make_points(Body<3> &body,
   for (unsigned int p = 0; p < generated.position.size(); ++p)
   {
     lattice.check_inside(generated.position[p], "material point");
-    PointView<3> point = store(store.add(generated.position[p], body.index));
+    WritablePoint<3> point = store(store.add(generated.position[p], body.index));
     const double volume = generated.volume[p];
     point.rest_volume() = volume;
     point.mass() = body.density * volume;

@@ -3,7 +3,7 @@
 #define softgrain_mpm_body_body_points_h
 
 #include <softgrain/mpm/body/point_layout.h>
-#include <softgrain/mpm/body/point_view.h>
+#include <softgrain/mpm/body/writable_point.h>
 
 #include <utility>
 #include <vector>
@@ -32,8 +32,8 @@ public:
   std::size_t size() const { return handles.size(); }
   const PointLayout<dim> &layout() const { return *the_layout; }
 
-  PointView<dim> operator[](const std::size_t p) { return {*pool, *the_layout, handles[p]}; }
-  const PointView<dim> operator[](const std::size_t p) const { return {*pool, *the_layout, handles[p]}; }
+  WritablePoint<dim> operator[](const std::size_t p) { return {*pool, *the_layout, handles[p]}; }
+  PointView<dim> operator[](const std::size_t p) const { return {*pool, *the_layout, handles[p]}; }
 
   /// Number of point @p p in the body, in the order of generation.
   unsigned int number(const std::size_t p) const { return pool->get_id(handles[p]) - first_id; }

@@ -3,7 +3,7 @@
 #define softgrain_mpm_body_point_store_h
 
 #include <softgrain/mpm/body/point_layout.h>
-#include <softgrain/mpm/body/point_view.h>
+#include <softgrain/mpm/body/writable_point.h>
 #include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/lattice.h>
 
@@ -60,9 +60,9 @@ public:
    */
   Handle add(const dealii::Point<dim> &place, unsigned int body);
 
-  PointView<dim> operator()(const Handle handle) const
+  WritablePoint<dim> operator()(const Handle handle) const
   {
-    return PointView<dim>(particles->get_property_pool(), the_layout, handle);
+    return WritablePoint<dim>(particles->get_property_pool(), the_layout, handle);
   }
   unsigned int id(const Handle handle) const { return particles->get_property_pool().get_id(handle); }
 

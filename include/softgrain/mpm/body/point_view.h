@@ -14,10 +14,10 @@
 namespace softgrain::mpm
 {
 /**
- * @brief One material point: references into the property pool of the particles, slot by slot.
+ * @brief One material point to be read: references into the property pool of the particles, slot by slot.
  *
- * What is read or written through it is the state itself, nothing is copied. A view, and every reference it
- * gave, is void as soon as points are added or sorted.
+ * What is read through it is the state itself, nothing is copied. A view, and every reference it gave, is
+ * void as soon as points are added or sorted.
  */
 template <int dim>
 class PointView
@@ -27,44 +27,31 @@ public:
   using Handle = typename Pool::Handle;
 
   PointView(Pool &pool, const PointLayout<dim> &layout, const Handle handle)
-      : properties(pool.get_properties(handle).data()), layout(&layout), pool(&pool), handle(handle)
+      : pool(&pool), handle(handle), properties(pool.get_properties(handle).data()), layout(&layout)
   {
   }
 
   /// Place when the grid was laid [m].
   const dealii::Point<dim> &position() const { return pool->get_location(handle); }
-  void move_to(const dealii::Point<dim> &x) { pool->set_location(handle, x); }
-
   unsigned int body() const { return static_cast<unsigned int>(at<double>(PointSlot::body)); }
   double rest_volume() const { return at<double>(PointSlot::rest_volume); }
-  double &rest_volume() { return at<double>(PointSlot::rest_volume); }
   double mass() const { return at<double>(PointSlot::mass); }
-  double &mass() { return at<double>(PointSlot::mass); }
   double half_extent() const { return at<double>(PointSlot::half_extent); }
-  double &half_extent() { return at<double>(PointSlot::half_extent); }
   const dealii::Tensor<2, dim> &gradient() const { return at<dealii::Tensor<2, dim>>(PointSlot::gradient); }
-  dealii::Tensor<2, dim> &gradient() { return at<dealii::Tensor<2, dim>>(PointSlot::gradient); }
   const dealii::Tensor<1, dim> &velocity() const { return at<dealii::Tensor<1, dim>>(PointSlot::velocity); }
-  dealii::Tensor<1, dim> &velocity() { return at<dealii::Tensor<1, dim>>(PointSlot::velocity); }
   const dealii::SymmetricTensor<2, dim> &stress() const
   {
     return at<dealii::SymmetricTensor<2, dim>>(PointSlot::stress);
   }
-  dealii::SymmetricTensor<2, dim> &stress() { return at<dealii::SymmetricTensor<2, dim>>(PointSlot::stress); }
-
   /// Volume; it is there only where the layout has it, like those that follow.
   double volume() const { return at<double>(PointSlot::volume); }
-  double &volume() { return at<double>(PointSlot::volume); }
   const dealii::Tensor<2, dim> &affine() const { return at<dealii::Tensor<2, dim>>(PointSlot::affine); }
-  dealii::Tensor<2, dim> &affine() { return at<dealii::Tensor<2, dim>>(PointSlot::affine); }
   const double *history() const { return &at<double>(PointSlot::history); }
-  double *history() { return &at<double>(PointSlot::history); }
 
   /// First double of any slot.
   const double *data(const PointSlot slot) const { return &at<double>(slot); }
-  double *data(const PointSlot slot) { return &at<double>(slot); }
 
-private:
+protected:
   /// Tensors are arrays of doubles and nothing else, as are the properties of a particle.
   template <typename T>
   T &at(const PointSlot slot) const
@@ -75,10 +62,12 @@ private:
     return *reinterpret_cast<T *>(properties + layout->offset(slot));
   }
 
-  double *properties;
-  const PointLayout<dim> *layout;
   Pool *pool;
   Handle handle;
+
+private:
+  double *properties;
+  const PointLayout<dim> *layout;
 };
 } // namespace softgrain::mpm
 
