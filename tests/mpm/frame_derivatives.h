@@ -67,9 +67,10 @@ public:
       if (const unsigned int b = frame.body(side); b != FrameState<dim>::none)
       {
         for (unsigned int k = 0; k < forces.size(); ++k)
-          frame.for_gradient(k, side, forces[k], Into<dim>{result[b]});
+          frame.derivatives().for_gradient(k, side, forces[k], Into<dim>{result[b]});
         for (unsigned int m = 0; m < dim - 1; ++m)
-          frame.for_mean(side, m, -frame.tangential(forces)[m], Into<dim>{result[b]});
+          frame.derivatives().for_mean(side, m, -frame.derivatives().tangential(forces)[m],
+                                       Into<dim>{result[b]});
       }
     return result;
   }
@@ -90,8 +91,9 @@ public:
       {
         for (unsigned int m = 0; m < n; ++m)
         {
-          frame.for_mixed(side, forces, frame.as_motion(m), Into<dim>{mixed[m][b]});
-          frame.for_mean(side, m, 1., Into<dim>{mean[m][b]});
+          frame.derivatives().for_mixed(side, forces, frame.derivatives().as_motion(m),
+                                        Into<dim>{mixed[m][b]});
+          frame.derivatives().for_mean(side, m, 1., Into<dim>{mean[m][b]});
         }
         for (unsigned int k = 0; k < forces.size(); ++k)
           frame.ray(k).side[side].second_derivative(
@@ -114,7 +116,7 @@ public:
       {
         double of_mean = by_mixed[m];
         for (unsigned int l = 0; l < n; ++l)
-          of_mean += frame.twice_by_motion(forces, m, l) * moves[l];
+          of_mean += frame.derivatives().twice_by_motion(forces, m, l) * moves[l];
         result[b] += moves[m] * mixed[m][b] + of_mean * mean[m][b];
       }
     return result;

@@ -123,13 +123,13 @@ void print(const std::string &what, std::vector<ContactRow<2>> rows)
     const auto sum = [](const NodeWeights &w)
     { return std::accumulate(w.weight.begin(), w.weight.end(), 0.); };
     spread = std::max({spread, (row.normal - rows[0].normal).norm(), std::abs(row.gap - rows[0].gap),
-                       std::abs(sum(*row.body_weights) - 1.)});
+                       std::abs(sum(*row.weights.body) - 1.)});
     if (row.partner != ContactRow<2>::none)
-      spread = std::max(spread, std::abs(sum(*row.partner_weights) - 1.));
+      spread = std::max(spread, std::abs(sum(*row.weights.partner) - 1.));
   }
   const auto near_zero = [](const double x) { return std::abs(x) < 1e-12 ? 0. : x; };
   std::cout << ", normal " << near_zero(rows[0].normal[0]) << ' ' << near_zero(rows[0].normal[1]) << ", gap "
-            << near_zero(rows[0].gap) << ", friction " << rows[0].friction << ", all alike "
+            << near_zero(rows[0].gap) << ", friction " << rows[0].law.friction << ", all alike "
             << (spread < 1e-12 ? "yes" : "no") << ", keys differ " << (different ? "yes" : "no") << '\n';
 }
 } // namespace

@@ -29,10 +29,10 @@ void add_column_of_both(const ContactRow<dim> &row,
                         LinearSolver::Rows &matrix)
 {
   std::map<unsigned int, double> sum;
-  for (unsigned int k = 0; k < row.body_weights->node.size(); ++k)
-    sum[row.body_weights->node[k]] += row.body_weights->weight[k];
-  for (unsigned int k = 0; k < row.partner_weights->node.size(); ++k)
-    sum[row.partner_weights->node[k]] -= row.partner_weights->weight[k];
+  for (unsigned int k = 0; k < row.weights.body->node.size(); ++k)
+    sum[row.weights.body->node[k]] += row.weights.body->weight[k];
+  for (unsigned int k = 0; k < row.weights.partner->node.size(); ++k)
+    sum[row.weights.partner->node[k]] -= row.weights.partner->weight[k];
   matrix.startVec(column);
   for (const auto &[node, weight] : sum)
     for (unsigned int d = 0; d < dim; ++d)
@@ -51,11 +51,11 @@ void BodyRows<dim>::reinit(const Body<dim> &body,
   {
     const ContactRow<dim> &row = rows[of_body[k] / n_components];
     const bool own = row.body == body.index;
-    const dealii::Tensor<1, dim> direction = (own ? 1. : -1.) * row.direction(of_body[k] % n_components);
+    const dealii::Tensor<1, dim> direction = (own ? 1. : -1.) * direction_of(row, of_body[k] % n_components);
     if (row.partner == row.body)
       add_column_of_both<dim>(row, direction, k, matrix);
     else
-      add_column<dim>(own ? *row.body_weights : *row.partner_weights, direction, k, matrix);
+      add_column<dim>(own ? *row.weights.body : *row.weights.partner, direction, k, matrix);
   }
   matrix.finalize();
 }

@@ -64,7 +64,7 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
     end = first + 1;
     while (end < rows.size() && rows[end].body == rows[first].body &&
            rows[end].partner == rows[first].partner && rows[end].wall == rows[first].wall &&
-           rows[end].image == rows[first].image)
+           rows[end].cell.image == rows[first].cell.image)
       ++end;
     std::vector<unsigned int> pair;
     for (const unsigned int b : {rows[first].body, rows[first].partner})

@@ -28,7 +28,7 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
   const double scale = before.step == 0. ? 1. : dt / before.step;
   rows = std::move(new_rows);
   const bool friction =
-      std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.friction > 0.; });
+      std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.law.friction > 0.; });
   const unsigned int components = friction ? dim : 1;
   problem.n_components = components;
   problem.friction.clear();
@@ -36,14 +36,14 @@ void ContactSystem<dim>::reinit(std::vector<ContactRow<dim>> new_rows,
   if (friction)
   {
     for (const auto &row : rows)
-      problem.friction.push_back(row.friction);
+      problem.friction.push_back(row.law.friction);
     problem.friction.resize(rows.size() + free_walls.n_stops(), 0.);
   }
   problem.cohesion.clear();
-  if (std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.pull > 0.; }))
+  if (std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.law.pull > 0.; }))
   {
     for (const auto &row : rows)
-      problem.cohesion.push_back(dt * row.pull);
+      problem.cohesion.push_back(dt * row.law.pull);
     problem.cohesion.resize(rows.size() + free_walls.n_stops(), 0.);
   }
   list_components(bodies);
@@ -116,7 +116,7 @@ std::vector<double> ContactSystem<dim>::relative_velocity(const BodyShare &share
       w[body_components[b][k]] += of_bodies[component_start[b] + k];
   for (const unsigned int r : rows_at_driven)
     for (unsigned int c = 0; c < n_components(); ++c)
-      w[r * n_components() + c] -= drive[rows[r].partner] * rows[r].direction(c);
+      w[r * n_components() + c] -= drive[rows[r].partner] * direction_of(rows[r], c);
   return w;
 }
 
@@ -199,7 +199,7 @@ void take_back_softness(const ContactSystem<dim> &system, const double dt, std::
   const auto &rows = system.contact_rows();
   const unsigned int n = system.n_components();
   for (unsigned int k = 0; k < rows.size() * n; ++k)
-    free_velocity[k] -= rows[k / n].softness / (dt * dt) * system.impulses()[k];
+    free_velocity[k] -= rows[k / n].law.softness / (dt * dt) * system.impulses()[k];
 }
 
 template <int dim>
@@ -230,7 +230,7 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies, const double
   }
   // A mass of its own that gives way to a component alone.
   for (unsigned int k = 0; k < list.size(); ++k)
-    if (const double softness = rows[k / n_components()].softness; softness > 0.)
+    if (const double softness = rows[k / n_components()].law.softness; softness > 0.)
     {
       list[k].emplace_back(inverse_mass.size(), 1.);
       inverse_mass.push_back(softness / (dt * dt));

@@ -27,7 +27,7 @@ void FrameState<dim>::begin_to_rub(const FrameScene<dim> &scene, const Vector &w
   for (unsigned int side = 0; side < 2; ++side)
     if (side == 1 || !flat_partner())
       here.rub.start[side] = here.side[side].place;
-  const Vector pushed = resultant(k);
+  const Vector pushed = derivatives().resultant(k);
   here.rub.bound = friction * pushed.norm();
   const Vector normal = pushed / pushed.norm();
   if constexpr (dim == 2)
@@ -60,7 +60,7 @@ void FrameState<dim>::hold_at(const FrameScene<dim> &scene,
       if (unknown(side) != none && theta < 1.)
         apart_by += sign(side) * scene.dt * here.rub.hold[side].at(scene.bodies[b].velocity);
     }
-  here.rub.known_slide = (1. - theta) * along_slides(k, apart_by);
+  here.rub.known_slide = (1. - theta) * here.rub.along(apart_by);
 }
 
 template <int dim>
@@ -80,7 +80,7 @@ void FrameState<dim>::look_for_slide(const FrameScene<dim> &scene,
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
       slid += sign(side) * (here.rub.hold[side].at(increment[b]) + carried[side]);
-  here.rub.slide = along_slides(k, slid);
+  here.rub.slide = here.rub.along(slid);
 }
 
 template void FrameState<2>::begin_to_rub(const FrameScene<2> &, const FrameState<2>::Vector &, unsigned int);

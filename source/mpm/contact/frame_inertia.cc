@@ -55,11 +55,12 @@ typename FrameState<dim>::Vector FrameState<dim>::parted(const unsigned int k,
 {
   const RayHere &here = rays[k];
   // Places at the start are known where there is friction alone.
-  Vector way = -1. * way_of_partner(wall_way, rubs(k) ? here.rub.start[0] : here.side[0].place);
+  Vector way = -1. * way_of_partner(wall_way, conditions().rubs(k) ? here.rub.start[0] : here.side[0].place);
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = body(side); b != none)
       way += sign(side) *
-             ((rubs(k) ? here.rub.hold[side] : here.side[side].function).at(increment[b]) + carried[side]);
+             ((conditions().rubs(k) ? here.rub.hold[side] : here.side[side].function).at(increment[b]) +
+              carried[side]);
   return way;
 }
 

@@ -13,14 +13,14 @@ void place_in_cell(const FrameScene<2> &scene, const FrameState<2> &frame, Conta
 {
   const Body<2> &body = scene.bodies[row.body];
   const dealii::Point<2> center = body.center();
-  row.branch = frame.body(0) == FrameState<2>::none
-                   ? center - row.place
-                   : center - (scene.bodies[row.partner].center() + frame.image_shift());
-  row.image = frame.layout().image;
+  row.cell.branch = frame.body(0) == FrameState<2>::none
+                        ? center - row.place
+                        : center - (scene.bodies[row.partner].center() + frame.image_shift());
+  row.cell.image = frame.layout().image;
   const PeriodicCell<2>::Image fold = scene.cell->cell.image_of(center);
   row.place -= scene.cell->cell.shift(fold);
   for (unsigned int d = 0; d < 2; ++d)
-    row.fold[d] = fold[d] + body.home[d];
+    row.cell.fold[d] = fold[d] + body.home[d];
 }
 } // namespace
 
@@ -40,17 +40,18 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
   row.body = layout.body;
   row.partner = layout.partner;
   row.wall = layout.wall;
-  if (const ObstacleLine *line = frame.obstacle())
+  if (const ObstacleLine *line = scene.line_of(frame.layout()))
   {
     row.obstacle = true;
     row.partner_velocity = line->way_of(ray.side[0].place) / scene.dt;
   }
   if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
     row.wall = scene.bodies[layout.partner].wall;
-  const double length = frame.resultant(k).norm();
-  row.normal = frame.resultant(k) / length;
-  row.pull = ray.held.pull * length;
-  const double offset = layout.rays[k].index[0] * layout.spacing + frame.motion()[0];
+  const dealii::Tensor<1, 2> resultant = frame.derivatives().resultant(k);
+  const double length = resultant.norm();
+  row.normal = resultant / length;
+  row.law.pull = ray.held.pull * length;
+  const double offset = layout.rays[k].index[0] * layout.spacing + frame.derivatives().motion()[0];
   row.place = layout.origin + offset * layout.across[0] + ray.side[1].height * layout.direction;
   row.length = layout.spacing * length; // of outline
   if (scene.cell != nullptr)
@@ -76,24 +77,24 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
         continue;
       const FrameState<2>::RayHere &ray = frame.ray(k);
       ContactRow<2> row = row_of_ray(scene, frame, k);
-      dealii::Tensor<1, 2> given = force[f][k] * frame.resultant(k);
+      dealii::Tensor<1, 2> given = force[f][k] * frame.derivatives().resultant(k);
       row.gap = ray.at_start;
-      row.work_beyond = force[f][k] * ray.beyond;
-      row.pull_beyond = -ray.held.pull * ray.beyond;
-      if (frame.rubs(k))
+      row.beyond.work = force[f][k] * ray.beyond;
+      row.beyond.pull = -ray.held.pull * ray.beyond;
+      if (frame.conditions().rubs(k))
       {
         // Friction does its work between the places that it holds together.
         row.normal = dealii::Tensor<1, 2>({-ray.rub.e[0][1], ray.rub.e[0][0]});
-        row.friction = frame.friction_coefficient();
-        if (frame.obstacle() != nullptr)
-          row.partner_velocity = frame.obstacle()->way_of(ray.rub.start[0]) / scene.dt;
-        given += frame.in_space(k, rubbing[f][k]);
+        row.law.friction = frame.conditions().friction_coefficient();
+        if (const ObstacleLine *line = scene.line_of(frame.layout()))
+          row.partner_velocity = line->way_of(ray.rub.start[0]) / scene.dt;
+        given += frame.ray(k).rub.in_space(rubbing[f][k]);
       }
-      row.body_weights = weights_of(frame.rubs(k) ? ray.rub.hold[1] : ray.side[1].function);
+      row.weights.body = weights_of(frame.conditions().rubs(k) ? ray.rub.hold[1] : ray.side[1].function);
       if (frame.unknown(0) != FrameState<2>::none)
-        row.partner_weights = weights_of(frame.rubs(k) ? ray.rub.hold[0] : ray.side[0].function);
+        row.weights.partner = weights_of(frame.conditions().rubs(k) ? ray.rub.hold[0] : ray.side[0].function);
       memory.impulses[row.key] = {
-          {given * row.direction(0) * memory.step, given * row.direction(1) * memory.step}};
+          {given * direction_of(row, 0) * memory.step, given * direction_of(row, 1) * memory.step}};
       rows.push_back(std::move(row));
     }
   }

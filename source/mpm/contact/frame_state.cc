@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_adhesion.h>
 #include <softgrain/mpm/contact/frame_state.h>
 
 #include <algorithm>
@@ -310,7 +311,7 @@ void FrameState<dim>::look_closer(const FrameScene<dim> &scene,
   RayHere &here = rays[k];
   if (here.first && friction > 0.)
     begin_to_rub(scene, wall_way, k);
-  if (force == 0. && !(follows && weight[k] > 0.) && !(free_gap(k) < looks_within))
+  if (force == 0. && !(follows && weight[k] > 0.) && !(conditions().free_gap(k) < looks_within))
     return;
   for (unsigned int side = 0; side < 2; ++side)
     if (body(side) != none && side != frame.corner)
@@ -318,10 +319,10 @@ void FrameState<dim>::look_closer(const FrameScene<dim> &scene,
   const double opened = inertia() && !begins ? added(k, increment, wall_way) : 0.;
   if (inertia() && !begins)
     here.gap = here.at_start - here.stays + opened;
-  if (rubs(k))
+  if (conditions().rubs(k))
     look_for_slide(scene, increment, wall_way, k);
   if (inertia() && !begins)
-    here.beyond = opened - resultant(k) * parted(k, increment, wall_way);
+    here.beyond = opened - derivatives().resultant(k) * parted(k, increment, wall_way);
 }
 
 template <int dim>
@@ -356,28 +357,6 @@ bool FrameState<dim>::leave_unmet(std::vector<double> &force, std::vector<Across
 }
 
 template <int dim>
-double FrameState<dim>::twice_by(const std::vector<double> &force,
-                                 const std::array<Vector, 2> &v,
-                                 const std::array<Vector, 2> &w) const
-{
-  double sum = 0.;
-  for (unsigned int k = 0; k < rays.size(); ++k)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (force[k] != 0. && rays[k].met && (side == 1 || !flat_partner()))
-        sum += sign(side) * met_at * force[k] * (v[side] * (rays[k].side[side].sliding_twice * w[side]));
-  return sum;
-}
-
-template <int dim>
-typename FrameState<dim>::Across FrameState<dim>::tangential(const std::vector<double> &force) const
-{
-  Across sum;
-  for (unsigned int k = 0; k < rays.size(); ++k)
-    sum -= force[k] * rays[k].by_motion;
-  return sum;
-}
-
-template <int dim>
 ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
                                          const std::vector<double> &force,
                                          const std::vector<Across> &rubbing) const
@@ -392,7 +371,7 @@ ContactFrame<dim> FrameState<dim>::after(const FrameScene<dim> &scene,
     result.rays[k].friction = rubbing[k];
     result.rays[k].pull = rays[k].held.pull;
     if constexpr (dim == 2)
-      result.rays[k].memory = memory_after(scene, k, force[k], rubbing[k].norm());
+      result.rays[k].memory = FrameAdhesion<dim>(*this).memory_after(scene, k, force[k], rubbing[k].norm());
     for (unsigned int side = 0; side < 2; ++side)
       if (rays[k].side[side].met)
         result.rays[k].place[side] = rays[k].side[side].place;

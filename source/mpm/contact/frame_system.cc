@@ -71,7 +71,7 @@ void FrameSystem<dim>::add_motion(const FrameState<dim> &frame,
       if (columns[i].kind == Column::ray)
         own.emplace_back(motion + m, i, frame.ray(columns[i].ray_number).by_motion[m]);
     for (unsigned int n = 0; n <= m; ++n)
-      own.emplace_back(motion + m, motion + n, frame.twice_by_motion(force, m, n));
+      own.emplace_back(motion + m, motion + n, frame.derivatives().twice_by_motion(force, m, n));
     own.emplace_back(tangential + m, motion + m, 1.);
   }
 }
@@ -82,6 +82,7 @@ void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
                                   const double force,
                                   const unsigned int ray_column)
 {
+  const FrameConditions<dim> conditions = frame.conditions();
   const unsigned int f = columns[ray_column].frame, k = columns[ray_column].ray_number;
   columns[ray_column].mate = columns.size();
   std::array<Across, dim - 1> axes;
@@ -92,8 +93,8 @@ void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
     if (slipping[f][k] != 0 && rubbing.norm() > 0.)
     {
       axes[0] = rubbing / rubbing.norm();
-      const double way = axes[0] * (frame.free_slide(k) + frame.ray_softness() * rubbing);
-      if (const double most = frame.most_friction(k, force); way < 0. && most > 0.)
+      const double way = axes[0] * (conditions.free_slide(k) + conditions.ray_softness() * rubbing);
+      if (const double most = conditions.most_friction(k, force); way < 0. && most > 0.)
         give = -way / most;
     }
     axes[1][0] = -axes[0][1];
@@ -101,10 +102,10 @@ void FrameSystem<dim>::add_slides(const FrameState<dim> &frame,
   }
   for (unsigned int m = 0; m < dim - 1; ++m)
   {
-    columns.push_back({Column::slide, f, k, ray_column, frame.stiffness(), frame.ray(k).rub.bound,
-                       frame.most_friction(k, force), 0., m, axes[m], axes[m], m == 1 ? give : 0.});
+    columns.push_back({Column::slide, f, k, ray_column, conditions.stiffness(), frame.ray(k).rub.bound,
+                       conditions.most_friction(k, force), 0., m, axes[m], axes[m], m == 1 ? give : 0.});
     active.push_back(active[ray_column]);
-    gap.push_back(axes[m] * frame.free_slide(k));
+    gap.push_back(axes[m] * conditions.free_slide(k));
   }
   any_slides = true;
 }
@@ -115,13 +116,13 @@ void FrameSystem<dim>::add_dent(const FrameState<dim> &frame,
                                 const unsigned int first,
                                 const unsigned int end)
 {
-  const double slope = frame.dent_slope();
+  const double slope = frame.conditions().dent_slope();
   for (unsigned int i = first; i < end; ++i)
   {
     if (slope < 0.)
-      softening_gap.emplace_back(i, slope * frame.total_force());
+      softening_gap.emplace_back(i, slope * frame.conditions().total_force());
     else
-      gap[i] -= slope * frame.total_force();
+      gap[i] -= slope * frame.conditions().total_force();
     for (unsigned int j = first; j <= i; ++j)
       (slope < 0. ? softening : own).emplace_back(i, j, slope);
   }
@@ -135,6 +136,7 @@ void FrameSystem<dim>::add_ways(const FrameScene<dim> &scene,
                                 const unsigned int first,
                                 const unsigned int motion)
 {
+  const FrameDerivatives<dim> derivatives = frame.derivatives();
   for (unsigned int w = 0; w < ways.size(); ++w)
   {
     const std::array<typename FrameState<dim>::Vector, 2> moves = ways[w].moves(scene, frame);
@@ -143,15 +145,16 @@ void FrameSystem<dim>::add_ways(const FrameScene<dim> &scene,
     for (unsigned int i = first; i < columns.size(); ++i)
       if (columns[i].kind != Column::motion)
         own.emplace_back(i, w,
-                         columns[i].kind == Column::ray ? frame.gap_by(columns[i].ray_number, moves)
+                         columns[i].kind == Column::ray ? derivatives.gap_by(columns[i].ray_number, moves)
                          : columns[i].kind == Column::slide
-                             ? columns[i].axis * frame.slide_by(columns[i].ray_number, moves)
-                             : -frame.motion_by(moves)[columns[i].ray_number]);
-    for (unsigned int m = 0; m < dim - 1 && frame.rides(); ++m)
-      own.emplace_back(motion + m, w,
-                       frame.twice_by(force, {{frame.as_motion(m), frame.as_motion(m)}}, moves));
+                             ? columns[i].axis * derivatives.slide_by(columns[i].ray_number, moves)
+                             : -derivatives.motion_by(moves)[columns[i].ray_number]);
+    for (unsigned int m = 0; m < dim - 1 && derivatives.rides(); ++m)
+      own.emplace_back(
+          motion + m, w,
+          derivatives.twice_by(force, {{derivatives.as_motion(m), derivatives.as_motion(m)}}, moves));
     for (unsigned int v = 0; v <= w; ++v)
-      own.emplace_back(w, v, frame.twice_by(force, ways[v].moves(scene, frame), moves));
+      own.emplace_back(w, v, derivatives.twice_by(force, ways[v].moves(scene, frame), moves));
   }
 }
 
@@ -164,10 +167,11 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
                                    const double within)
 {
   const FrameState<dim> &frame = frames[f];
+  const FrameConditions<dim> conditions = frame.conditions();
   if (slipping[f].empty())
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
-      slipping[f].push_back(frame.rubs(k) &&
-                                    rubbing[f][k].norm() >= slips_from * frame.most_friction(k, force[f][k])
+      slipping[f].push_back(conditions.rubs(k) && rubbing[f][k].norm() >=
+                                                      slips_from * conditions.most_friction(k, force[f][k])
                                 ? sign_of(rubbing[f][k])
                                 : 0);
   const unsigned int first = columns.size();
@@ -176,25 +180,25 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
     const typename FrameState<dim>::RayHere &ray = frame.ray(k);
     found[f][k] = 0.;
     found_rubbing[f][k] = Across();
-    if (!ray.met || !ray.near || (force[f][k] == 0. && frame.free_gap(k) > within))
+    if (!ray.met || !ray.near || (force[f][k] == 0. && conditions.free_gap(k) > within))
       continue;
-    columns.push_back({Column::ray, f, k, Column::none, frame.stiffness()});
+    columns.push_back({Column::ray, f, k, Column::none, conditions.stiffness()});
     columns.back().pull = ray.held.pull;
-    active.push_back(frame.closed(k, force[f][k]) || frame.free_gap(k) < 0.);
-    gap.push_back(frame.free_gap(k));
+    active.push_back(conditions.closed(k, force[f][k]) || conditions.free_gap(k) < 0.);
+    gap.push_back(conditions.free_gap(k));
   }
   const unsigned int motion_of_rays = columns.size();
   if (motion_of_rays == first)
     return;
   for (unsigned int i = first; i < motion_of_rays; ++i)
-    if (const unsigned int k = columns[i].ray_number; frame.rubs(k))
+    if (const unsigned int k = columns[i].ray_number; conditions.rubs(k))
       add_slides(frame, rubbing[f][k], force[f][k], i);
   const unsigned int motion = columns.size();
   for (unsigned int i = first; i < motion; ++i)
-    own.emplace_back(i, i, frame.ray_softness());
-  if (frame.rides())
+    own.emplace_back(i, i, conditions.ray_softness());
+  if (frame.derivatives().rides())
     add_motion(frame, force[f], first, f);
-  if (frame.dent_slope() != 0.)
+  if (conditions.dent_slope() != 0.)
     add_dent(frame, first, motion_of_rays);
   add_ways(scene, frame, force[f], first, motion);
   for (unsigned int side = 0; side < 2; ++side)
@@ -219,10 +223,12 @@ void FrameSystem<dim>::for_nodes(const FrameScene<dim> &scene,
   if (column.kind == Column::wall)
   {
     for (const auto &[f, side] : frames_of[b])
-      frames[f].for_mixed(side, force[f], ways[column.ray_number].moves(scene, frames[f])[side], add);
+      frames[f].derivatives().for_mixed(side, force[f], ways[column.ray_number].moves(scene, frames[f])[side],
+                                        add);
     return;
   }
   const FrameState<dim> &frame = frames[column.frame];
+  const FrameDerivatives<dim> derivatives = frame.derivatives();
   for (unsigned int side = 0; side < 2; ++side)
   {
     if (frame.body(side) != b)
@@ -230,16 +236,16 @@ void FrameSystem<dim>::for_nodes(const FrameScene<dim> &scene,
     switch (column.kind)
     {
     case Column::ray:
-      frame.for_gradient(column.ray_number, side, 1., add);
+      derivatives.for_gradient(column.ray_number, side, 1., add);
       break;
     case Column::slide:
-      frame.for_slide(column.ray_number, side, column.axis, add);
+      derivatives.for_slide(column.ray_number, side, column.axis, add);
       break;
     case Column::motion:
-      frame.for_mixed(side, force[column.frame], frame.as_motion(column.ray_number), add);
+      derivatives.for_mixed(side, force[column.frame], derivatives.as_motion(column.ray_number), add);
       break;
     default:
-      frame.for_mean(side, column.ray_number, -1., add);
+      derivatives.for_mean(side, column.ray_number, -1., add);
     }
   }
 }

@@ -19,8 +19,8 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
         // The cell closes on all that is in it, in proportion.
         for (unsigned int c = 0; c < components; ++c)
         {
-          const double factor =
-              list[k].way * rows[r].direction(c) * (list[k].normal * rows[r].branch / list[k].length);
+          const double factor = list[k].way * direction_of(rows[r], c) *
+                                (list[k].normal * rows[r].cell.branch / list[k].length);
           if (factor != 0.)
             of_wall[k].push_back({r * components + c, factor});
         }
@@ -28,7 +28,7 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
         for (unsigned int c = 0; c < components; ++c)
         {
           // Rows of a plane have its normal; those of a slab have that of its outline.
-          const double factor = list[k].way * rows[r].direction(c);
+          const double factor = list[k].way * direction_of(rows[r], c);
           if (factor != 0.)
             of_wall[k].push_back({r * components + c, factor});
         }

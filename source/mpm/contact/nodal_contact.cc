@@ -153,7 +153,7 @@ Row start_row(const Body<2> &body, const unsigned int node, const double cell_si
 {
   Row row;
   row.body = body.index;
-  row.body_weights = body.field.extension(node).shared();
+  row.weights.body = body.field.extension(node).shared();
   row.place = body.field.position(node);
   row.length = cell_size;
   return row;
@@ -286,7 +286,7 @@ void NodalSearch::add_row_of_bodies(Visit first, Visit second, std::vector<Row> 
   Row row = start_row(body, first.node, h);
   row.partner = partner.index;
   row.wall = partner.wall;
-  row.partner_weights = partner.field.extension(second.node).shared();
+  row.weights.partner = partner.field.extension(second.node).shared();
   row.normal = normal / normal.norm();
   row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
                            extent(partner, views[partner.index], second.node, row.normal, h)

@@ -40,14 +40,14 @@ std::vector<double> row_velocity(const State &state,
     {
       start = end = rows[r].partner_velocity * rows[r].normal;
       for (unsigned int c = 1; c < components; ++c)
-        q[r * components + c] -= rows[r].partner_velocity * rows[r].direction(c);
+        q[r * components + c] -= rows[r].partner_velocity * direction_of(rows[r], c);
     }
     for (const FreeWall<2> &free : work.contact.free_walls.list)
       if (free.wall == rows[r].wall)
       {
         const double moves = with_impulses ? free.speed : free.free_speed;
         for (unsigned int c = 1; c < components; ++c)
-          q[r * components + c] -= moves * (free.way * rows[r].direction(c));
+          q[r * components + c] -= moves * (free.way * direction_of(rows[r], c));
         start = free.start_speed * (free.way * rows[r].normal);
         end = moves * (free.way * rows[r].normal);
       }

@@ -69,82 +69,94 @@ bool is_here(const BodyShare &share, const FrameState<dim> &frame)
 }
 } // namespace
 
+/// What looking along the rays of a frame has found, for those who have not looked themselves: numbers of the
+/// rays looked at. These know all of a ray but what nodes do to its places.
 template <int dim>
-template <class Part>
-void FrameState<dim>::for_told(RayHere &ray, const Part &part) const
+class ToldFrame
 {
-  part(ray.met);
-  part(ray.gap);
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    part(ray.by_motion[m]);
-  part(ray.at_start);
-  part(ray.beyond);
-  part(ray.rub.bound);
-  for (unsigned int m = 0; m < dim - 1; ++m)
+public:
+  explicit ToldFrame(FrameState<dim> &state) : state(state) {}
+
+  std::size_t n_told() const
   {
-    part(ray.rub.slide[m]);
-    part(ray.rub.known_slide[m]);
-    for (unsigned int d = 0; d < dim; ++d)
-      part(ray.rub.e[m][d]);
+    std::size_t of_ray = 0;
+    RayHere<dim> any;
+    for_told(any, Counter{of_ray});
+    const auto &rays = state.rays;
+    return (state.inertia() ? dim + state.beside.size() * of_ray : 0) +
+           of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere<dim> &ray) { return ray.near; });
   }
-  for (unsigned int s = flat_partner() ? 1 : 0; s < 2; ++s)
+
+  void tell(double *numbers)
   {
-    RaySide<dim> &side = ray.side[s];
-    part(side.met);
-    part(side.height);
-    for (unsigned int d = 0; d < dim; ++d)
+    if (state.inertia())
     {
-      part(side.normal[d]);
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        part(side.way[k][d]);
-      for (unsigned int e = 0; e < dim; ++e)
-        part(side.sliding_twice[d][e]);
+      *numbers++ = state.follows;
+      for (unsigned int m = 0; m < dim - 1; ++m)
+        *numbers++ = state.moved[m];
     }
-    for_place(side.place, part);
+    for_rays_told(Packer{numbers});
   }
-}
 
-template <int dim>
-std::size_t FrameState<dim>::n_told() const
-{
-  std::size_t of_ray = 0;
-  RayHere any;
-  for_told(any, Counter{of_ray});
-  return (inertia() ? dim + beside.size() * of_ray : 0) +
-         of_ray * std::count_if(rays.begin(), rays.end(), [](const RayHere &ray) { return ray.near; });
-}
-
-template <int dim>
-void FrameState<dim>::tell(double *numbers)
-{
-  if (inertia())
+  void take(const double *numbers)
   {
-    *numbers++ = follows;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      *numbers++ = moved[m];
-    for (RayHere &ray : beside)
-      for_told(ray, Packer{numbers});
+    if (state.inertia())
+    {
+      state.follows = *numbers++ != 0.;
+      for (unsigned int m = 0; m < dim - 1; ++m)
+        state.moved[m] = *numbers++;
+    }
+    for_rays_told(Unpacker{numbers});
   }
-  for (RayHere &ray : rays)
-    if (ray.near)
-      for_told(ray, Packer{numbers});
-}
 
-template <int dim>
-void FrameState<dim>::take(const double *numbers)
-{
-  if (inertia())
+private:
+  template <class Part>
+  void for_rays_told(const Part &part)
   {
-    follows = *numbers++ != 0.;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      moved[m] = *numbers++;
-    for (RayHere &ray : beside)
-      for_told(ray, Unpacker{numbers});
+    if (state.inertia())
+      for (RayHere<dim> &ray : state.beside)
+        for_told(ray, part);
+    for (RayHere<dim> &ray : state.rays)
+      if (ray.near)
+        for_told(ray, part);
   }
-  for (RayHere &ray : rays)
-    if (ray.near)
-      for_told(ray, Unpacker{numbers});
-}
+
+  template <class Part>
+  void for_told(RayHere<dim> &ray, const Part &part) const
+  {
+    part(ray.met);
+    part(ray.gap);
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      part(ray.by_motion[m]);
+    part(ray.at_start);
+    part(ray.beyond);
+    part(ray.rub.bound);
+    for (unsigned int m = 0; m < dim - 1; ++m)
+    {
+      part(ray.rub.slide[m]);
+      part(ray.rub.known_slide[m]);
+      for (unsigned int d = 0; d < dim; ++d)
+        part(ray.rub.e[m][d]);
+    }
+    for (unsigned int s = state.flat_partner() ? 1 : 0; s < 2; ++s)
+    {
+      RaySide<dim> &side = ray.side[s];
+      part(side.met);
+      part(side.height);
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        part(side.normal[d]);
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          part(side.way[k][d]);
+        for (unsigned int e = 0; e < dim; ++e)
+          part(side.sliding_twice[d][e]);
+      }
+      for_place(side.place, part);
+    }
+  }
+
+  FrameState<dim> &state;
+};
 
 template <int dim>
 void meet_frames(const BodyShare &share,
@@ -159,8 +171,8 @@ void meet_frames(const BodyShare &share,
   for (unsigned int f = 0; f < frames.size(); ++f)
     frames[f].prepare(scene, way, force[f], path, within);
   std::vector<std::size_t> first(1, 0); // of the numbers of every frame
-  for (const FrameState<dim> &frame : frames)
-    first.push_back(first.back() + (share.alone() ? 0 : frame.n_told()));
+  for (FrameState<dim> &frame : frames)
+    first.push_back(first.back() + (share.alone() ? 0 : ToldFrame<dim>(frame).n_told()));
   std::vector<double> told(first.back());
   share.together(
       [&]()
@@ -174,7 +186,7 @@ void meet_frames(const BodyShare &share,
                            frames[f].look(scene, displacement, way,
                                           scene.way_of_wall(frames[f].layout().wall), force[f]);
                            if (!share.alone())
-                             frames[f].tell(told.data() + first[f]);
+                             ToldFrame<dim>(frames[f]).tell(told.data() + first[f]);
                          }
                      });
       },
@@ -185,7 +197,7 @@ void meet_frames(const BodyShare &share,
       });
   for (unsigned int f = 0; f < frames.size(); ++f)
     if (!is_here(share, frames[f]))
-      frames[f].take(told.data() + first[f]);
+      ToldFrame<dim>(frames[f]).take(told.data() + first[f]);
 }
 
 template void meet_frames(const BodyShare &,

@@ -162,10 +162,10 @@ void MpmModel::add_contacts(Snapshot<2> &snapshot) const
     contact.length = rows[r].length;
     contact.gap = rows[r].gap;
     for (unsigned int c = 0; c < components; ++c)
-      contact.force += work.contact.impulses()[r * components + c] / last_dt * rows[r].direction(c);
+      contact.force += work.contact.impulses()[r * components + c] / last_dt * direction_of(rows[r], c);
     if (cell)
-      cell->fold(contact, here(rows[r].fold, rows[r].body, Row::none),
-                 here(rows[r].image, rows[r].body, rows[r].partner));
+      cell->fold(contact, here(rows[r].cell.fold, rows[r].body, Row::none),
+                 here(rows[r].cell.image, rows[r].body, rows[r].partner));
     snapshot.contacts.push_back(contact);
   }
 }

@@ -28,9 +28,9 @@ void note_contacts(State &state,
   const std::vector<double> gaps = end_gaps(state, work, increment, motion, dt), &P = work.contact.impulses();
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    const double closing = P[r * components] + dt * rows[r].pull;
-    const bool slides = components > 1 && closing > 0. && rows[r].friction > 0. &&
-                        std::abs(P[r * components + 1]) >= near_limit * rows[r].friction * closing;
+    const double closing = P[r * components] + dt * rows[r].law.pull;
+    const bool slides = components > 1 && closing > 0. && rows[r].law.friction > 0. &&
+                        std::abs(P[r * components + 1]) >= near_limit * rows[r].law.friction * closing;
     state.adhesion.note(rows[r].key, rows[r].gap, {gaps[r], closing > 0., slides, dt});
   }
 }

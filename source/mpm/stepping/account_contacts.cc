@@ -97,17 +97,17 @@ void ContactAccounts::book_partner(const ContactRow<2> &row,
 void ContactAccounts::book_row(const ContactWork &contact, const unsigned int r, const unsigned int c)
 {
   const ContactRow<2> &row = work.contact.contact_rows()[r];
-  const Vector direction = row.direction(c);
+  const Vector direction = direction_of(row, c);
   const double impulse = work.contact.impulses()[r * work.contact.n_components() + c],
                acting = contact.acting(r, c);
   book_partner(row, direction, impulse, acting);
   if (cell)
-    virial += impulse / dt * outer_product(direction, row.branch);
+    virial += impulse / dt * outer_product(direction, row.cell.branch);
   if (c == 0 && !step.balanced)
   {
     const double pulled = contact.adhesion_work(r);
     state.balance.adhesion_work += pulled;
-    state.balance.contact_loss += pulled - row.work_beyond;
+    state.balance.contact_loss += pulled - row.beyond.work;
   }
   // From balance to balance normal forces do no work: gaps are closed at both ends. What rows that have
   // moved in between would say is rounding in a smooth step, and meaningless where grains rearrange.

@@ -45,7 +45,7 @@ ContactWork::ContactWork(const State &state,
 bool ContactWork::acts(const unsigned int row, const unsigned int component) const
 {
   return work.contact.impulses()[row * components + component] != 0. ||
-         work.contact.contact_rows()[row].pull != 0.;
+         work.contact.contact_rows()[row].law.pull != 0.;
 }
 
 double ContactWork::acting(const unsigned int row, const unsigned int component) const
@@ -62,7 +62,7 @@ double ContactWork::acting(const unsigned int row, const unsigned int component)
 double ContactWork::parting(const unsigned int row, const unsigned int component) const
 {
   const ContactRow<2> &of_row = work.contact.contact_rows()[row];
-  const dealii::Tensor<1, 2> direction = of_row.direction(component);
+  const dealii::Tensor<1, 2> direction = direction_of(of_row, component);
   double speed = relative[row * components + component];
   if (of_row.obstacle)
     speed -= of_row.partner_velocity * direction;
@@ -76,14 +76,14 @@ double ContactWork::parting(const unsigned int row, const unsigned int component
       speed -= moves.slide * (moves.tangent() * direction);
   }
   if (cell)
-    speed += cell->gradient * of_row.branch * of_row.direction(component);
+    speed += cell->gradient * of_row.cell.branch * direction_of(of_row, component);
   return speed;
 }
 
 double ContactWork::adhesion_work(const unsigned int row) const
 {
   const ContactRow<2> &of_row = work.contact.contact_rows()[row];
-  return of_row.pull > 0. ? of_row.pull_beyond - of_row.pull * dt * parting(row, 0) : 0.;
+  return of_row.law.pull > 0. ? of_row.beyond.pull - of_row.law.pull * dt * parting(row, 0) : 0.;
 }
 
 ContactWork::Gift ContactWork::gift() const
@@ -92,7 +92,7 @@ ContactWork::Gift ContactWork::gift() const
   double most = 0.;
   for (unsigned int r = 0; r < work.contact.contact_rows().size(); ++r)
   {
-    double given = work.contact.contact_rows()[r].work_beyond - adhesion_work(r);
+    double given = work.contact.contact_rows()[r].beyond.work - adhesion_work(r);
     for (unsigned int c = 0; c < components; ++c)
       if (acts(r, c))
         given += acting(r, c) * parting(r, c);

@@ -68,7 +68,8 @@ void MovingStep::note_contact_work()
       for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
         if (force[f][k] != 0.)
         {
-          const double work = (force[f][k] * frames[f].resultant(k) + frames[f].in_space(k, rubbing[f][k])) *
+          const double work = (force[f][k] * frames[f].derivatives().resultant(k) +
+                               frames[f].ray(k).rub.in_space(rubbing[f][k])) *
                               way_of_partner(frames[f], k);
           if (const unsigned int o = obstacle_of(layout); o != none)
             obstacle_work[o] += work;

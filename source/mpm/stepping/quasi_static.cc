@@ -62,14 +62,14 @@ double unbalanced_force(const Problem &problem,
   {
     Vector force;
     for (unsigned int c = 0; c < components; ++c)
-      force += work.contact.impulses()[r * components + c] / dt * rows[r].direction(c);
+      force += work.contact.impulses()[r * components + c] / dt * direction_of(rows[r], c);
     if (force.norm() == 0.)
       continue;
     net[rows[r].body] += force;
     if (rows[r].partner != ContactRow<2>::none)
       net[rows[r].partner] -= force;
     const bool swapped = rows[r].partner < rows[r].body;
-    const PeriodicCell<2>::Image &n = rows[r].image;
+    const PeriodicCell<2>::Image &n = rows[r].cell.image;
     pairs[{std::min(rows[r].body, rows[r].partner), std::max(rows[r].body, rows[r].partner), rows[r].wall,
            swapped ? PeriodicCell<2>::Image{{-n[0], -n[1]}} : n}] += swapped ? -force : force;
   }

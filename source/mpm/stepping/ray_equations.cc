@@ -59,7 +59,7 @@ void RayEquations<dim>::take_forces_of_start()
   for (unsigned int f = 0; f < frames.size(); ++f)
     for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
     {
-      force[f][k] = frames[f].start_force(k);
+      force[f][k] = frames[f].conditions().start_force(k);
       rubbing[f][k] = frames[f].ray(k).left ? Across() : frames[f].layout().rays[k].friction;
     }
 }
@@ -144,16 +144,17 @@ Eigen::VectorXd RayEquations<dim>::contact_forces(const unsigned int b) const
   for (const auto &[f, side] : system.frames_of[b])
   {
     const FrameState<dim> &frame = frames[f];
+    const FrameDerivatives<dim> derivatives = frame.derivatives();
     for (unsigned int k = 0; k < frame.n_rays(); ++k)
     {
       if (force[f][k] != 0.)
-        frame.for_gradient(k, side, force[f][k], add);
+        derivatives.for_gradient(k, side, force[f][k], add);
       if (rubbing[f][k] != Across())
-        frame.for_slide(k, side, rubbing[f][k], add);
+        derivatives.for_slide(k, side, rubbing[f][k], add);
     }
-    const typename FrameState<dim>::Across tangential = frame.tangential(force[f]);
+    const typename FrameState<dim>::Across tangential = derivatives.tangential(force[f]);
     for (unsigned int m = 0; m < dim - 1; ++m)
-      frame.for_mean(side, m, -tangential[m], add);
+      derivatives.for_mean(side, m, -tangential[m], add);
   }
   return contact;
 }
@@ -163,17 +164,18 @@ template <int dim>
 void RayEquations<dim>::measure_frame(const unsigned int f, double &wrong_friction)
 {
   const FrameState<dim> &frame = frames[f];
+  const FrameConditions<dim> conditions = frame.conditions();
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
     if (!frame.ray(k).met)
       continue;
-    const double gap = frame.free_gap(k) + frame.ray_softness() * force[f][k];
-    const bool closed = frame.closed(k, force[f][k]);
+    const double gap = conditions.free_gap(k) + conditions.ray_softness() * force[f][k];
+    const bool closed = conditions.closed(k, force[f][k]);
     deepest = std::max(deepest, closed ? std::abs(gap) : -gap);
-    if (!frame.rubs(k) || !closed)
+    if (!conditions.rubs(k) || !closed)
       continue;
-    const double most = frame.most_friction(k, force[f][k]), rubs = rubbing[f][k].norm();
-    Across slide = frame.free_slide(k) + frame.ray_softness() * rubbing[f][k];
+    const double most = conditions.most_friction(k, force[f][k]), rubs = rubbing[f][k].norm();
+    Across slide = conditions.free_slide(k) + conditions.ray_softness() * rubbing[f][k];
     wrong_friction = std::max(wrong_friction, rubs - most);
     // Friction below its bound holds; at its bound it holds across its own direction.
     if (rubs >= (1. - 1e-6) * most)
@@ -253,8 +255,8 @@ void RayEquations<dim>::assemble()
                              if (force[f][k] != 0.)
                              {
                                const RaySide<dim> &ray = frames[f].ray(k).side[side];
-                               const double factor = (side == 0 ? 1. : -1.) * frames[f].bend() * force[f][k] *
-                                                     theta * plan.dt * plan.dt;
+                               const double factor = (side == 0 ? 1. : -1.) * frames[f].derivatives().bend() *
+                                                     force[f][k] * theta * plan.dt * plan.dt;
                                ray.second_derivative(block);
                                world.matrices[b].template add_cell<dim>(
                                    ray.function.cell,
@@ -305,8 +307,9 @@ double RayEquations<dim>::unbalanced_free_walls() const
       const auto moves = way.moves(scene, frames[f]);
       for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
         if (force[f][k] != 0.)
-          sum += force[f][k] * frames[f].gap_by(k, moves) + rubbing[f][k] * frames[f].slide_by(k, moves);
-      sum -= frames[f].tangential(force[f]) * frames[f].motion_by(moves);
+          sum += force[f][k] * frames[f].derivatives().gap_by(k, moves) +
+                 rubbing[f][k] * frames[f].derivatives().slide_by(k, moves);
+      sum -= frames[f].derivatives().tangential(force[f]) * frames[f].derivatives().motion_by(moves);
     }
     worst = std::max(worst, std::abs(sum));
   }

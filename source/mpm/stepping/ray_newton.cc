@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/interruption.h>
+#include <softgrain/mpm/contact/frame_adhesion.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
 #include <softgrain/mpm/stepping/ray_newton.h>
 #include <softgrain/mpm/stepping/refused_step.h>
@@ -283,7 +284,7 @@ void RayNewton<dim>::begin_to_pull()
 {
   if constexpr (dim == 2)
     for (FrameState<2> &frame : frames)
-      frame.find_pulls(scene, plan.held);
+      FrameAdhesion<2>::find_pulls(frame, scene, plan.held);
   take_forces_of_start();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_adhesion.h>
 #include <softgrain/mpm/contact/told_rays.h>
 #include <softgrain/mpm/stepping/ray_rows.h>
 
@@ -65,7 +66,7 @@ void RayRows::find()
     way.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));
   meet(way);
   for (FrameState<2> &frame : frames)
-    frame.find_pulls(scene, false);
+    FrameAdhesion<2>::find_pulls(frame, scene, false);
   for (const Body<2> &body : state.bodies)
     if (!body.driven)
       way[body.index] = dt * body.velocity;
@@ -85,15 +86,15 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
   if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.held.pull > 0.))
     return;
   ContactRow<2> row = row_of_ray(scene, frame, k);
-  row.gap = here.at_start / frame.resultant(k).norm();
-  row.softness = frame.ray_softness() / frame.resultant(k).norm_square();
-  row.friction = frame.rubs(k) ? frame.friction_coefficient() : 0.;
+  row.gap = here.at_start / frame.derivatives().resultant(k).norm();
+  row.law.softness = frame.conditions().ray_softness() / frame.derivatives().resultant(k).norm_square();
+  row.law.friction = frame.conditions().rubs(k) ? frame.conditions().friction_coefficient() : 0.;
   for (const unsigned int side : {0, 1})
     if (const unsigned int b = frame.unknown(side); b != FrameState<2>::none)
     {
       // Who owns neither knows the place only.
       const RaySide<2> &there = here.side[side];
-      auto &weights = side == 0 ? row.partner_weights : row.body_weights;
+      auto &weights = side == 0 ? row.weights.partner : row.weights.body;
       PlaceFunctions<2> function = there.function;
       if (function.node.empty())
         function = state.bodies[b].field.functions_at(there.place.position);
@@ -117,7 +118,7 @@ std::vector<ContactFrame<2>> RayRows::frames_after() const
   for (unsigned int r = 0; r < ray.size(); ++r)
   {
     const auto [f, k] = ray[r];
-    normal[f][k] = P[r * components] / (dt * frames[f].resultant(k).norm());
+    normal[f][k] = P[r * components] / (dt * frames[f].derivatives().resultant(k).norm());
     if (components > 1)
       rubbing[f][k][0] = P[r * components + 1] / dt;
   }

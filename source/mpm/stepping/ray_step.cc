@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/frame_adhesion.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/frame_rows.h>
 #include <softgrain/mpm/stepping/accept_step.h>
@@ -185,12 +186,12 @@ void RayStep::note_rays(FoundStep &found, State &state_to_change) const
 {
   for (unsigned int f = 0; f < frames.size() && !inertia; ++f)
   {
-    frames[f].add_kinks(force[f], rubbing[f], found.kinks);
-    found.dents += frames[f].dent_energy(force[f]);
-    found.adhesion_work += frames[f].adhesion_work(scene);
+    frames[f].conditions().add_kinks(force[f], rubbing[f], found.kinks);
+    found.dents += frames[f].conditions().dent_energy(force[f]);
+    found.adhesion_work += FrameAdhesion<2>(frames[f]).adhesion_work(scene);
     for (const unsigned int side : {0, 1})
       if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)
-        state_to_change.held_back[b] += frames[f].pull_to_come(scene);
+        state_to_change.held_back[b] += FrameAdhesion<2>(frames[f]).pull_to_come(scene);
   }
   std::vector<ContactFrame<2>> &kept = state_to_change.frames;
   kept.clear();

@@ -74,8 +74,9 @@ void SpaceRayStep::move_free_walls()
 
 dealii::Tensor<1, 3> SpaceRayStep::way_of_partner(const FrameState<3> &frame, const unsigned int k) const
 {
-  return frame.obstacle() != nullptr ? frame.obstacle()->way_of(frame.ray(k).side[0].place)
-                                     : scene.way_of_wall(frame.layout().wall);
+  if (const ObstacleSolid *obstacle = scene.line_of(frame.layout()))
+    return obstacle->way_of(frame.ray(k).side[0].place);
+  return scene.way_of_wall(frame.layout().wall);
 }
 
 std::string SpaceRayStep::partner_of(const ContactFrame<3> &frame) const
@@ -95,11 +96,12 @@ void SpaceRayStep::add_contacts(const unsigned int f, SpaceState &state) const
     if (of_rays[k] != 0.)
     {
       SpaceContact contact{layout.body, layout.partner, layout.wall, layout.origin, {}, {}, frame.ray(k).gap};
-      const dealii::Tensor<1, 2> offset = layout.offset(layout.rays[k].index) + frame.motion();
+      const dealii::Tensor<1, 2> offset = layout.offset(layout.rays[k].index) + frame.derivatives().motion();
       contact.place += offset[0] * layout.across[0] + offset[1] * layout.across[1] +
                        at_height(frame, k) * layout.direction;
-      contact.normal = frame.resultant(k) / frame.resultant(k).norm();
-      contact.force = of_rays[k] * frame.resultant(k) + frame.in_space(k, rubbing[f][k]);
+      const dealii::Tensor<1, 3> resultant = frame.derivatives().resultant(k);
+      contact.normal = resultant / resultant.norm();
+      contact.force = of_rays[k] * resultant + frame.ray(k).rub.in_space(rubbing[f][k]);
       if (const unsigned int o = obstacle_of(layout); o != none)
         state.obstacles[o].give(plan.dt * contact.force, contact.place, plan.dt);
       else if (layout.partner == none)

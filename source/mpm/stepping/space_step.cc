@@ -65,10 +65,10 @@ void StepAtRest::account_loads(const Body<3> &body, SpaceState &state) const
 void StepAtRest::account_frame(const unsigned int f, SpaceState &state) const
 {
   const FrameState<3> &frame = frames[f];
-  state.dent_energy += frame.dent_energy(force[f]);
-  frame.add_kinks(force[f], rubbing[f], state.kinks);
+  state.dent_energy += frame.conditions().dent_energy(force[f]);
+  frame.conditions().add_kinks(force[f], rubbing[f], state.kinks);
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
-    if (frame.ray(k).met && frame.rubs(k))
+    if (frame.ray(k).met && frame.conditions().rubs(k))
       state.losses.rubbed -= 0.5 * (frame.layout().rays[k].friction + rubbing[f][k]) * frame.ray(k).rub.slide;
 }
 

@@ -19,8 +19,8 @@ void find_rows(const Problem &problem,
   problem.geometry->find({state.bodies, motion, problem.pairs, dt, problem.lattice->cell_size()}, rows);
   if (problem.pairs.adhere())
     for (ContactRow<2> &row : rows)
-      row.pull =
-          row.adhesion * row.length * (row.adhesion > 0. ? state.adhesion.share(row.key, row.gap) : 0.);
+      row.law.pull = row.law.adhesion * row.length *
+                     (row.law.adhesion > 0. ? state.adhesion.share(row.key, row.gap) : 0.);
   work.contact.reinit(std::move(rows), work.share, !problem.settings.condenses(), state.bodies, dt,
                       state.memory);
 }

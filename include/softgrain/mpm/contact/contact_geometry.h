@@ -26,9 +26,9 @@ template <int dim>
 void take_pair(const ContactScene<dim> &scene, ContactRow<dim> &row)
 {
   const bool wall = row.wall != ContactRow<dim>::none;
-  row.friction =
+  row.law.friction =
       wall ? scene.pairs.friction_at_wall(row.body, row.wall) : scene.pairs.friction(row.body, row.partner);
-  row.adhesion =
+  row.law.adhesion =
       wall ? scene.pairs.adhesion_at_wall(row.body, row.wall) : scene.pairs.adhesion(row.body, row.partner);
 }
 

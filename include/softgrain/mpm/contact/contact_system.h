@@ -124,7 +124,7 @@ template <int dim>
 bool carries_force(const ContactSystem<dim> &system, const unsigned int r)
 {
   const double P = system.impulses()[r * system.n_components()];
-  return P > 0. || (P < 0. && system.contact_rows()[r].pull > 0.);
+  return P > 0. || (P < 0. && system.contact_rows()[r].law.pull > 0.);
 }
 
 /// Rows yield to the change of their force only: subtracts from @p free_velocity [m/s] what softness makes of

@@ -1,46 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Short functions of FrameState that are called for every ray, and are better put where they are called.
+// Short functions of a frame's state that are called for every ray, and are better put where they are called.
 #ifndef softgrain_mpm_contact_frame_state_templates_h
 #define softgrain_mpm_contact_frame_state_templates_h
 
 namespace softgrain::mpm
 {
-template <int dim>
-typename FrameState<dim>::Vector FrameState<dim>::resultant(const unsigned int k) const
-{
-  Vector sum = rays[k].side[1].normal;
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    sum += rays[k].by_motion[m] * by_whole_side(1, m);
-  return sum;
-}
-
-template <int dim>
-typename FrameState<dim>::Across FrameState<dim>::along_slides(const unsigned int k, const Vector &way) const
-{
-  Across result;
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    result[m] = rays[k].rub.e[m] * way;
-  return result;
-}
-
-template <int dim>
-typename FrameState<dim>::Vector FrameState<dim>::in_space(const unsigned int k, const Across &way) const
-{
-  Vector result;
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    result += way[m] * rays[k].rub.e[m];
-  return result;
-}
-
-template <int dim>
-typename FrameState<dim>::Across FrameState<dim>::motion_by(const std::array<Vector, 2> &moves) const
-{
-  Across result;
-  for (unsigned int m = 0; m < dim - 1; ++m)
-    result[m] = by_whole_side(0, m) * moves[0] + by_whole_side(1, m) * moves[1];
-  return result;
-}
-
 template <int dim>
 typename FrameState<dim>::Vector FrameState<dim>::by_whole_side(const unsigned int side,
                                                                 const unsigned int m) const

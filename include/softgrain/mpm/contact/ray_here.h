@@ -18,6 +18,23 @@ struct RayRub
   double bound = 0;                              ///< largest friction over force
   dealii::Tensor<1, dim - 1> slide;              ///< along e [m]
   dealii::Tensor<1, dim - 1> known_slide; ///< what velocities at the start have in it, with inertia [m]
+
+  /// Components of a vector along e.
+  dealii::Tensor<1, dim - 1> along(const dealii::Tensor<1, dim> &way) const
+  {
+    dealii::Tensor<1, dim - 1> result;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result[m] = e[m] * way;
+    return result;
+  }
+  /// The vector that stands at @p way in the directions of e.
+  dealii::Tensor<1, dim> in_space(const dealii::Tensor<1, dim - 1> &way) const
+  {
+    dealii::Tensor<1, dim> result;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      result += way[m] * e[m];
+    return result;
+  }
 };
 
 /// How adhesion holds both surfaces under a ray.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of a frame's state that adhesion has to do with.
-#include <softgrain/mpm/contact/frame_state.h>
+#include <softgrain/mpm/contact/frame_adhesion.h>
 
 #include <algorithm>
 #include <array>
@@ -37,11 +36,12 @@ double mean_way(const Adhesion &adhesion, const double memory, const double star
 /// How far across the rays it is from one of them to the end of the side that it meets, @p direction 1 or -1;
 /// no more than their spacing [m].
 template <int dim>
-double
-FrameState<dim>::way_to_edge(const FrameScene<dim> &scene, const unsigned int k, const double direction) const
+double FrameAdhesion<dim>::way_to_edge(const FrameScene<dim> &scene,
+                                       const unsigned int k,
+                                       const double direction) const
 {
   double least = frame.spacing;
-  for (unsigned int side = flat_partner() ? 1 : 0; side < 2; ++side)
+  for (unsigned int side = state.flat_partner() ? 1 : 0; side < 2; ++side)
   {
     const RaySide<dim> &here = rays[k].side[side];
     const double per_offset = -(here.way[0] * frame.across[0]);
@@ -55,7 +55,7 @@ FrameState<dim>::way_to_edge(const FrameScene<dim> &scene, const unsigned int k,
 }
 
 template <int dim>
-bool FrameState<dim>::has_neighbour(const unsigned int k, const int direction) const
+bool FrameAdhesion<dim>::has_neighbour(const unsigned int k, const int direction) const
 {
   const unsigned int next = k + direction; // beyond all for the first
   return next < rays.size() && rays[next].met &&
@@ -65,8 +65,8 @@ bool FrameState<dim>::has_neighbour(const unsigned int k, const int direction) c
 /// The gap at its ends is drawn from the slope at the ray: neighbours come and go, and curvatures jump from
 /// cell to cell.
 template <int dim>
-std::array<typename FrameState<dim>::HalfLength, 2>
-FrameState<dim>::half_lengths(const FrameScene<dim> &scene, const unsigned int k) const
+std::array<typename FrameAdhesion<dim>::HalfLength, 2>
+FrameAdhesion<dim>::half_lengths(const FrameScene<dim> &scene, const unsigned int k) const
 {
   std::array<HalfLength, 2> halves;
   for (const unsigned int half : {0, 1})
@@ -82,58 +82,59 @@ FrameState<dim>::half_lengths(const FrameScene<dim> &scene, const unsigned int k
 
 /// At the gaps that were last met [N/m].
 template <int dim>
-double FrameState<dim>::pull_now(const FrameScene<dim> &scene, const unsigned int k) const
+double FrameAdhesion<dim>::pull_now(const FrameScene<dim> &scene, const unsigned int k) const
 {
-  if (strength == 0. || !rays[k].met || rays[k].left)
+  if (state.strength == 0. || !rays[k].met || rays[k].left)
     return 0.;
   double sum = 0.;
   for (const HalfLength &half : half_lengths(scene, k))
     sum += half.length * scene.adhesion->mean_share(rays[k].held.memory, rays[k].gap, half.gap);
-  return strength * sum;
+  return state.strength * sum;
 }
 
 /// Likewise [J/m].
 template <int dim>
-double FrameState<dim>::parts_for_now(const FrameScene<dim> &scene, const unsigned int k) const
+double FrameAdhesion<dim>::parts_for_now(const FrameScene<dim> &scene, const unsigned int k) const
 {
   double sum = 0.;
   for (const HalfLength &half : half_lengths(scene, k))
     sum += half.length * mean_way(*scene.adhesion, rays[k].held.memory, rays[k].gap, half.gap);
-  return strength * sum;
+  return state.strength * sum;
 }
 
 template <int dim>
-double FrameState<dim>::adhesion_work(const FrameScene<dim> &scene) const
+double FrameAdhesion<dim>::adhesion_work(const FrameScene<dim> &scene) const
 {
   double sum = 0.;
-  for (unsigned int k = 0; k < rays.size() && strength != 0.; ++k)
+  for (unsigned int k = 0; k < rays.size() && state.strength != 0.; ++k)
     if (rays[k].met && !rays[k].left)
       sum += parts_for_now(scene, k) - rays[k].held.parts_for;
   return sum;
 }
 
 template <int dim>
-void FrameState<dim>::find_pulls(const FrameScene<dim> &scene, const bool held)
+void FrameAdhesion<dim>::find_pulls(FrameState<dim> &state, const FrameScene<dim> &scene, const bool held)
 {
-  if (strength == 0.)
+  if (state.strength == 0.)
     return;
-  for (unsigned int k = 0; k < rays.size(); ++k)
+  const FrameAdhesion adhesion(state);
+  for (unsigned int k = 0; k < state.rays.size(); ++k)
   {
-    RayHere &ray = rays[k];
+    RayHere<dim> &ray = state.rays[k];
+    const auto &before = state.frame.rays[k];
     if (!ray.met)
       continue;
-    ray.held.memory =
-        frame.rays[k].memory != 0. ? frame.rays[k].memory : scene.adhesion->first_memory(ray.gap);
-    ray.held.pull = pull_now(scene, k);
+    ray.held.memory = before.memory != 0. ? before.memory : scene.adhesion->first_memory(ray.gap);
+    ray.held.pull = adhesion.pull_now(scene, k);
     if (held)
-      ray.held.pull = 0.5 * (ray.held.pull + frame.rays[k].pull);
-    if (!inertia())
-      ray.held.parts_for = parts_for_now(scene, k);
+      ray.held.pull = 0.5 * (ray.held.pull + before.pull);
+    if (!state.inertia())
+      ray.held.parts_for = adhesion.parts_for_now(scene, k);
   }
 }
 
 template <int dim>
-double FrameState<dim>::pull_to_come(const FrameScene<dim> &scene) const
+double FrameAdhesion<dim>::pull_to_come(const FrameScene<dim> &scene) const
 {
   double sum = 0.;
   for (unsigned int k = 0; k < rays.size(); ++k)
@@ -142,24 +143,26 @@ double FrameState<dim>::pull_to_come(const FrameScene<dim> &scene) const
 }
 
 template <int dim>
-double FrameState<dim>::memory_after(const FrameScene<dim> &scene,
-                                     const unsigned int k,
-                                     const double force,
-                                     const double rubbing) const
+double FrameAdhesion<dim>::memory_after(const FrameScene<dim> &scene,
+                                        const unsigned int k,
+                                        const double force,
+                                        const double rubbing) const
 {
-  if (strength == 0. || !rays[k].met || rays[k].left)
+  if (state.strength == 0. || !rays[k].met || rays[k].left)
     return 0.;
   constexpr double near_limit = 1. - 1e-6; // of friction: solvers have tolerances
   const std::array<HalfLength, 2> halves = half_lengths(scene, k);
-  const bool slides =
-      rubs(k) && closed(k, force) && std::abs(rubbing) >= near_limit * most_friction(k, force);
+  const FrameConditions<dim> conditions(state);
+  const bool slides = conditions.rubs(k) && conditions.closed(k, force) &&
+                      std::abs(rubbing) >= near_limit * conditions.most_friction(k, force);
   const double nearest =
       scene.adhesion->nearest(rays[k].gap, {{halves[0].gap - rays[k].gap, halves[1].gap - rays[k].gap}});
-  return scene.adhesion->memory_after(rays[k].held.memory, {nearest, closed(k, force), slides, scene.dt});
+  return scene.adhesion->memory_after(rays[k].held.memory,
+                                      {nearest, conditions.closed(k, force), slides, scene.dt});
 }
 
-template void FrameState<2>::find_pulls(const FrameScene<2> &, bool);
-template double FrameState<2>::pull_to_come(const FrameScene<2> &) const;
-template double FrameState<2>::adhesion_work(const FrameScene<2> &) const;
-template double FrameState<2>::memory_after(const FrameScene<2> &, unsigned int, double, double) const;
+template void FrameAdhesion<2>::find_pulls(FrameState<2> &, const FrameScene<2> &, bool);
+template double FrameAdhesion<2>::pull_to_come(const FrameScene<2> &) const;
+template double FrameAdhesion<2>::adhesion_work(const FrameScene<2> &) const;
+template double FrameAdhesion<2>::memory_after(const FrameScene<2> &, unsigned int, double, double) const;
 } // namespace softgrain::mpm
