@@ -67,9 +67,9 @@ void Dynamics::drop_guests()
   inverse_mass.resize(n);
   if (rotations)
     primaries.angular_velocity.resize(n);
-  if (share->graded())
+  if (share->carried().strength)
     primaries.strength.resize(n);
-  if (share->started())
+  if (share->carried().start)
     primaries.start.resize(n);
 }
 
@@ -116,7 +116,7 @@ std::vector<double> Dynamics::wall_list(const std::vector<AtWall> &at_walls,
                     primaries.radius[i], primaries.mass[i], force[i][0], force[i][1]});
     if (rotations)
       numbers.push_back(primaries.angular_velocity[i]);
-    if (share->started())
+    if (share->carried().start)
       numbers.insert(numbers.end(), {primaries.start[i][0], primaries.start[i][1]});
   }
   for (const AtWall &at : at_walls)
@@ -200,7 +200,7 @@ void Dynamics::take_guests(const unsigned int owner, const std::vector<double> &
 
 unsigned int Dynamics::numbers_of_guest() const
 {
-  return 9 + (rotations ? 1 : 0) + (share->started() ? 2 : 0);
+  return 9 + (rotations ? 1 : 0) + (share->carried().start ? 2 : 0);
 }
 
 void Dynamics::add_guest(const std::uint32_t name, const double *number)
@@ -216,9 +216,9 @@ void Dynamics::add_guest(const std::uint32_t name, const double *number)
   number += 9;
   if (rotations)
     primaries.angular_velocity.push_back(*number++);
-  if (share->started())
+  if (share->carried().start)
     primaries.start.push_back({number[0], number[1]});
-  if (share->graded()) // of no consequence at a wall
+  if (share->carried().strength) // of no consequence at a wall
     primaries.strength.push_back(1.);
 }
 

@@ -42,7 +42,7 @@ void GatheredPrimaries::gather_disks()
   all.mass = bring(here.mass);
   const std::vector<double> body = bring(std::vector<double>(here.body.begin(), here.body.end()));
   all.body.assign(body.begin(), body.end());
-  if (share.rotates())
+  if (share.carried().spins)
     all.angular_velocity = bring(here.angular_velocity);
 }
 
@@ -66,7 +66,7 @@ void GatheredPrimaries::gather_rows()
                   {static_cast<double>(disks.number[here.a[row]]),
                    static_cast<double>(b < disks.size() ? disks.number[b] : first_wall + (b - disks.size())),
                    here.normal[row][0], here.normal[row][1], dynamics.gaps()[row], here.impulse[row],
-                   share.rotates() ? here.tangential_impulse[row] : 0.});
+                   share.carried().spins ? here.tangential_impulse[row] : 0.});
     }
     if (row < first_end)
       n_first = numbers.size();
@@ -81,7 +81,7 @@ void GatheredPrimaries::gather_rows()
     rows.normal.push_back({all[k + 2], all[k + 3]});
     gathered->gap.push_back(all[k + 4]);
     rows.impulse.push_back(all[k + 5]);
-    if (share.rotates())
+    if (share.carried().spins)
       rows.tangential_impulse.push_back(all[k + 6]);
   }
 }

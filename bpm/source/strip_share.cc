@@ -110,9 +110,9 @@ void shorten(std::vector<T> &values, const std::size_t begin, const std::size_t 
 void StripShare::cut(Primaries &disks)
 {
   n_primaries = disks.size();
-  rotate = disks.rotate();
-  has_strength = !disks.strength.empty();
-  has_start = !disks.start.empty();
+  has.spins = disks.rotate();
+  has.strength = !disks.strength.empty();
+  has.start = !disks.start.empty();
   const std::size_t begin = n_primaries * exchange.here() / exchange.number(),
                     end = n_primaries * (exchange.here() + 1) / exchange.number();
   shorten(disks.position, begin, end);
@@ -295,17 +295,17 @@ void StripShare::carry(Primaries &disks, Motion &kept)
   go(disks.velocity);
   go(disks.radius);
   go(disks.mass);
-  if (rotate)
+  if (has.spins)
     go(disks.angular_velocity);
-  if (has_strength)
+  if (has.strength)
     go(disks.strength);
-  if (has_start)
+  if (has.start)
     go(disks.start);
   if (keeps)
   {
     go(kept.position);
     go(kept.velocity);
-    if (rotate)
+    if (has.spins)
       go(kept.angular_velocity);
   }
   disks.number.clear();

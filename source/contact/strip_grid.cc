@@ -27,8 +27,8 @@ bool is_sparse(const std::array<double, 2> &lower,
 std::vector<StripGrid::Span> joined(std::vector<StripGrid::Span> spans, const double size)
 {
   std::sort(spans.begin(), spans.end());
-  std::vector<Span> result;
-  for (const Span &span : spans)
+  std::vector<StripGrid::Span> result;
+  for (const StripGrid::Span &span : spans)
     if (result.empty() || span[0] - result.back()[1] > size)
       result.push_back(span);
     else
@@ -39,7 +39,7 @@ std::vector<StripGrid::Span> joined(std::vector<StripGrid::Span> spans, const do
 std::vector<StripGrid::Span>
 spans_of(const std::vector<std::array<double, 2>> &positions, const std::size_t n, const double size)
 {
-  std::vector<Span> spans(n);
+  std::vector<StripGrid::Span> spans(n);
   for (std::size_t i = 0; i < n; ++i)
     spans[i] = {{positions[i][0], positions[i][0]}};
   return joined(std::move(spans), size);
@@ -49,7 +49,7 @@ StripGrid::StripGrid(const std::array<double, 2> &lower_corner,
                      const std::array<double, 2> &upper,
                      const std::size_t n_disks,
                      const double size,
-                     const std::vector<Span> &spans)
+                     const std::vector<StripGrid::Span> &spans)
     : lower(lower_corner), cell(size)
 {
   if (spans.empty())
@@ -59,7 +59,7 @@ StripGrid::StripGrid(const std::array<double, 2> &lower_corner,
   }
   else
   {
-    for (const Span &span : spans)
+    for (const StripGrid::Span &span : spans)
     {
       const std::size_t n = static_cast<std::size_t>((span[1] - span[0]) / cell) + 1;
       pieces.push_back({span[0], n_columns, n_columns + n});

@@ -66,7 +66,7 @@ void carry(const std::string &name,
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = side == 0 ? frame.partner : frame.body; b != ContactFrame<2>::none)
       moves[side] = ways[b];
-  scene.carried.assign(start.size(), Vector());
+  scene.ways.carried.assign(start.size(), Vector());
   Contact<2> contact(scene, start, frame);
   contact.go(here);
   const FrameState<2> at = contact.frame;
@@ -79,7 +79,7 @@ void carry(const std::string &name,
   for (const double sign : {1., -1.})
   {
     for (unsigned int b = 0; b < start.size(); ++b)
-      scene.carried[b] = sign * little * ways[b];
+      scene.ways.carried[b] = sign * little * ways[b];
     contact.go(here);
     difference += sign / (2. * little) * contact.gaps();
     for (unsigned int k = 0; k < contact.forces.size(); ++k)

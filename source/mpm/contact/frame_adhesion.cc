@@ -47,7 +47,7 @@ double FrameAdhesion<dim>::way_to_edge(const FrameScene<dim> &scene,
     const double per_offset = -(here.way[0] * frame.across[0]);
     dealii::Tensor<1, dim - 1> way;
     way[0] = per_offset * direction * frame.spacing;
-    const SurfacePlace<dim> end = scene.surface_of(frame, side).move(here.place, way);
+    const SurfacePlace<dim> end = surface_of(scene, frame, side).move(here.place, way);
     if (end.at_edge)
       least = std::min(least, end.position.distance(here.place.position) / std::abs(per_offset));
   }

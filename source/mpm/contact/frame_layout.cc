@@ -81,7 +81,7 @@ typename FrameLayout<dim>::Guesses FrameLayout<dim>::guesses_of(const FrameStret
       const Across y = across_of(frame, sample.position);
       guesses.emplace_back(y, sample.place);
       if (sample.place.at_edge)
-        guesses.emplace_back(y, scene.surface_of(frame, side).beyond_edge(sample.place));
+        guesses.emplace_back(y, surface_of(scene, frame, side).beyond_edge(sample.place));
     }
   return guesses;
 }
@@ -158,7 +158,7 @@ bool FrameLayout<dim>::near_corner(const ContactFrame<dim> &frame,
                                    const unsigned int side,
                                    const SurfacePlace<dim> &place) const
 {
-  const RestSurface<dim> &surface = scene.surface_of(frame, side);
+  const RestSurface<dim> &surface = surface_of(scene, frame, side);
   for (unsigned int m = 0; m < dim - 1; ++m)
   {
     Across way;
@@ -239,7 +239,7 @@ void FrameLayout<dim>::lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &
     }
     const double gap = height[1] - height[0];
     // No step ends with bodies as deep in each other: what looks so is the far side of a thin body.
-    if ((gap > scene.reach_of(frame) || gap < -deepest * scene.cell_size) && place.force <= 0.)
+    if ((gap > reach_of(scene, frame) || gap < -deepest * scene.cell_size) && place.force <= 0.)
       continue;
     if (place.force <= 0. && far_side(frame, frame.offset(index), height))
       continue;

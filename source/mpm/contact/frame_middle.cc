@@ -115,7 +115,7 @@ typename FrameLayout<dim>::Places FrameLayout<dim>::begin_at_samples(const Frame
   Vector sum;
   unsigned int n_nearest = 0;
   for (const auto &pair : stretch.facing)
-    if (gap_of(pair) <= nearest + scene.same_gap())
+    if (gap_of(pair) <= nearest + same_gap(scene))
     {
       sum += middle_of(pair) - dealii::Point<dim>();
       ++n_nearest;
@@ -125,7 +125,7 @@ typename FrameLayout<dim>::Places FrameLayout<dim>::begin_at_samples(const Frame
   double closest = std::numeric_limits<double>::max();
   for (const auto &pair : stretch.facing)
     if (const double way = middle_of(pair).distance(frame.origin);
-        gap_of(pair) <= nearest + scene.same_gap() && way < closest)
+        gap_of(pair) <= nearest + same_gap(scene) && way < closest)
     {
       closest = way;
       if (!wall)
@@ -147,7 +147,7 @@ FrameLayout<dim>::on_both_sides_of_corners(const Places &places, const ContactFr
       for (unsigned int s = 0, n = starts.size(); s < n; ++s)
       {
         starts.push_back(starts[s]);
-        starts.back()[side] = scene.surface_of(frame, side).beyond_edge(places[side]);
+        starts.back()[side] = surface_of(scene, frame, side).beyond_edge(places[side]);
       }
   return starts;
 }

@@ -43,13 +43,13 @@ void look(const FrameScene<dim> &scene,
           part_in(task.near, lines[task.named.wall - scene.walls.size()]));
     else
       task.image = std::make_unique<SampledSurface<3>>(
-          scene.line_of(task.named)->facing(body, scene.reach_of(task.named)));
+          scene.line_of(task.named)->facing(body, reach_of(scene, task.named)));
     task.partner = task.image.get();
     if (!task.partner->samples.empty())
-      task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named));
+      task.stretches = stretches_between(*task.partner, body, reach_of(scene, task.named));
   }
   else if (task.named.partner == Frame<dim>::none)
-    task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], scene.reach_of(task.named));
+    task.stretches = stretches_at_plane(body, scene.walls[task.named.wall], reach_of(scene, task.named));
   else
   {
     task.partner = &samples[task.named.partner];
@@ -60,7 +60,7 @@ void look(const FrameScene<dim> &scene,
         sample.position += task.apart;
       task.partner = task.image.get();
     }
-    task.stretches = stretches_between(*task.partner, body, scene.reach_of(task.named),
+    task.stretches = stretches_between(*task.partner, body, reach_of(scene, task.named),
                                        task.named.partner == task.named.body);
   }
   add_corners(task.partner, body, task.stretches);
@@ -128,7 +128,7 @@ Frame<dim> start_frame(const FrameScene<dim> &scene,
 {
   auto old = nearest_before<dim>(stretch, key_of(named), keeps_direction, std::numeric_limits<double>::max(),
                                  before);
-  if (old == before.end() && scene.inertia() && named.corner == Frame<dim>::none)
+  if (old == before.end() && scene.instants.inertia() && named.corner == Frame<dim>::none)
     old =
         nearest_before<dim>(stretch, key_of(named), turns_direction, turns_within * scene.cell_size, before);
   if (old != before.end())
@@ -178,7 +178,7 @@ struct LookedAt
 template <int dim>
 bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStretch<dim> &stretch)
 {
-  return scene.inertia() && frame.corner == Frame<dim>::none &&
+  return scene.instants.inertia() && frame.corner == Frame<dim>::none &&
          frame.direction * stretch.direction < keeps_direction;
 }
 
@@ -264,15 +264,15 @@ void find_in_tasks(const LookedAt<dim> &at,
 } // namespace
 
 template <int dim>
-dealii::Tensor<1, dim> FrameScene<dim>::apart(const ContactFrame<dim> &frame) const
+dealii::Tensor<1, dim> apart_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame)
 {
-  if (cell == nullptr || frame.partner == Frame<dim>::none)
+  if (scene.cell == nullptr || frame.partner == Frame<dim>::none)
     return dealii::Tensor<1, dim>();
   typename PeriodicCell<dim>::Image here = frame.image;
   for (unsigned int d = 0; d < dim; ++d)
-    here[d] += bodies[frame.partner].home[d] - bodies[frame.body].home[d];
+    here[d] += scene.bodies[frame.partner].home[d] - scene.bodies[frame.body].home[d];
   if constexpr (dim == 2)
-    return cell->cell.shift(here);
+    return scene.cell->cell.shift(here);
   return dealii::Tensor<1, dim>();
 }
 
@@ -325,8 +325,8 @@ std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
   return result;
 }
 
-template struct FrameScene<2>;
-template struct FrameScene<3>;
+template dealii::Tensor<1, 2> apart_of(const FrameScene<2> &, const ContactFrame<2> &);
+template dealii::Tensor<1, 3> apart_of(const FrameScene<3> &, const ContactFrame<3> &);
 template Ray<2> ray_of(const ContactFrame<2> &, const dealii::Tensor<1, 1> &, const dealii::Tensor<1, 2> &);
 template Ray<3> ray_of(const ContactFrame<3> &, const dealii::Tensor<1, 2> &, const dealii::Tensor<1, 3> &);
 template std::vector<ContactFrame<2>> find_frames(const FrameScene<2> &, std::vector<ContactFrame<2>>);

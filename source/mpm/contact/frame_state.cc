@@ -20,8 +20,8 @@ template <int dim>
 FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<dim> &scene)
     : frame(layout)
     , rays(layout.rays.size())
-    , met_at(scene.met_at)
-    , theta(scene.theta)
+    , met_at(scene.instants.met_at)
+    , theta(scene.instants.theta)
     , subgrid(scene.subgrid)
 {
   young = scene.bodies[frame.body].law->young_modulus();
@@ -35,7 +35,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
   if (subgrid.on && frame.corner == none && !meets_bent_obstacle(scene))
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
-  apart = scene.apart(frame);
+  apart = apart_of(scene, frame);
   partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
   carry(scene);
   find_pair(scene);
@@ -69,7 +69,7 @@ void FrameState<dim>::weigh_rays(const FrameScene<dim> &scene)
   std::vector<double> gaps;
   for (unsigned int k = 0; k < rays.size(); ++k)
     gaps.push_back(gap_at_places(scene, k));
-  const double nearest = *std::min_element(gaps.begin(), gaps.end()) + scene.same_gap();
+  const double nearest = *std::min_element(gaps.begin(), gaps.end()) + same_gap(scene);
   const double n = std::count_if(gaps.begin(), gaps.end(), [&](const double g) { return g <= nearest; });
   for (unsigned int k = 0; k < rays.size(); ++k)
     weight[k] = gaps[k] <= nearest ? 1. / n : 0.;
@@ -122,9 +122,9 @@ bool FrameState<dim>::meets_bent_obstacle(const FrameScene<dim> &scene) const
 template <int dim>
 void FrameState<dim>::carry(const FrameScene<dim> &scene)
 {
-  for (unsigned int side = 0; side < 2 && !scene.carried.empty(); ++side)
+  for (unsigned int side = 0; side < 2 && !scene.ways.carried.empty(); ++side)
     if (body(side) != none)
-      carried[side] = scene.carried[body(side)];
+      carried[side] = scene.ways.carried[body(side)];
   if constexpr (dim == 2)
     if (scene.cell != nullptr)
       carried[0] += scene.dt * (scene.cell->gradient * apart);

@@ -37,7 +37,7 @@ Boxes<dim> boxes_of(const FrameScene<dim> &scene, const std::vector<SampledSurfa
         boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
         back = scene.cell->cell.shift(boxes.fold.back());
       }
-    const double reach = 0.5 * scene.reach + scene.way_of(b);
+    const double reach = 0.5 * scene.reach + scene.ways.own_of(b);
     dealii::Point<dim> lower = samples[b].samples.front().position, upper = lower;
     for (const auto &s : samples[b].samples)
       for (unsigned int d = 0; d < dim; ++d)
@@ -82,7 +82,7 @@ public:
     for (unsigned int d = 0; d < dim; ++d)
       task.named.image[d] = image[d] + boxes.fold[body][d] - boxes.fold[partner][d] + bodies[body].home[d] -
                             bodies[partner].home[d];
-    task.apart = scene.apart(task.named);
+    task.apart = apart_of(scene, task.named);
   }
 
   /// Adds body @p b, which can move, with walls, obstacles and itself where it may have folded.

@@ -184,7 +184,7 @@ void meet_frames(const BodyShare &share,
                          if (is_here(share, frames[f]))
                          {
                            frames[f].look(scene, displacement, way,
-                                          scene.way_of_wall(frames[f].layout().wall), force[f]);
+                                          way_of_wall(scene, frames[f].layout().wall), force[f]);
                            if (!share.alone())
                              ToldFrame<dim>(frames[f]).tell(told.data() + first[f]);
                          }

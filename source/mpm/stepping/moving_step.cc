@@ -47,7 +47,7 @@ MovingStep::MovingStep(SpaceState &state,
     , obstacle_work(motion.obstacles.size(), 0.)
 {
   for (const Body<3> &body : state.bodies)
-    scene.own_way.push_back(plan.dt * mpm::largest_way(body, body.velocity));
+    scene.ways.own.push_back(plan.dt * mpm::largest_way(body, body.velocity));
 }
 
 std::string MovingStep::find()

@@ -22,7 +22,7 @@ PlaneScene::PlaneScene(const Problem &problem,
 {
 }
 
-/// By which bodies move beside what their nodes do, see FrameScene::carried.
+/// By which bodies move beside what their nodes do, see FrameWays::carried.
 std::vector<PlaneScene::Vector> PlaneScene::ways_of_bodies() const
 {
   std::vector<Vector> ways(state.bodies.size());
@@ -34,7 +34,7 @@ std::vector<PlaneScene::Vector> PlaneScene::ways_of_bodies() const
   return ways;
 }
 
-/// See FrameScene::own_way; those of driven bodies are in largest_way().
+/// See FrameWays::own; those of driven bodies are in largest_way().
 std::vector<double> PlaneScene::own_ways() const
 {
   std::vector<double> ways;
@@ -64,13 +64,13 @@ void PlaneScene::complete(FrameScene<2> &scene) const
   scene.cell = cell ? &*cell : nullptr;
   scene.lines = &lines;
   scene.adhesion = problem.pairs.adhere() ? &state.adhesion : nullptr;
-  scene.carried = ways_of_bodies();
-  scene.own_way = own_ways();
+  scene.ways.carried = ways_of_bodies();
+  scene.ways.own = own_ways();
 }
 
 void PlaneScene::renew(FrameScene<2> &scene)
 {
   cell = state.cell_motion(motion);
-  scene.carried = ways_of_bodies();
+  scene.ways.carried = ways_of_bodies();
 }
 } // namespace softgrain::mpm

@@ -24,8 +24,8 @@ RayEquations<dim>::RayEquations(const RayWorld<dim> &world,
     , system(world.share, world.bodies, world.solvers, theta * plan.dt * plan.dt)
 {
   scene.dt = plan.dt;
-  scene.met_at = inertia ? 0.5 : 1.;
-  scene.theta = theta;
+  scene.instants.met_at = inertia ? 0.5 : 1.;
+  scene.instants.theta = theta;
   scene.reach += 2. * walls_way();
 }
 
@@ -79,7 +79,7 @@ double RayEquations<dim>::walls_way() const
 {
   double way = 0.;
   for (unsigned int w = 0; w < scene.walls.size(); ++w)
-    way = std::max(way, scene.way_of_wall(w).norm());
+    way = std::max(way, way_of_wall(scene, w).norm());
   return way;
 }
 
@@ -100,7 +100,7 @@ bool RayEquations<dim>::meet(const Vectors &to)
 {
   displacement.resize(to.size());
   for (unsigned int b = 0; b < to.size(); ++b)
-    displacement[b] = world.bodies[b].displacement + scene.met_at * to[b];
+    displacement[b] = world.bodies[b].displacement + scene.instants.met_at * to[b];
   dealii::TimerOutput::Scope section(world.timer, "contact search");
   meet_frames(world.share, scene, force, displacement, to, path, 2. * candidates_within() + largest_way(),
               frames);

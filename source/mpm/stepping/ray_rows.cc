@@ -27,13 +27,13 @@ RayRows::RayRows(const Problem &problem,
     , scene{state.bodies, work.outlines, motion, h, problem.subgrid(), 0.5 * h}
 {
   scene.dt = dt;
-  scene.met_at = 0.5;
+  scene.instants.met_at = 0.5;
   plane.complete(scene);
   double walls_way = plane.largest_way(), bodies_way = 0.;
   for (const WallMotion<2> &wall : motion)
     walls_way =
         std::max(walls_way, dt * (std::max(std::abs(wall.velocity), wall.fastest) + std::abs(wall.slide)));
-  for (const double way : scene.own_way)
+  for (const double way : scene.ways.own)
     bodies_way = std::max(bodies_way, way);
   scene.reach += 2. * walls_way + (problem.pairs.adhere() ? state.adhesion.reach() : 0.);
   within = margin * h + walls_way + 2. * bodies_way;
@@ -45,7 +45,7 @@ void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
   std::vector<Eigen::VectorXd> displacement;
   for (const Body<2> &body : state.bodies)
   {
-    displacement.push_back(body.displacement + scene.met_at * way[body.index]);
+    displacement.push_back(body.displacement + scene.instants.met_at * way[body.index]);
     path = std::max(path, h + way[body.index].lpNorm<Eigen::Infinity>());
   }
   meet_frames(work.share, scene, force, displacement, way, path, within, frames);

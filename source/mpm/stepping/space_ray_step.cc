@@ -76,7 +76,7 @@ dealii::Tensor<1, 3> SpaceRayStep::way_of_partner(const FrameState<3> &frame, co
 {
   if (const ObstacleSolid *obstacle = scene.line_of(frame.layout()))
     return obstacle->way_of(frame.ray(k).side[0].place);
-  return scene.way_of_wall(frame.layout().wall);
+  return way_of_wall(scene, frame.layout().wall);
 }
 
 std::string SpaceRayStep::partner_of(const ContactFrame<3> &frame) const

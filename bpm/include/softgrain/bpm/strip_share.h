@@ -49,9 +49,12 @@ public:
    */
   void share_out(Primaries &disks, Motion &kept, contact::NeighbourList &list);
 
-  /// Whether primaries have a strength, and places at the start; where there are none, that cannot be seen.
-  bool graded() const { return has_strength; }
-  bool started() const { return has_start; }
+  /// What all primaries have; where there are none, that cannot be seen.
+  struct Carried
+  {
+    bool spins = false, strength = false, start = false;
+  };
+  const Carried &carried() const { return has; }
 
   /// Place of a primary among those held here, whose @p numbers these are; or none.
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
@@ -86,8 +89,8 @@ private:
   void make_rounds(const Primaries &disks);
 
   std::size_t n_primaries = 0, n_own_primaries = 0, n_seam = 0;
-  std::vector<std::size_t> n_own_of;                            ///< of every rank
-  bool rotate = false, has_strength = false, has_start = false; ///< what all primaries have
+  std::vector<std::size_t> n_own_of; ///< of every rank
+  Carried has;
   contact::StripGrid grid;
   std::vector<std::size_t> end_strip; ///< of every rank
   std::vector<std::vector<std::uint32_t>> tile_end;

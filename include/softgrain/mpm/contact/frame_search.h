@@ -34,6 +34,29 @@ using ObstacleRays = std::conditional_t<dim == 2, ObstacleLine, ObstacleSolid>;
 template <int dim>
 using SubgridLaw = std::conditional_t<dim == 2, SubgridCompliance, HertzCompliance>;
 
+/// The ways of bodies over a step that a search for frames knows of.
+template <int dim>
+struct FrameWays
+{
+  /// Beside what their nodes do, since they are driven or a cell takes them along; empty: there is none [m].
+  std::vector<dealii::Tensor<1, dim>> carried = {};
+  /// How far the outline of every body would go at its present velocity; empty: without inertia [m].
+  std::vector<double> own = {};
+
+  double own_of(const unsigned int body) const { return own.empty() ? 0. : own[body]; }
+};
+
+/// When rays meet surfaces in a step.
+struct RayInstants
+{
+  /// Share of the step after which they do. 1: its end, where a step without inertia is in balance; 1/2: with
+  /// inertia, so that forces between rest places do no work.
+  double met_at = 1.;
+  double theta = 1.; ///< of TimeScheme
+
+  bool inertia() const { return met_at < 1.; }
+};
+
 /// What a search for frames looks at.
 template <int dim>
 struct FrameScene
@@ -47,26 +70,12 @@ struct FrameScene
   const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
   const CellMotion *cell = nullptr;    ///< that repeats; null: nothing does
   double dt = 0.;                      ///< [s]
-  /// The way of bodies over the step beside what their nodes do, since they are driven or a cell takes
-  /// them along; empty: there is none [m].
-  std::vector<dealii::Tensor<1, dim>> carried = {};
-  /// Share of the step after which rays meet surfaces. 1: its end, where a step without inertia is in
-  /// balance; 1/2: with inertia, so that forces between rest places do no work.
-  double met_at = 1.;
-  double theta = 1.; ///< of TimeScheme
-  /// How far the outline of every body would go in the step at its present velocity; empty: without
-  /// inertia [m].
-  std::vector<double> own_way = {};
+  FrameWays<dim> ways = {};
+  RayInstants instants = {};
   const std::vector<ObstacleRays<dim>> *lines = nullptr; ///< of the obstacles; null: there are none
   const Adhesion *adhesion = nullptr;                    ///< null: nothing adheres
   const BodyShare *looking = nullptr; ///< every owner looks for its bodies, and learns of all; null: for all
 
-  /// Gap up to which places of a pair are looked at [m].
-  double reach_of(const ContactFrame<dim> &frame) const
-  {
-    return reach + way_of(frame.body) +
-           (frame.partner == ContactFrame<dim>::none ? 0. : way_of(frame.partner));
-  }
   /// The obstacle that a frame belongs to; null: none.
   const ObstacleRays<dim> *line_of(const ContactFrame<dim> &frame) const
   {
@@ -74,28 +83,46 @@ struct FrameScene
         lines != nullptr && frame.partner == ContactFrame<dim>::none && frame.wall >= walls.size();
     return at_line ? &(*lines)[frame.wall - walls.size()] : nullptr;
   }
-  /// The surface of a side, 0 the partner, which is no wall, and 1 the body.
-  const RestSurface<dim> &surface_of(const ContactFrame<dim> &frame, const unsigned int side) const
-  {
-    if (side == 0 && frame.partner == ContactFrame<dim>::none)
-      return line_of(frame)->surface;
-    return outlines[side == 0 ? frame.partner : frame.body];
-  }
-  bool inertia() const { return met_at < 1.; }
-  /// Gaps that differ by less are the same [m].
-  double same_gap() const { return 1e-6 * cell_size; }
-  double way_of(const unsigned int body) const { return own_way.empty() ? 0. : own_way[body]; }
-  /// The way of a wall over the step; an obstacle has none here [m].
-  dealii::Tensor<1, dim> way_of_wall(const unsigned int w) const
-  {
-    if (w >= walls.size())
-      return dealii::Tensor<1, dim>();
-    return dt * (walls[w].velocity * walls[w].normal + walls[w].slide * walls[w].tangent());
-  }
-
-  /// The vector from the partner of a frame to the image of it that the body meets, as the step starts [m].
-  dealii::Tensor<1, dim> apart(const ContactFrame<dim> &frame) const;
 };
+
+/// Gap up to which places of a pair are looked at [m].
+template <int dim>
+double reach_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame)
+{
+  return scene.reach + scene.ways.own_of(frame.body) +
+         (frame.partner == ContactFrame<dim>::none ? 0. : scene.ways.own_of(frame.partner));
+}
+
+/// The surface of a side of a frame, 0 the partner, which is no wall, and 1 the body.
+template <int dim>
+const RestSurface<dim> &
+surface_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame, const unsigned int side)
+{
+  if (side == 0 && frame.partner == ContactFrame<dim>::none)
+    return scene.line_of(frame)->surface;
+  return scene.outlines[side == 0 ? frame.partner : frame.body];
+}
+
+/// Gaps that differ by less are the same [m].
+template <int dim>
+double same_gap(const FrameScene<dim> &scene)
+{
+  return 1e-6 * scene.cell_size;
+}
+
+/// The way of a wall over the step; an obstacle has none here [m].
+template <int dim>
+dealii::Tensor<1, dim> way_of_wall(const FrameScene<dim> &scene, const unsigned int w)
+{
+  if (w >= scene.walls.size())
+    return dealii::Tensor<1, dim>();
+  const WallMotion<dim> &wall = scene.walls[w];
+  return scene.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());
+}
+
+/// The vector from the partner of a frame to the image of it that the body meets, as the step starts [m].
+template <int dim>
+dealii::Tensor<1, dim> apart_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame);
 
 /// A ray of a frame, @p offset [m] beside its origin, in the places of a body that stands @p away [m] from
 /// where the frame has it.
