@@ -10,7 +10,7 @@ namespace softgrain::bpm
 void Dynamics::find_pulls()
 {
   pull.clear();
-  if (!adhesion.acts())
+  if (!remembered.adhesion.acts())
     return;
   pull.resize(rows.size(), 0.);
   // Obstacles, whose rows are the last ones, do not adhere.
@@ -23,7 +23,7 @@ void Dynamics::find_pulls()
     const double strength =
         b < n ? settings.pairs.adhesion(a, primaries.body[b]) : settings.pairs.adhesion_at_wall(a, b - n);
     if (strength > 0.)
-      pull[row] = strength * adhesion.share(key_of(row), gap[row]);
+      pull[row] = strength * remembered.adhesion.share(key_of(row), gap[row]);
   }
 }
 
@@ -77,7 +77,7 @@ double Dynamics::adhesion_work(const double dt, const std::vector<Wall> &walls) 
 
 void Dynamics::note_contacts(const double dt)
 {
-  if (!adhesion.remembers())
+  if (!remembered.adhesion.remembers())
     return;
   constexpr double near_limit = 1. - 1e-6; // of friction: solvers have tolerances
   const std::size_t n = primaries.size();
@@ -92,8 +92,8 @@ void Dynamics::note_contacts(const double dt)
     const double closing = rows.impulse[row] + dt * pull[row];
     const bool slides = rotations && closing > 0. && rows.friction[row] > 0. &&
                         std::abs(rows.tangential_impulse[row]) >= near_limit * rows.friction[row] * closing;
-    adhesion.note(key_of(row), gap[row], {gap[row] + dt * opening, closing > 0., slides, dt});
+    remembered.adhesion.note(key_of(row), gap[row], {gap[row] + dt * opening, closing > 0., slides, dt});
   }
-  adhesion.finish_step();
+  remembered.adhesion.finish_step();
 }
 } // namespace softgrain::bpm

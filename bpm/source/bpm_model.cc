@@ -198,11 +198,10 @@ StepReport BpmModel::advance(const double dt_limit)
   if (dynamics->strips() != nullptr)
     own.emplace(exchange);
   StepReport report;
-  const double limit =
-      std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
-  dynamics->keep_motion();
+  const double limit = std::max(settings.largest_penetration * diameter, dynamics->present().penetration());
+  dynamics->keep_motion(true);
   const std::vector<Wall> walls_before = moving_walls;
-  const Adhesion memory = dynamics->contact_memory();
+  const Adhesion memory = dynamics->memories().adhesion;
   const std::vector<Felt> obstacles_before = felt_by(moving_obstacles);
   const auto try_step = [&](const double dt) -> Attempt
   {
@@ -225,26 +224,27 @@ StepReport BpmModel::advance(const double dt_limit)
     {
       report.contact_residual = done.solver.residual;
       report.max_penetration = done.max_penetration;
-      keep_books(done);
+      const DynamicsSums sums = dynamics->sums();
+      report.n_contacts = sums.n_pushing;
+      keep_books(done, sums.moving);
       fallbacks += done.solver.fell_back;
       return {true, ""};
     }
     const std::string reason = why_not(done, limit);
     moving_walls = walls_before;
-    dynamics->contact_memory() = memory;
+    dynamics->memories().adhesion = memory;
     put_back(obstacles_before, moving_obstacles);
     dynamics->take_back_motion(moving_walls);
     memory_is_of_attempt = true;
     return {false, reason};
   };
   const StepTaken taken = step_control.advance(settings.step, wanted_step(), dt_limit, now, try_step);
-  dynamics->forget_motion();
+  dynamics->keep_motion(false);
   memory_is_of_attempt = false;
   report.attempts = taken.attempts;
   report.dt = last_dt = taken.dt;
   now += taken.dt;
   ++steps;
-  report.n_contacts = dynamics->n_pushing();
   check_ranks_agree(report);
   return report;
 }
@@ -263,7 +263,7 @@ void BpmModel::check_ranks_agree(const StepReport &report) const
   if (exchange.alone())
     return;
   exchange.check_alike(
-      {report.dt, report.contact_residual, report.max_penetration, dynamics->kinetic_energy()});
+      {report.dt, report.contact_residual, report.max_penetration, dynamics->sums().kinetic});
 }
 
 void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
@@ -271,14 +271,14 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
   softgrain::take_drives(moving_walls, drives, now);
 }
 
-void BpmModel::keep_books(const DynamicsReport &report)
+void BpmModel::keep_books(const DynamicsReport &report, const double moving)
 {
   for (Wall &wall : moving_walls)
     accept_pressure(wall);
   balance.momentum.of_walls += report.wall_impulse + report.driven_impulse;
   balance.momentum.of_loads += report.cell_impulse;
   balance.momentum.of_loads += report.loads.impulse;
-  balance.momentum.note(dynamics->moving());
+  balance.momentum.note(moving);
   balance.cell_work += report.cell_work;
   double left = report.loads.work;
   for (std::size_t load = 0; load < report.loads.of_loads.size(); ++load)
@@ -298,13 +298,13 @@ void BpmModel::keep_books(const DynamicsReport &report)
 
 double BpmModel::momentum_error() const
 {
-  return balance.momentum.error(dynamics->momentum(), mass * rounded_velocity());
+  return balance.momentum.error(dynamics->sums().momentum, mass * rounded_velocity());
 }
 
 double BpmModel::rounded_velocity() const
 {
   // Places are known to some 1e-16 of the size of a scene, which is thousands of diameters at most.
-  return 1e-12 * dynamics->mean_diameter() / wanted_step();
+  return 1e-12 * diameter / wanted_step();
 }
 
 double BpmModel::energy_of_rounding() const
@@ -315,10 +315,11 @@ double BpmModel::energy_of_rounding() const
 Energies BpmModel::energies() const
 {
   Energies energies;
-  energies.kinetic = dynamics->kinetic_energy();
+  const DynamicsSums sums = dynamics->sums();
+  energies.kinetic = sums.kinetic;
   for (const Wall &wall : moving_walls)
     energies.kinetic += kinetic_energy_of(wall);
-  energies.elastic = dynamics->attraction_energy();
+  energies.elastic = sums.attraction;
   energies.dissipated = balance.dissipated();
   energies.external_work = external_work(balance, moving_walls, moving_obstacles);
   return energies;
@@ -327,19 +328,20 @@ Energies BpmModel::energies() const
 SizeReport BpmModel::size_report() const
 {
   const double dt = wanted_step();
+  const DynamicsSums sums = dynamics->sums();
   return {{"bodies", std::to_string(n_bodies())},
           {"primaries", std::to_string(n_points())},
-          {"mean diameter", text(dynamics->mean_diameter(), " m")},
-          {"neighbour pairs", std::to_string(dynamics->n_pairs())},
-          {"contacts", std::to_string(dynamics->n_contacts())},
-          {"characteristic stress F0/<a0>", text(characteristic_force / dynamics->mean_diameter(), " Pa")},
+          {"mean diameter", text(diameter, " m")},
+          {"neighbour pairs", std::to_string(sums.n_pairs)},
+          {"contacts", std::to_string(sums.n_contacts)},
+          {"characteristic stress F0/<a0>", text(characteristic_force / diameter, " Pa")},
           {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
                                           : text(dt, " s")}};
 }
 
 std::vector<std::pair<std::string, double>> BpmModel::extra_history() const
 {
-  return {{"contacts", static_cast<double>(dynamics->n_contacts())},
+  return {{"contacts", static_cast<double>(dynamics->sums().n_contacts)},
           {"plain_solves", static_cast<double>(fallbacks)}};
 }
 

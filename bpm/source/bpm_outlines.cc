@@ -118,7 +118,7 @@ void BpmModel::draw_outlines(Outlines &result) const
                      centers.emplace_back(disks.position[i][0], disks.position[i][1]);
                    const std::vector<double> radii(disks.radius.begin() + first_of_body[b],
                                                    disks.radius.begin() + first_of_body[b + 1]);
-                   result[b] = aggregate_outline(centers, radii, 0.5 * dynamics->mean_diameter());
+                   result[b] = aggregate_outline(centers, radii, 0.5 * diameter);
                  }
                });
 }
@@ -129,7 +129,7 @@ std::vector<std::size_t> BpmModel::draw_own_outlines(Outlines &result) const
   // Own primaries of a body follow each other. Of a body that several owners have some of, the lowest one
   // draws it.
   std::vector<std::pair<std::size_t, std::size_t>> own; // where those of a body begin and end
-  for (std::size_t i = 0; i < dynamics->n_own(); ++i)
+  for (std::size_t i = 0; i < n_own(*dynamics); ++i)
     if (i == 0 || disks.body[i] != disks.body[i - 1])
       own.emplace_back(i, i + 1);
     else
@@ -169,7 +169,7 @@ std::vector<std::size_t> BpmModel::draw_own_outlines(Outlines &result) const
   std::vector<Cluster> mine;
   for (auto &[body, cluster] : clusters)
     mine.push_back(std::move(cluster));
-  exchange.together([&]() { draw(mine, 0.5 * dynamics->mean_diameter(), result); });
+  exchange.together([&]() { draw(mine, 0.5 * diameter, result); });
   std::vector<std::size_t> drawn;
   for (const Cluster &cluster : mine)
     drawn.push_back(cluster.body);

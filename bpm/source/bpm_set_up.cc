@@ -179,21 +179,20 @@ BpmModel::BpmModel(const Scene<2> &scene_description,
   weigh(disks);
   is_graded = !disks.strength.empty();
   rotates = disks.rotate();
-  dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics);
-  dynamics->set_timer(timer.get());
-  dynamics->share_by(&exchange);
+  diameter = disks.mean_diameter();
+  dynamics = std::make_unique<Dynamics>(std::move(disks), law_of_body, fixed, settings.dynamics, timer.get());
   if (!moving_obstacles.empty())
     dynamics->set_obstacles(&moving_obstacles);
 
   if (state == nullptr)
     check_places();
-  dynamics->part(moving_walls);
+  dynamics->share_by(exchange, moving_walls);
   drive_walls(0.);
   dynamics->detect(moving_walls);
   if (state == nullptr)
     check_apart();
   area_at_start = outlined_areas();
-  balance.momentum.initial = dynamics->momentum();
+  balance.momentum.initial = dynamics->sums().momentum;
 }
 
 void BpmModel::choose_by_attraction(const Primaries &disks, double contact_force)
@@ -324,7 +323,7 @@ void BpmModel::check_places() const
         body = disks.body[i];
       }
     }
-    if (deepest < -settings.largest_penetration * dynamics->mean_diameter())
+    if (deepest < -settings.largest_penetration * diameter)
     {
       std::ostringstream message;
       message << "primaries of body '" << scene.bodies[body].name << "' cross the wall '" << wall.name
@@ -337,7 +336,7 @@ void BpmModel::check_places() const
 void BpmModel::check_apart() const
 {
   const Overlap found = dynamics->deepest_overlap(true);
-  if (found.depth > settings.largest_penetration * dynamics->mean_diameter())
+  if (found.depth > settings.largest_penetration * diameter)
     throw InputError("at the start " + where_is(found) +
                      ": move one of them, or change 'Primaries/Number per body'");
 }

@@ -53,10 +53,10 @@ void BpmModel::refresh_solid_area() const
 double BpmModel::solid_area() const
 {
   // Outlines cost more than a step, and change only as primaries change their neighbours.
-  if (area_now < 0. || area_of_list != dynamics->lists_made())
+  if (area_now < 0. || area_of_list != dynamics->present().lists_made())
   {
     refresh_solid_area();
-    area_of_list = dynamics->lists_made();
+    area_of_list = dynamics->present().lists_made();
   }
   return area_now;
 }
@@ -79,11 +79,12 @@ std::vector<ObstacleState<2>> BpmModel::obstacles() const
 double BpmModel::coordination() const
 {
   const Primaries &disks = dynamics->disks();
-  const contact::DiskContacts &rows = dynamics->contacts();
+  const PresentContacts present = dynamics->present();
+  const contact::DiskContacts &rows = present.rows();
   TouchingPairs touching;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    if (!dynamics->carries_force(row))
+    if (!present.carries_force(row))
       continue;
     const std::size_t body = disks.body[rows.a[row]], b = rows.b[row];
     if (b < disks.size())

@@ -71,14 +71,14 @@ void BpmModel::save(StateWriter &out) const
   out.write("bpm/area_at_start", area_at_start);
   // The area was measured after the list was made: it is the same after a restart only if it is kept. One
   // that nobody has asked for since is not measured for a checkpoint.
-  const bool measured = area_of_list == dynamics->lists_made();
+  const bool measured = area_of_list == dynamics->present().lists_made();
   out.write("bpm/solid_area", std::vector<double>{measured ? area_now : -1.});
   save_walls(out, "bpm/walls", moving_walls);
   save_obstacles(out, "bpm/obstacles", moving_obstacles);
 
-  const contact::NeighbourList &list = dynamics->neighbours();
+  const contact::NeighbourList &list = dynamics->present().neighbours();
   write(out, "bpm/neighbours/build_position", list.origin().positions);
-  dynamics->save_memory(out, memory_name);
+  save_memory(*dynamics, out, memory_name);
   const contact::ImageLattice &built = list.origin().lattice;
   if (built.repeats())
     out.write("bpm/neighbours/build_cell",
@@ -86,27 +86,26 @@ void BpmModel::save(StateWriter &out) const
                                   built.offset, 1. * built.periodic[0], 1. * built.periodic[1]});
   std::vector<std::uint64_t> indices;
   std::vector<std::array<double, 3>> impulses;
-  for (const Dynamics::WallMemory &memory : dynamics->wall_memory())
+  for (const WallMemory &memory : dynamics->memories().at_walls)
   {
     indices.insert(indices.end(), {memory.wall, memory.primary});
     impulses.push_back(memory.impulse);
   }
   out.write("bpm/wall_contacts/indices", indices);
   out.write("bpm/wall_contacts/memory", flat(impulses));
-  dynamics->contact_memory().save(out, "bpm/adhesion");
+  dynamics->memories().adhesion.save(out, "bpm/adhesion");
 }
 
 template <class T>
 void BpmModel::read(const StateReader &in, const std::string &name, std::vector<T> &here) const
 {
   constexpr std::size_t width = sizeof(T) / sizeof(double);
-  in.read_rows(name, dynamics->n_all(), width,
+  in.read_rows(name, n_all(*dynamics), width,
                [&](const std::size_t begin, const std::size_t end, const double *const rows)
                {
-                 dynamics->for_numbers(begin, end,
-                                       [&](const std::size_t i, const std::size_t number) {
-                                         std::memcpy(&here[i], rows + (number - begin) * width, sizeof(T));
-                                       });
+                 for_numbers(*dynamics, begin, end,
+                             [&](const std::size_t i, const std::size_t number)
+                             { std::memcpy(&here[i], rows + (number - begin) * width, sizeof(T)); });
                });
 }
 
@@ -119,12 +118,12 @@ void BpmModel::read_wall_contacts(const StateReader &in)
   const std::vector<std::uint64_t> indices = in.read_integers(name, ListSize::rows_of(2));
   const std::size_t n = indices.size() / 2;
   const std::vector<double> impulses = in.read_doubles("bpm/wall_contacts/memory", 3 * n);
-  std::vector<Dynamics::WallMemory> &memory = dynamics->wall_memory();
+  std::vector<WallMemory> &memory = dynamics->memories().at_walls;
   memory.clear();
   for (std::size_t k = 0; k < n; ++k)
   {
     const std::uint64_t surface = indices[2 * k], primary = indices[2 * k + 1];
-    if (surface >= n_surfaces || primary >= dynamics->n_all())
+    if (surface >= n_surfaces || primary >= n_all(*dynamics))
       in.refuse(name,
                 "there is no wall " + std::to_string(surface) + " with a primary " + std::to_string(primary));
     memory.push_back({static_cast<std::uint32_t>(surface),
@@ -171,9 +170,9 @@ void BpmModel::load(StateReader &in)
   else
     in.read_doubles("bpm/start_position", 0);
   read_wall_contacts(in);
-  dynamics->contact_memory().load(in, "bpm/adhesion");
+  dynamics->memories().adhesion.load(in, "bpm/adhesion");
   dynamics->detect(moving_walls);
   area_now = in.read_doubles("bpm/solid_area", 1)[0];
-  area_of_list = dynamics->lists_made();
+  area_of_list = dynamics->present().lists_made();
 }
 } // namespace softgrain::bpm

@@ -25,7 +25,7 @@ bool Dynamics::closes(const std::array<double, 2> &relative,
                       const std::array<double, 2> &normal,
                       const double opening) const
 {
-  const double range = std::max(settings.contact_range * diameter, adhesion.reach());
+  const double range = std::max(settings.contact_range * diameter, remembered.adhesion.reach());
   if (opening < range)
     return true;
   const double approach = -(relative[0] * normal[0] + relative[1] * normal[1]);
@@ -94,22 +94,6 @@ void Dynamics::attract_and_find(const std::size_t tile, AttractionBatch<2> &batc
   }
   batch.finish(law, primaries.strength, force, energy);
   tile_energy[tile] = energy;
-}
-
-double Dynamics::attraction_of(const std::size_t pair) const
-{
-  const std::uint32_t a = list.a(pair), b = list.b(pair);
-  if (laws.empty() || primaries.body[a] != primaries.body[b] || !laws[primaries.body[a]])
-    return 0.;
-  const double distance = std::hypot(primaries.position[a][0] - primaries.position[b][0],
-                                     primaries.position[a][1] - primaries.position[b][1]);
-  const double sum = primaries.radius[a] + primaries.radius[b];
-  const Attraction &law = *laws[primaries.body[a]];
-  if (distance >= law.range() * sum)
-    return 0.;
-  double strength = 0.;
-  law.evaluate(1, &distance, &sum, &strength, nullptr);
-  return strength * strength_of(a, b);
 }
 
 void Dynamics::detect(const std::vector<Wall> &walls)
@@ -271,13 +255,13 @@ void Dynamics::remember()
                  for (std::size_t row = begin; row < end; ++row)
                    memory.set(pair_of_row[row], impulses(row));
                });
-  remembered_at_walls.clear();
+  remembered.at_walls.clear();
   const std::size_t first_at_obstacle = rows.size() - obstacle_rows.size();
   for (std::size_t row = pair_of_row.size(); row < first_at_obstacle; ++row)
-    remembered_at_walls.push_back({static_cast<std::uint32_t>(rows.b[row] - primaries.size()),
+    remembered.at_walls.push_back({static_cast<std::uint32_t>(rows.b[row] - primaries.size()),
                                    primaries.number_of(rows.a[row]), impulses(row)});
   for (std::size_t row = first_at_obstacle; row < rows.size(); ++row)
-    remembered_at_walls.push_back(
+    remembered.at_walls.push_back(
         {obstacle_rows[row - first_at_obstacle].surface, rows.a[row], impulses(row)});
 }
 } // namespace softgrain::bpm

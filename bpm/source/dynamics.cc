@@ -55,17 +55,19 @@ double DynamicsSettings::reach() const
 Dynamics::Dynamics(Primaries disks,
                    std::vector<std::shared_ptr<const Attraction>> attraction,
                    std::vector<bool> fixed_bodies,
-                   const DynamicsSettings &dynamics_settings)
+                   const DynamicsSettings &dynamics_settings,
+                   dealii::TimerOutput *const timer)
     : primaries(std::move(disks))
     , laws(std::move(attraction))
     , settings(dynamics_settings)
     , rotations(primaries.rotate())
+    , timer(timer)
     , fixed(std::move(fixed_bodies))
 {
   diameter = primaries.mean_diameter();
   smallest = 2. * *std::min_element(primaries.radius.begin(), primaries.radius.end());
   if (settings.pairs.adhere())
-    adhesion = Adhesion(settings.contact_law, touching * diameter);
+    remembered.adhesion = Adhesion(settings.contact_law, touching * diameter);
   weigh();
   const bool attracted = std::any_of(laws.begin(), laws.end(), [](const auto &law) { return bool(law); });
   list = contact::NeighbourList(primaries.radius, attracted ? primaries.body : std::vector<std::uint32_t>(),
@@ -75,8 +77,11 @@ Dynamics::Dynamics(Primaries disks,
                                                          : 2);
 }
 
-void Dynamics::keep_motion()
+void Dynamics::keep_motion(const bool keeps)
 {
+  kept = Motion();
+  if (!keeps)
+    return;
   kept.position = primaries.position;
   kept.velocity = primaries.velocity;
   kept.angular_velocity = primaries.angular_velocity;
@@ -91,7 +96,7 @@ void Dynamics::weigh()
 
 double Dynamics::contact_reach() const
 {
-  return std::max(settings.reach(), adhesion.reach() / diameter);
+  return std::max(settings.reach(), remembered.adhesion.reach() / diameter);
 }
 
 void Dynamics::prepare_bodies(const double dt,

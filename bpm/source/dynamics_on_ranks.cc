@@ -27,11 +27,12 @@ std::vector<std::uint32_t> primaries_of(const List &at_walls)
 }
 } // namespace
 
-void Dynamics::part(const std::vector<Wall> &walls)
+void Dynamics::share_by(const Exchange &everyone, const std::vector<Wall> &walls)
 {
+  exchange = &everyone;
   const bool repeats =
       std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return is_side_of_cell(w); });
-  if (exchange == nullptr || exchange->alone() || repeats || adhesion.acts() || obstacles != nullptr ||
+  if (exchange->alone() || repeats || remembered.adhesion.acts() || obstacles != nullptr ||
       primaries.size() < fewest_to_part)
     return;
   share = std::make_unique<StripShare>(*exchange);
@@ -233,11 +234,13 @@ void Dynamics::tell_of_walls(std::vector<double> &normal, std::vector<double> &t
   std::copy(velocity.begin(), velocity.end(), bodies.velocity.begin() + primaries.size());
 }
 
-void Dynamics::save_memory(StateWriter &out, const std::string &name) const
+void save_memory(const Dynamics &dynamics, StateWriter &out, const std::string &name)
 {
+  const contact::NeighbourList &list = dynamics.present().neighbours();
+  const StripShare *const share = dynamics.strips();
   const std::vector<double> &values = list.memory().values();
   const std::size_t width = list.memory().n_impulses(), n_here = list.memory().size();
-  if (!share)
+  if (share == nullptr)
   {
     out.write_rows(name, n_here, width,
                    [&](const std::size_t begin, const std::size_t end, double *const rows)

@@ -2,6 +2,7 @@
 // The part of Dynamics that adds up: exactly, so that no sum depends on who has which primaries.
 #include <softgrain/base/parallel.h>
 #include <softgrain/bpm/dynamics.h>
+#include <softgrain/bpm/dynamics_sums.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,24 +33,27 @@ std::vector<ExactSum> Dynamics::sums_of_motion() const
   return sums;
 }
 
-Dynamics::Totals Dynamics::sum_motion() const
+DynamicsSums Dynamics::sum_motion() const
 {
   const std::vector<ExactSum> sums = sums_of_motion();
-  Totals result;
+  DynamicsSums result;
   result.kinetic = sums[0].value();
   result.moving = sums[1].value();
   result.momentum = dealii::Tensor<1, 2>({sums[2].value(), sums[3].value()});
   return result;
 }
 
-std::size_t Dynamics::n_pushing() const
+DynamicsSums Dynamics::sums() const
 {
+  DynamicsSums sums = share ? totals : sum_motion();
+  sums.attraction = stored_energy;
   if (share)
-    return totals.n_pushing;
-  std::size_t n = 0;
+    return sums;
+  sums.n_pairs = list.n_pairs();
+  sums.n_contacts = rows.size();
   for (std::size_t row = 0; row < rows.size(); ++row)
-    n += carries_force(row);
-  return n;
+    sums.n_pushing += carries_force(row);
+  return sums;
 }
 
 void Dynamics::sum_up()
@@ -66,7 +70,7 @@ void Dynamics::sum_up()
   for (const ExactSum &sum : sums)
     sum.pack(here);
   sums.assign(sums.size(), ExactSum());
-  totals = Totals();
+  totals = DynamicsSums();
   exchanges.n_walls = 0;
   for (const std::vector<double> &other : share->exchange.of_all(here))
   {

@@ -49,7 +49,8 @@ void GatheredPrimaries::gather_disks()
 void GatheredPrimaries::gather_rows()
 {
   constexpr unsigned int n = 7;
-  const contact::DiskContacts &here = dynamics.contacts();
+  const PresentContacts present = dynamics.present();
+  const contact::DiskContacts &here = present.rows();
   const Primaries &disks = dynamics.disks();
   const StripShare &share = *dynamics.strips();
   const std::uint32_t first_wall = share.n_all();
@@ -58,14 +59,14 @@ void GatheredPrimaries::gather_rows()
   const std::uint32_t first_end = here.tile_start[here.colour_start[1]], tiles_end = here.tile_start.back();
   for (std::size_t row = 0; row < here.size(); ++row)
   {
-    if (dynamics.carries_force(row))
+    if (present.carries_force(row))
     {
       const std::uint32_t b = here.b[row];
       std::vector<double> &list = row < tiles_end ? numbers : at_walls;
       list.insert(list.end(),
                   {static_cast<double>(disks.number[here.a[row]]),
                    static_cast<double>(b < disks.size() ? disks.number[b] : first_wall + (b - disks.size())),
-                   here.normal[row][0], here.normal[row][1], dynamics.gaps()[row], here.impulse[row],
+                   here.normal[row][0], here.normal[row][1], present.gaps()[row], here.impulse[row],
                    share.carried().spins ? here.tangential_impulse[row] : 0.});
     }
     if (row < first_end)
@@ -89,7 +90,7 @@ void GatheredPrimaries::gather_rows()
 void GatheredPrimaries::gather_bonds()
 {
   constexpr unsigned int n = 4;
-  const contact::NeighbourList &list = dynamics.neighbours();
+  const contact::NeighbourList &list = dynamics.present().neighbours();
   const std::vector<std::uint32_t> &number = dynamics.disks().number;
   const std::size_t first_end = list.tile_start()[list.colour_start()[1]];
   std::vector<double> numbers;

@@ -50,10 +50,10 @@ contact::PairMemory::Impulses Dynamics::remembered_at(const std::uint32_t surfac
   for (const std::uint32_t at : {surface, first + (k + n - 1) % n, first + (k + 1) % n})
   {
     const auto found =
-        std::lower_bound(remembered_at_walls.begin(), remembered_at_walls.end(), std::make_pair(at, primary),
+        std::lower_bound(remembered.at_walls.begin(), remembered.at_walls.end(), std::make_pair(at, primary),
                          [](const WallMemory &memory, const std::pair<std::uint32_t, std::uint32_t> &wanted)
                          { return std::make_pair(memory.wall, memory.primary) < wanted; });
-    if (found != remembered_at_walls.end() && found->wall == at && found->primary == primary)
+    if (found != remembered.at_walls.end() && found->wall == at && found->primary == primary)
       return found->impulse;
   }
   return {};

@@ -27,6 +27,9 @@ struct MotionOf<2> : Dynamics
   }
   void go(const double dt) { step(dt, no_walls, {}); }
   Primaries &primaries() { return disks(); }
+  double mean_diameter() const { return disks().mean_diameter(); }
+  double kinetic_energy() const { return sums().kinetic; }
+  double penetration() const { return present().penetration(); }
   std::vector<Wall> no_walls;
 };
 template <>

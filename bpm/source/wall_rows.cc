@@ -33,21 +33,22 @@ void Dynamics::add_wall_rows(const std::vector<Wall> &walls, const std::vector<A
 {
   std::size_t row = rows.size();
   resize_rows(row + at_walls.size());
-  auto remembered = remembered_at_walls.begin();
+  auto known_before = remembered.at_walls.begin();
   for (const AtWall &at : at_walls)
   {
     const std::uint32_t i = at.primary, number = primaries.number_of(i);
     const dealii::Tensor<1, 2> &normal = walls[at.wall].normal();
     // Both this loop and the memory run through walls and primaries in order.
-    while (remembered != remembered_at_walls.end() &&
-           (remembered->wall < at.wall || (remembered->wall == at.wall && remembered->primary < number)))
-      ++remembered;
-    const bool known = remembered != remembered_at_walls.end() && remembered->wall == at.wall &&
-                       remembered->primary == number;
+    while (
+        known_before != remembered.at_walls.end() &&
+        (known_before->wall < at.wall || (known_before->wall == at.wall && known_before->primary < number)))
+      ++known_before;
+    const bool known = known_before != remembered.at_walls.end() && known_before->wall == at.wall &&
+                       known_before->primary == number;
     set_row(row, i, primaries.size() + at.wall, {normal[0], normal[1]}, at.gap,
             settings.pairs.friction_at_wall(primaries.body[i], at.wall),
             primaries.radius[i] * settings.rolling_resistance,
-            known ? remembered->impulse : contact::PairMemory::Impulses{});
+            known ? known_before->impulse : contact::PairMemory::Impulses{});
     if (cell)
     {
       const dealii::Point<2> &center = center_of_body[primaries.body[i]];

@@ -142,8 +142,8 @@ int main()
         std::vector<Obstacle<2>>{line({a, corner}, 0.), line({corner, b}, 0.)}})
   {
     OneDisk on({0., 0.1}, {0., 0.}, 0.1, lines), in({0., -0.1 * std::sqrt(2.)}, {0., 0.}, 0.1, lines);
-    std::cout << "contacts of a corner that stands out " << on.dynamics->contacts().size() << ", in "
-              << in.dynamics->contacts().size() << '\n';
+    std::cout << "contacts of a corner that stands out " << on.dynamics->present().rows().size() << ", in "
+              << in.dynamics->present().rows().size() << '\n';
   }
 
   // 20 diameters in a step, across a thin line; and the same way where nothing is.

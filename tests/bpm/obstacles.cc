@@ -125,8 +125,8 @@ int main()
   OneDisk on_corner(
       0., 0.1, {obstacle({Curve::segment({-1., -1.}, {0., 0.}), Curve::segment({0., 0.}, {1., -1.})}, 0.)});
   on_corner.step(1e-3);
-  std::cout << "on a corner: " << on_corner.dynamics->contacts().size() << " contact, force over the weight "
-            << on_corner.obstacles[0].force / (2. * gravity) << '\n';
+  std::cout << "on a corner: " << on_corner.dynamics->present().rows().size()
+            << " contact, force over the weight " << on_corner.obstacles[0].force / (2. * gravity) << '\n';
 
   // A plate that rises presses a grain of bonded primaries against a wall: what it gives is booked.
   const auto model = bpm_scene(grain_scene(disks({{"0, 0", "0; 0"}}, "10")) + R"(

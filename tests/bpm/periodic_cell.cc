@@ -77,7 +77,7 @@ void across_edges(const double friction)
   {
     middle.step(0.05, of_middle, {});
     edge.step(0.05, of_edge, {});
-    for (const double impulse : edge.contacts().impulse)
+    for (const double impulse : edge.present().rows().impulse)
       contact = contact || impulse > 0.;
     for (unsigned int b = 0; b < 2; ++b)
       for (unsigned int d = 0; d < 2; ++d)
@@ -124,7 +124,7 @@ void deform(const std::string &what,
   Dynamics model = dynamics(start, friction);
   std::vector<Wall> walls = sides(20.4, 20.4, speed, pressure);
   model.detect(walls);
-  const double dt = 0.05, at_start = model.kinetic_energy();
+  const double dt = 0.05, at_start = model.sums().kinetic;
   dealii::Tensor<1, 2> given = momentum(start);
   double books = at_start, off = 0., largest = at_start, stress[4] = {0., 0., 0., 0.}, width = 0.,
          height = 0.;
@@ -141,7 +141,7 @@ void deform(const std::string &what,
     const DynamicsReport report = model.step(dt, walls, {});
     books += report.wall_work - report.contact_loss - report.damping_loss;
     given += report.cell_impulse;
-    double kinetic = model.kinetic_energy();
+    double kinetic = model.sums().kinetic;
     for (const Wall &wall : walls)
       kinetic += kinetic_energy_of(wall);
     off = std::max(off, std::abs(kinetic - books));

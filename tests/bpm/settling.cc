@@ -66,12 +66,12 @@ double given(const bpm::Aggregate<2> &aggregate, const double dt)
   bpm::Dynamics dynamics(at_rest(aggregate), {attraction()}, {}, settings);
   std::vector<Wall> none;
   dynamics.detect(none);
-  const double start = dynamics.attraction_energy();
+  const double start = dynamics.sums().attraction;
   double highest = start;
   for (unsigned int step = 0; step < 4; ++step)
   {
     dynamics.step(dt, none, {});
-    highest = std::max(highest, dynamics.attraction_energy());
+    highest = std::max(highest, dynamics.sums().attraction);
   }
   return (highest - start) / -start;
 }

@@ -57,12 +57,12 @@ Dynamics dynamics(const Primaries &disks, const double friction)
 /// Energy that is missing or too much since the start of a run.
 struct Books
 {
-  explicit Books(const Dynamics &model) : sum(model.kinetic_energy()) {}
+  explicit Books(const Dynamics &model) : sum(model.sums().kinetic) {}
 
   void look(const Dynamics &model, const DynamicsReport &report, const std::vector<Wall> &walls)
   {
     sum += report.wall_work - report.contact_loss - report.damping_loss;
-    double kinetic = model.kinetic_energy();
+    double kinetic = model.sums().kinetic;
     for (const Wall &wall : walls)
       kinetic += kinetic_energy_of(wall);
     largest = std::max({largest, kinetic, std::abs(sum)});

@@ -69,7 +69,7 @@ public:
   double solid_area() const override;
   double coordination() const override;
   double momentum_error() const override;
-  std::size_t n_points() const override { return dynamics->n_all(); }
+  std::size_t n_points() const override { return n_all(*dynamics); }
   std::size_t n_bodies() const override { return scene.bodies.size(); }
   SizeReport size_report() const override;
   std::vector<std::pair<std::string, double>> works() const override;
@@ -113,7 +113,8 @@ private:
                  std::vector<dealii::Tensor<1, 2>> &means) const;
   /// Sums up for primary @p i what each of its loads does.
   void accelerate(std::size_t i, const std::vector<dealii::Tensor<1, 2>> &means);
-  void keep_books(const DynamicsReport &report);
+  /// @param moving see DynamicsSums
+  void keep_books(const DynamicsReport &report, double moving);
   /// Closed lines of every body.
   using Outlines = std::vector<std::vector<std::vector<dealii::Point<2>>>>;
   Outlines outlines() const;
@@ -158,6 +159,7 @@ private:
   /// Bodies with the lightest and the heaviest primary that is free to move, and the ratio of these masses.
   std::uint32_t lightest = 0, heaviest = 0;
   double contrast = 1;
+  double diameter = 0;                                  ///< mean, of the primaries [m]
   double mass = 0;                                      ///< of all primaries that are free to move [kg/m]
   double characteristic_force = 0;                      ///< F0 of p_I, of the strongest law
   std::vector<std::shared_ptr<const Load<2>>> own_load; ///< of every body beside those of the scene, or null

@@ -5,13 +5,15 @@
 #include <softgrain/base/exact_sum.h>
 #include <softgrain/bpm/attraction.h>
 #include <softgrain/bpm/attraction_batch.h>
+#include <softgrain/bpm/contact_memories.h>
 #include <softgrain/bpm/dynamics_report.h>
 #include <softgrain/bpm/dynamics_settings.h>
+#include <softgrain/bpm/dynamics_sums.h>
+#include <softgrain/bpm/present_contacts.h>
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/bpm/strip_share.h>
 #include <softgrain/contact/disk_system.h>
 #include <softgrain/contact/neighbour_list.h>
-#include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/obstacle_feet.h>
@@ -50,11 +52,13 @@ public:
    * @param attraction law of every body, null: none
    * @param fixed bodies that keep their velocity whatever they meet; empty: none
    * @param settings how to step
+   * @param timer sections of its work go there; may be null
    */
   Dynamics(Primaries primaries,
            std::vector<std::shared_ptr<const Attraction>> attraction,
            std::vector<bool> fixed,
-           const DynamicsSettings &settings);
+           const DynamicsSettings &settings,
+           dealii::TimerOutput *timer = nullptr);
 
   /// Forces and contacts of the present places; called once before the first step and after a change of
   /// state.
@@ -77,128 +81,43 @@ public:
   /// What else primaries meet; planned by the caller before a step, they go their way in it. May be null.
   void set_obstacles(std::vector<Obstacle<2>> *list);
 
-  /// The way by which those who all have the same primaries share the contact solve; null: alone. It has to
-  /// stay.
-  void share_by(const Exchange *everyone) { exchange = everyone; }
-
-  /// Leaves to each owner a part of the primaries, if there are several and it can be done: not in a
-  /// cell that repeats, with adhesion or obstacles. Before the first detect().
-  void part(const std::vector<Wall> &walls);
+  /**
+   * @brief Shares the work with those who have all called this, by @p everyone, which has to stay. Before the
+   * first detect(), when all have the same primaries.
+   *
+   * Each gets a part of the primaries if it can be done: not in a cell that repeats, with adhesion or
+   * obstacles. Else they share the contact solve.
+   */
+  void share_by(const Exchange &everyone, const std::vector<Wall> &walls);
   /// Who has which primaries; null: all are here.
   const StripShare *strips() const { return share.get(); }
-  /// Owned primaries, which are no copies of those of others; they come first.
-  std::size_t n_own() const { return share ? share->n_own() : primaries.size(); }
-  std::size_t n_all() const { return share ? share->n_all() : primaries.size(); }
-
-  /// Notes places and velocities, goes back to them, and forgets them.
-  void keep_motion();
+  /// Notes places and velocities, or forgets what was noted.
+  void keep_motion(bool keeps);
+  /// Goes back to what was noted.
   void take_back_motion(const std::vector<Wall> &walls);
-  void forget_motion() { kept = Motion(); }
-
-  /// Writes the impulses that pairs remember, in the order of the list of all.
-  void save_memory(StateWriter &out, const std::string &name) const;
 
   /// Makes the list of neighbours for the places that primaries have now, with what its pairs remember in a
   /// state; for restarts. Other places and velocities come afterwards.
   void build_list(const contact::ImageLattice &lattice, const StateReader &in, const std::string &name);
 
-  /// Calls @p work for all primaries here whose number, among all there are, is from @p begin to @p end,
-  /// without it: index, number.
-  template <class Work>
-  void for_numbers(const std::size_t begin, const std::size_t end, const Work &work) const
-  {
-    const std::vector<std::uint32_t> &number = primaries.number;
-    if (number.empty())
-    {
-      for (std::size_t i = begin; i < std::min(end, primaries.size()); ++i)
-        work(i, i);
-      return;
-    }
-    // Own ones stand by number; copies and guests are few.
-    const auto own_end = number.begin() + n_own();
-    for (auto i = std::lower_bound(number.begin(), own_end, begin); i != own_end && *i < end; ++i)
-      work(i - number.begin(), *i);
-    for (auto i = own_end; i != number.end(); ++i)
-      if (*i >= begin && *i < end)
-        work(i - number.begin(), *i);
-  }
-
-  /// Sections of its work go there; may be null.
-  void set_timer(dealii::TimerOutput *timer_output) { timer = timer_output; }
-
   const Primaries &disks() const { return primaries; }
   Primaries &disks() { return primaries; }
-  contact::NeighbourList &neighbours() { return list; }
-  const contact::NeighbourList &neighbours() const { return list; }
 
-  /// Contacts of the present places with the impulses of the last step; b >= disks().size(): a wall, and
-  /// obstacles after the walls.
-  const contact::DiskContacts &contacts() const { return rows; }
-  /// Gap of every contact [m].
-  const std::vector<double> &gaps() const { return gap; }
-  /// Sum of the attractions on every primary [N/m].
-  const std::vector<std::array<double, 2>> &forces() const { return force; }
-  /// Energy of the attractions, zero when all pairs are out of range [J/m].
-  double attraction_energy() const { return stored_energy; }
-  double kinetic_energy() const { return share ? totals.kinetic : sum_motion().kinetic; }
-  /// Momentum of the primaries that are not fixed [kg/s].
-  dealii::Tensor<1, 2> momentum() const { return share ? totals.momentum : sum_motion().momentum; }
-  /// Sum of mass times speed of all primaries [kg/s].
-  double moving() const { return share ? totals.moving : sum_motion().moving; }
-  /// Numbers of pairs, of contacts, and of those that carry_force().
-  std::size_t n_pairs() const { return share ? totals.n_pairs : list.n_pairs(); }
-  std::size_t n_contacts() const { return share ? totals.n_contacts : rows.size(); }
-  std::size_t n_pushing() const;
-  /// Deepest overlap of the present places [m].
-  double penetration() const { return deepest; }
-  double mean_diameter() const { return diameter; }
-  /// The deepest overlap with its bodies and its place, of all there are. With @p bodies_apart it is
-  /// that between different bodies, and with walls and obstacles.
+  /// Contacts of the present places.
+  PresentContacts present() const { return PresentContacts(*this); }
+  /// Sums over all primaries and contacts, whoever owns them.
+  DynamicsSums sums() const;
+  /// The deepest overlap with its bodies and its place, of all there are. With @p bodies_apart it is that
+  /// between different bodies, and with walls and obstacles.
   Overlap deepest_overlap(bool bodies_apart = false) const;
 
-  /// Memories of the contacts between bodies and with walls.
-  Adhesion &contact_memory() { return adhesion; }
-  const Adhesion &contact_memory() const { return adhesion; }
-
-  /// Whether a row of contacts() pushes, or pulls because it adheres.
-  bool carries_force(const std::size_t row) const
-  {
-    return rows.impulse[row] > 0. || (!pull.empty() && pull[row] > 0. && rows.impulse[row] < 0.);
-  }
-
-  /// How often neighbours have been searched.
-  std::size_t lists_made() const { return n_lists; }
-
-  /// Strength of the attraction of two primaries over that of their law.
-  double strength_of(const std::uint32_t a, const std::uint32_t b) const
-  {
-    return primaries.strength.empty() ? 1. : 0.5 * (primaries.strength[a] + primaries.strength[b]);
-  }
-
-  /// Image of its second body that row @p row is a contact with; not one with a wall.
-  PeriodicCell<2>::Image image_of_row(const std::size_t row) const { return list.image(pair_of_row[row]); }
-
-  /// Attraction of a listed pair, 0 when out of range or between bodies [N/m].
-  double attraction_of(std::size_t pair) const;
-
-  /// Impulses remembered of contacts with walls (wall, primary, impulses), for restarts; the pieces of
-  /// obstacles count on after the walls.
-  struct WallMemory
-  {
-    std::uint32_t wall = 0, primary = 0;
-    contact::PairMemory::Impulses impulse{};
-  };
-  std::vector<WallMemory> &wall_memory() { return remembered_at_walls; }
-  const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
+  /// What contacts remember beside the impulses of pairs, for restarts.
+  const ContactMemories &memories() const { return remembered; }
+  ContactMemories &memories() { return remembered; }
 
 private:
-  /// Sums over all primaries and contacts, whoever owns them.
-  struct Totals
-  {
-    double kinetic = 0., moving = 0.;
-    dealii::Tensor<1, 2> momentum;
-    std::size_t n_pairs = 0, n_contacts = 0, n_pushing = 0;
-  };
+  friend class PresentContacts;
+
   /// A primary near a wall.
   struct AtWall
   {
@@ -217,7 +136,18 @@ private:
   void weigh();
   void update_list();
   std::vector<ExactSum> sums_of_motion() const;
-  Totals sum_motion() const;
+  /// Whether a row pushes, or pulls because it adheres.
+  bool carries_force(const std::size_t row) const
+  {
+    return rows.impulse[row] > 0. || (!pull.empty() && pull[row] > 0. && rows.impulse[row] < 0.);
+  }
+  DynamicsSums sum_motion() const;
+  std::size_t n_own() const { return share ? share->n_own() : primaries.size(); }
+  /// Strength of the attraction of two primaries over that of their law.
+  double strength_of(const std::uint32_t a, const std::uint32_t b) const
+  {
+    return primaries.strength.empty() ? 1. : 0.5 * (primaries.strength[a] + primaries.strength[b]);
+  }
   void sum_up();
   std::vector<AtWall> find_at_walls(const std::vector<Wall> &walls, std::size_t begin, std::size_t end) const;
   void add_wall_rows(const std::vector<Wall> &walls, const std::vector<AtWall> &found);
@@ -319,11 +249,10 @@ private:
   contact::DiskBodies bodies;
   contact::DiskContacts rows;
   std::vector<double> gap;
-  Adhesion adhesion;
   std::vector<double> pull; ///< cohesive force of every row [N/m]; empty: nothing adheres
   std::vector<std::uint32_t> pair_of_row;
   std::vector<std::array<double, 2>> force;
-  std::vector<WallMemory> remembered_at_walls;
+  ContactMemories remembered;
   std::optional<CellMotion> cell;               ///< as the walls move now; nothing where nothing repeats
   std::vector<dealii::Point<2>> center_of_body; ///< in a cell [m]
   std::vector<double> mass_of_body;             ///< in a cell [kg/m]
@@ -349,14 +278,50 @@ private:
   };
   std::vector<std::vector<Found>> found; ///< contacts of every tile
   std::vector<double> tile_energy;
-  dealii::TimerOutput *timer = nullptr;
+  dealii::TimerOutput *timer;
   const Exchange *exchange = nullptr;
   std::vector<bool> fixed; ///< bodies; empty: none
   Motion kept;
   std::unique_ptr<StripShare> share; ///< null: all primaries are here
-  Totals totals;                     ///< where not all are here
+  DynamicsSums totals;               ///< where not all are here
   contact::DiskExchanges exchanges;
 };
+
+/// Number of all primaries, whoever owns them.
+inline std::size_t n_all(const Dynamics &dynamics)
+{
+  return dynamics.strips() != nullptr ? dynamics.strips()->n_all() : dynamics.disks().size();
+}
+
+/// Number of the owned primaries, which are no copies of those of others; they come first.
+inline std::size_t n_own(const Dynamics &dynamics)
+{
+  return dynamics.strips() != nullptr ? dynamics.strips()->n_own() : dynamics.disks().size();
+}
+
+/// Calls @p work for all primaries here whose number, among all there are, is from @p begin to @p end,
+/// without it: index, number.
+template <class Work>
+void for_numbers(const Dynamics &dynamics, const std::size_t begin, const std::size_t end, const Work &work)
+{
+  const std::vector<std::uint32_t> &number = dynamics.disks().number;
+  if (number.empty())
+  {
+    for (std::size_t i = begin; i < std::min(end, dynamics.disks().size()); ++i)
+      work(i, i);
+    return;
+  }
+  // Own ones stand by number; copies and guests are few.
+  const auto own_end = number.begin() + n_own(dynamics);
+  for (auto i = std::lower_bound(number.begin(), own_end, begin); i != own_end && *i < end; ++i)
+    work(i - number.begin(), *i);
+  for (auto i = own_end; i != number.end(); ++i)
+    if (*i >= begin && *i < end)
+      work(i - number.begin(), *i);
+}
+
+/// Writes the impulses that pairs remember, in the order of the list of all.
+void save_memory(const Dynamics &dynamics, StateWriter &out, const std::string &name);
 } // namespace softgrain::bpm
 
 #endif

@@ -32,13 +32,19 @@ public:
 
   const Primaries &disks() const { return gathered ? gathered->disks : dynamics.disks(); }
   /// b >= disks().size(): a wall, and obstacles after the walls.
-  const contact::DiskContacts &rows() const { return gathered ? gathered->rows : dynamics.contacts(); }
-  double gap(const std::size_t row) const { return gathered ? gathered->gap[row] : dynamics.gaps()[row]; }
-  bool carries_force(const std::size_t row) const { return gathered || dynamics.carries_force(row); }
+  const contact::DiskContacts &rows() const { return gathered ? gathered->rows : dynamics.present().rows(); }
+  double gap(const std::size_t row) const
+  {
+    return gathered ? gathered->gap[row] : dynamics.present().gaps()[row];
+  }
+  bool carries_force(const std::size_t row) const
+  {
+    return gathered || dynamics.present().carries_force(row);
+  }
   /// Image of its second body that row @p row is a contact with; not one with a wall.
   PeriodicCell<2>::Image image_of_row(const std::size_t row) const
   {
-    return gathered ? PeriodicCell<2>::Image() : dynamics.image_of_row(row);
+    return gathered ? PeriodicCell<2>::Image() : dynamics.present().image_of_row(row);
   }
 
   /// Calls work(bond) for every pair of one body that has an attraction or an impulse.
@@ -46,7 +52,7 @@ public:
   void for_bonds(const Work &work) const
   {
     if (!gathered)
-      return for_bonds_here(0, dynamics.neighbours().n_pairs(), work);
+      return for_bonds_here(0, dynamics.present().neighbours().n_pairs(), work);
     for (const Bond &bond : gathered->bonds)
       work(bond);
   }
@@ -55,14 +61,14 @@ private:
   template <class Work>
   void for_bonds_here(const std::size_t begin, const std::size_t end, const Work &work) const
   {
-    const contact::NeighbourList &list = dynamics.neighbours();
+    const contact::NeighbourList &list = dynamics.present().neighbours();
     const std::vector<std::uint32_t> &body = dynamics.disks().body;
     for (std::size_t pair = begin; pair < end; ++pair)
     {
       const std::uint32_t a = list.a(pair), b = list.b(pair);
       if (body[a] != body[b])
         continue;
-      const Bond bond = {a, b, dynamics.attraction_of(pair), list.memory()[pair][0]};
+      const Bond bond = {a, b, dynamics.present().attraction_of(pair), list.memory()[pair][0]};
       if (bond.attraction != 0. || bond.impulse != 0.)
         work(bond);
     }
