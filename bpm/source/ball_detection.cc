@@ -71,22 +71,6 @@ void BallDynamics::attract_and_find(const std::size_t tile, AttractionBatch<3> &
   tile_energy[tile] = energy;
 }
 
-double BallDynamics::attraction_of(const std::size_t pair) const
-{
-  const std::uint32_t a = list.a(pair), b = list.b(pair);
-  if (laws.empty() || primaries.body[a] != primaries.body[b] || !laws[primaries.body[a]])
-    return 0.;
-  const Vector &xa = primaries.position[a], &xb = primaries.position[b];
-  const double distance = std::hypot(xa[0] - xb[0], xa[1] - xb[1], xa[2] - xb[2]),
-               sum = primaries.radius[a] + primaries.radius[b];
-  const Attraction &law = *laws[primaries.body[a]];
-  if (distance >= law.range() * sum)
-    return 0.;
-  double size = 0.;
-  law.evaluate(1, &distance, &sum, &size, nullptr);
-  return size;
-}
-
 void BallDynamics::detect(const Walls &walls)
 {
   {
@@ -230,22 +214,5 @@ void BallDynamics::add_wall_rows(const Walls &walls)
             rotations ? settings.pairs.friction_at_wall(primaries.body[ball], wall) : 0.,
             known ? old->impulse.data() : nothing.data());
   }
-}
-
-std::size_t BallDynamics::deepest_row(const bool bodies_apart) const
-{
-  std::size_t worst = rows.size();
-  double least = 0.;
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    const bool inner =
-        rows.b[row] < primaries.size() && primaries.body[rows.a[row]] == primaries.body[rows.b[row]];
-    if (gap[row] < least && !(bodies_apart && inner))
-    {
-      least = gap[row];
-      worst = row;
-    }
-  }
-  return worst;
 }
 } // namespace softgrain::bpm

@@ -237,36 +237,22 @@ BallReport BallDynamics::step(const double dt, Walls &walls, const std::vector<s
   return report;
 }
 
-double BallDynamics::kinetic_energy() const
+BallSums BallDynamics::sums() const
 {
-  double sum = 0.;
+  BallSums sums;
   for (std::size_t i = 0; i < primaries.size(); ++i)
   {
-    sum += 0.5 * primaries.mass[i] * product(primaries.velocity[i], primaries.velocity[i]);
+    const Vector &v = primaries.velocity[i];
+    sums.kinetic += 0.5 * primaries.mass[i] * product(v, v);
     if (rotations)
-      sum += 0.5 / inverse_inertia[i] * product(primaries.angular_velocity[i], primaries.angular_velocity[i]);
+      sums.kinetic +=
+          0.5 / inverse_inertia[i] * product(primaries.angular_velocity[i], primaries.angular_velocity[i]);
+    sums.momentum += primaries.mass[i] * tensor_of(v);
+    sums.moving += primaries.mass[i] * std::sqrt(product(v, v));
   }
-  return sum;
-}
-
-dealii::Tensor<1, 3> BallDynamics::momentum() const
-{
-  dealii::Tensor<1, 3> sum;
-  for (std::size_t i = 0; i < primaries.size(); ++i)
-    sum += primaries.mass[i] * tensor_of(primaries.velocity[i]);
-  return sum;
-}
-
-double BallDynamics::moving() const
-{
-  double sum = 0.;
-  for (std::size_t i = 0; i < primaries.size(); ++i)
-    sum += primaries.mass[i] * std::sqrt(product(primaries.velocity[i], primaries.velocity[i]));
-  return sum;
-}
-
-std::size_t BallDynamics::n_pushing() const
-{
-  return std::count_if(rows.impulse.begin(), rows.impulse.end(), [](const double P) { return P > 0.; });
+  sums.attraction = stored_energy;
+  sums.n_pushing =
+      std::count_if(rows.impulse.begin(), rows.impulse.end(), [](const double P) { return P > 0.; });
+  return sums;
 }
 } // namespace softgrain::bpm

@@ -44,6 +44,8 @@ struct MotionOf<3> : BallDynamics
   }
   void go(const double dt) { step(dt, no_walls, {}); }
   Balls &primaries() { return balls(); }
+  double kinetic_energy() const { return sums().kinetic; }
+  double penetration() const { return present().penetration(); }
   Walls no_walls;
 };
 

@@ -62,7 +62,7 @@ SpaceModel::Accelerations SpaceModel::ask_loads(const double dt) const
 std::string SpaceModel::where_is(const std::size_t row) const
 {
   const Balls &balls = dynamics->balls();
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   std::ostringstream text;
   const std::uint32_t a = rows.a[row], b = rows.b[row];
   const std::string &name = scene.bodies[balls.body[a]].name;
@@ -73,8 +73,8 @@ std::string SpaceModel::where_is(const std::size_t row) const
   else
     text << "primaries of the bodies '" << name << "' and '" << scene.bodies[balls.body[b]].name << "'";
   const std::array<double, 3> &x = balls.position[a];
-  text << " lie " << -dynamics->gaps()[row] << " m deep in each other at (" << x[0] << ", " << x[1] << ", "
-       << x[2] << ") m";
+  text << " lie " << -dynamics->present().gaps()[row] << " m deep in each other at (" << x[0] << ", " << x[1]
+       << ", " << x[2] << ") m";
   return text.str();
 }
 
@@ -90,7 +90,7 @@ std::string SpaceModel::why_not(const BallReport &report, const double limit) co
     reason << "a primary goes " << report.farthest << " of its radius in one step, at most " << longest_way
            << " can be seen";
   else
-    reason << "after the last one, " << where_is(dynamics->deepest_row()) << ", allowed is "
+    reason << "after the last one, " << where_is(dynamics->present().deepest_row()) << ", allowed is "
            << text(limit, " m") << " ('Contact/Largest penetration')";
   return reason.str();
 }
@@ -99,7 +99,7 @@ StepReport SpaceModel::advance(const double dt_limit)
 {
   StepReport report;
   const double limit =
-      std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->penetration());
+      std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->present().penetration());
   dynamics->keep_motion();
   const std::vector<SpaceWall> walls_before = moving_walls;
   const auto try_step = [&](const double dt) -> Attempt
@@ -135,7 +135,7 @@ StepReport SpaceModel::advance(const double dt_limit)
   report.dt = last_dt = taken.dt;
   now += taken.dt;
   ++steps;
-  report.n_contacts = dynamics->n_pushing();
+  report.n_contacts = dynamics->sums().n_pushing;
   return report;
 }
 
@@ -148,7 +148,7 @@ void SpaceModel::keep_books(const BallReport &report)
 {
   contact_loss += report.contact_loss;
   impulse += report.impulse;
-  largest_momentum = std::max(largest_momentum, dynamics->moving());
+  largest_momentum = std::max(largest_momentum, dynamics->sums().moving);
   fallbacks += report.solver.fell_back;
   std::size_t load = 0;
   for (const std::string &name : scene.loads.names())
@@ -166,7 +166,7 @@ double SpaceModel::momentum_error() const
   const double scale = std::max(largest_momentum, impulse.norm());
   if (scale <= mass * rounded_velocity())
     return std::numeric_limits<double>::quiet_NaN();
-  return (dynamics->momentum() - impulse).norm() / scale;
+  return (dynamics->sums().momentum - impulse).norm() / scale;
 }
 
 double SpaceModel::energy_of_rounding() const
@@ -177,8 +177,8 @@ double SpaceModel::energy_of_rounding() const
 Energies SpaceModel::energies() const
 {
   Energies energies;
-  energies.kinetic = dynamics->kinetic_energy();
-  energies.elastic = dynamics->attraction_energy();
+  energies.kinetic = dynamics->sums().kinetic;
+  energies.elastic = dynamics->sums().attraction;
   energies.dissipated = contact_loss;
   energies.external_work = load_work.sum();
   for (const SpaceWall &wall : moving_walls)
@@ -193,7 +193,7 @@ SizeReport SpaceModel::size_report() const
           {"primaries", std::to_string(n_points())},
           {"mean diameter", text(dynamics->mean_diameter(), " m")},
           {"neighbour pairs", std::to_string(dynamics->neighbours().n_pairs())},
-          {"contacts", std::to_string(dynamics->contacts().size())},
+          {"contacts", std::to_string(dynamics->present().rows().size())},
           {"characteristic stress F0/<a0>^2",
            text(characteristic_force / std::pow(dynamics->mean_diameter(), 2), " Pa")},
           {"time step", natural_time > 0. ? text(dt, " s") + " = " + text(dt / natural_time, " sqrt(m a0/F0)")
@@ -213,7 +213,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
 std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
 {
   std::vector<std::pair<std::string, double>> columns = {
-      {"contacts", static_cast<double>(dynamics->contacts().size())},
+      {"contacts", static_cast<double>(dynamics->present().rows().size())},
       {"plain_solves", static_cast<double>(fallbacks)}};
   for (const SpaceWall &wall : moving_walls)
     if (wall.description.drive->slides())

@@ -100,7 +100,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene_description, const Settings &model_
   check_apart();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     volume_at_start.push_back(enclosed_volume(surface_of(b)));
-  impulse = dynamics->momentum();
+  impulse = dynamics->sums().momentum;
 }
 
 Balls SpaceModel::fill_bodies(const Laws &laws)
@@ -184,9 +184,9 @@ void SpaceModel::give_spins(Balls &balls) const
 
 void SpaceModel::check_apart() const
 {
-  const std::size_t row = dynamics->deepest_row(true);
-  if (row < dynamics->gaps().size() &&
-      -dynamics->gaps()[row] > settings.largest_penetration * dynamics->mean_diameter())
+  const std::size_t row = dynamics->present().deepest_row(true);
+  if (row < dynamics->present().gaps().size() &&
+      -dynamics->present().gaps()[row] > settings.largest_penetration * dynamics->mean_diameter())
     throw InputError("at the start " + where_is(row) +
                      ": move one of them, or change 'Primaries/Number per body'");
 }

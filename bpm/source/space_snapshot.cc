@@ -50,7 +50,7 @@ TriangulatedSurface SpaceModel::surface_of(const std::size_t body) const
 double SpaceModel::solid_area() const
 {
   // Surfaces cost more than a step, and change only as primaries change their neighbours.
-  if (volume_now >= 0. && volume_of_list == dynamics->lists_made())
+  if (volume_now >= 0. && volume_of_list == dynamics->present().lists_made())
     return volume_now;
   const dealii::TimerOutput::Scope section(*timer, "surfaces");
   std::vector<double> volume(scene.bodies.size());
@@ -63,7 +63,7 @@ double SpaceModel::solid_area() const
   volume_now = 0.;
   for (const double one : volume)
     volume_now += one;
-  volume_of_list = dynamics->lists_made();
+  volume_of_list = dynamics->present().lists_made();
   return volume_now;
 }
 
@@ -78,7 +78,7 @@ std::vector<WallState<3>> SpaceModel::walls() const
 double SpaceModel::coordination() const
 {
   const Balls &balls = dynamics->balls();
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   TouchingPairs touching;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
@@ -96,7 +96,7 @@ double SpaceModel::coordination() const
 ContactState<3> SpaceModel::contact_state(const std::size_t row) const
 {
   const Balls &balls = dynamics->balls();
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   ContactState<3> state;
   const std::uint32_t a = rows.a[row], b = rows.b[row];
   state.body_a = balls.body[a];
@@ -105,7 +105,7 @@ ContactState<3> SpaceModel::contact_state(const std::size_t row) const
   else
     state.wall = b - balls.size();
   state.normal = vector_of(rows.normal[row]);
-  state.gap = dynamics->gaps()[row];
+  state.gap = dynamics->present().gaps()[row];
   state.place = point_of(balls.position[a]) - (balls.radius[a] + 0.5 * state.gap) * state.normal;
   state.force = rows.impulse[row] / last_dt * state.normal;
   if (balls.rotate())
@@ -116,7 +116,7 @@ ContactState<3> SpaceModel::contact_state(const std::size_t row) const
 void SpaceModel::add_contacts(Snapshot<3> &snapshot) const
 {
   const Balls &balls = dynamics->balls();
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   for (std::size_t row = 0; row < rows.size() && last_dt > 0.; ++row)
   {
     const bool inner = rows.b[row] < balls.size() && balls.body[rows.a[row]] == balls.body[rows.b[row]];
@@ -131,16 +131,16 @@ void SpaceModel::for_bonds(const Work &work) const
   // Pairs of one body carry contact and attraction together.
   const Balls &balls = dynamics->balls();
   const contact::BallList &list = dynamics->neighbours();
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   std::vector<double> force(list.n_pairs(), 0.);
-  for (std::size_t row = 0; row < dynamics->pairs().size(); ++row)
-    force[dynamics->pairs()[row]] = rows.impulse[row] / last_dt;
+  for (std::size_t row = 0; row < dynamics->present().pairs().size(); ++row)
+    force[dynamics->present().pairs()[row]] = rows.impulse[row] / last_dt;
   for (std::size_t pair = 0; pair < list.n_pairs(); ++pair)
   {
     const std::uint32_t a = list.a(pair), b = list.b(pair);
     if (balls.body[a] != balls.body[b])
       continue;
-    force[pair] -= dynamics->attraction_of(pair);
+    force[pair] -= dynamics->present().attraction_of(pair);
     if (force[pair] != 0.)
       work(a, b, force[pair], point_of(balls.position[a]) - point_of(balls.position[b]));
   }
@@ -182,7 +182,7 @@ void SpaceModel::add_stresses(Snapshot<3> &snapshot) const
     add(a, force, -(balls.radius[a] + 0.5 * gap) * normal);
     add(b, -force, (balls.radius[b] + 0.5 * gap) * normal);
   };
-  const contact::BallContacts &rows = dynamics->contacts();
+  const contact::BallContacts &rows = dynamics->present().rows();
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
     const std::uint32_t a = rows.a[row], b = rows.b[row];

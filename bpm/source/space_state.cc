@@ -43,7 +43,7 @@ void SpaceModel::save(StateWriter &out) const
   save_walls(out, "bpm/walls", moving_walls);
   out.write("bpm/volume_at_start", volume_at_start);
   // The volume was measured after the list was made: it is the same after a restart only if it is kept.
-  const bool measured = volume_of_list == dynamics->lists_made();
+  const bool measured = volume_of_list == dynamics->present().lists_made();
   out.write("bpm/solid_volume", std::vector<double>{measured ? volume_now : -1.});
   out.write("bpm/neighbours/build_position", flat(dynamics->neighbours().build_positions()));
   out.write("bpm/neighbours/memory", dynamics->neighbours().all_memories());
@@ -100,6 +100,6 @@ void SpaceModel::load(StateReader &in)
   }
   dynamics->detect(moving_walls);
   volume_now = in.read_doubles("bpm/solid_volume", 1)[0];
-  volume_of_list = dynamics->lists_made();
+  volume_of_list = dynamics->present().lists_made();
 }
 } // namespace softgrain::bpm

@@ -55,7 +55,7 @@ void aggregates()
   std::cout << "primaries " << model->n_points() << ", told " << told->n_points() << ", sizes from "
             << (least >= 1.6) << " to " << (largest <= 2.6 && largest > 2.4) << ", mean " << sum / all.size()
             << "\nbeyond the shape " << below(1e-9, std::max(0., beyond)) << ", overlap of diameters "
-            << below(1e-9, model->motion().penetration() / 2.1) << ", same again "
+            << below(1e-9, model->motion().present().penetration() / 2.1) << ", same again "
             << (all.position == again->motion().balls().position) << ", other seed "
             << (all.radius == other->motion().balls().radius) << '\n';
   const Snapshot<3> start = model->snapshot();
@@ -177,7 +177,7 @@ void pressed()
             << ", above 0 " << (top > 0.) << ", energy error "
             << below(0.02, energy_error(start, model->energies())) << ", work beside walls "
             << below(1e-12, work / model->energies().external_work - 1.) << ", overlap "
-            << below(0.02, model->motion().penetration() / 2.1) << ", volume over that at rest "
+            << below(0.02, model->motion().present().penetration() / 2.1) << ", volume over that at rest "
             << model->snapshot().bodies[0].area / model->snapshot().bodies[0].reference_area << '\n';
 }
 

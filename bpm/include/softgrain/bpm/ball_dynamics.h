@@ -5,6 +5,7 @@
 #include <softgrain/bpm/attraction.h>
 #include <softgrain/bpm/attraction_batch.h>
 #include <softgrain/bpm/dynamics_settings.h>
+#include <softgrain/bpm/present_balls.h>
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/ball_list.h>
 #include <softgrain/contact/disk_system.h>
@@ -31,6 +32,16 @@ struct BallReport
   std::vector<double> load_work; ///< done by every load [J]
   double max_penetration = 0;    ///< after the step [m]
   double farthest = 0;           ///< way of the fastest ball over its radius
+};
+
+/// Sums over all balls and contacts.
+struct BallSums
+{
+  double kinetic = 0.;           ///< energy [J]
+  double moving = 0.;            ///< mass times speed [N s]
+  dealii::Tensor<1, 3> momentum; ///< [N s]
+  double attraction = 0.;        ///< energy of the attractions, zero when all pairs are out of range [J]
+  std::size_t n_pushing = 0;     ///< contacts with an impulse
 };
 
 /**
@@ -80,29 +91,10 @@ public:
   Balls &balls() { return primaries; }
   const contact::BallList &neighbours() const { return list; }
   contact::BallList &neighbours() { return list; }
-  /// Contacts of the present places with the impulses of the last step; b >= balls().size(): a wall.
-  const contact::BallContacts &contacts() const { return rows; }
-  /// Gap of every contact [m].
-  const std::vector<double> &gaps() const { return gap; }
-  /// Pair of every contact that is not one with a wall.
-  const std::vector<std::uint32_t> &pairs() const { return pair_of_row; }
-
-  double attraction_energy() const { return stored_energy; } ///< zero when all pairs are out of range [J]
-  double kinetic_energy() const;                             ///< [J]
-  dealii::Tensor<1, 3> momentum() const;                     ///< [N s]
-  double moving() const;                                     ///< sum of mass times speed [N s]
-  std::size_t n_pushing() const;                             ///< contacts with an impulse
-  double penetration() const { return deepest; }             ///< deepest overlap of the present places [m]
-  /// The contact with the deepest overlap, or with @p bodies_apart that of different bodies, or with a wall;
-  /// the number of contacts where nothing overlaps.
-  std::size_t deepest_row(bool bodies_apart = false) const;
+  /// Contacts of the present places.
+  PresentBalls present() const { return PresentBalls(*this); }
+  BallSums sums() const;
   double mean_diameter() const { return diameter; }
-
-  /// How often neighbours have been searched.
-  std::size_t lists_made() const { return n_lists; }
-
-  /// Attraction of a listed pair, 0 when out of range or between bodies [N].
-  double attraction_of(std::size_t pair) const;
 
   /// Impulses remembered of a contact with a wall, for restarts; by walls, then balls.
   struct WallMemory
@@ -114,6 +106,8 @@ public:
   const std::vector<WallMemory> &wall_memory() const { return remembered_at_walls; }
 
 private:
+  friend class PresentBalls;
+
   struct Found
   {
     std::uint32_t pair;
