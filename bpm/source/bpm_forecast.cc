@@ -47,7 +47,7 @@ double n_primaries(const BodyGroup &body, const PrimarySettings &primaries)
   return std::max(1., share / (x * x));
 }
 
-/// Whether several can have some of the primaries each, see Dynamics::part().
+/// Whether several can have some of the primaries each, see Dynamics::share_by().
 bool can_part(const Scene<2> &scene)
 {
   return scene.obstacles.empty() && !ContactPairs(scene).adhere() &&

@@ -18,6 +18,14 @@ double Opening::share(const Body<dim> &body, const double dt) const
 template double Opening::share(const Body<2> &, double) const;
 template double Opening::share(const Body<3> &, double) const;
 
+std::vector<double>
+relative_velocity(const State &state, const Workspace &work, const std::vector<Eigen::VectorXd> &nodal)
+{
+  return work.contact.relative_velocity(work.share, state.bodies, work.drive,
+                                        [&](const unsigned int b) -> const Eigen::VectorXd &
+                                        { return nodal[b]; });
+}
+
 std::vector<double> row_velocity(const State &state,
                                  const Workspace &work,
                                  const std::vector<Eigen::VectorXd> &v,
@@ -30,7 +38,7 @@ std::vector<double> row_velocity(const State &state,
 {
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
-  std::vector<double> q = work.contact.relative_velocity(work.share, state.bodies, work.drive, v);
+  std::vector<double> q = relative_velocity(state, work, v);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     // Slabs that are driven move in relative_velocity() already.

@@ -216,7 +216,4 @@ template void meet_frames(const BodyShare &,
                           double,
                           double,
                           std::vector<FrameState<3>> &);
-template std::size_t FrameState<2>::n_told() const;
-template void FrameState<2>::tell(double *);
-template void FrameState<2>::take(const double *);
 } // namespace softgrain::mpm

@@ -2,6 +2,7 @@
 // How MpmModel shares its bodies out to ranks, and what ranks tell each other of them.
 #include <softgrain/geometry/bisection.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/body/told_grid.h>
 #include <softgrain/mpm/model/body_cost.h>
 #include <softgrain/mpm/model/mpm_model.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
@@ -39,7 +40,7 @@ ContactWork::ContactWork(const State &state,
     , components(work.contact.n_components())
 {
   if (!work.contact.contact_rows().empty())
-    relative = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
+    relative = relative_velocity(state, work, rate);
 }
 
 bool ContactWork::acts(const unsigned int row, const unsigned int component) const

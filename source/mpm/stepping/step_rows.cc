@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/contact/share_outlines.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 
@@ -69,7 +70,7 @@ std::vector<double> end_gaps(const State &state,
   for (unsigned int b = 0; b < increment.size(); ++b)
     if (work.share.mine(b))
       rate[b] = increment[b] / dt;
-  const std::vector<double> w = work.contact.relative_velocity(work.share, state.bodies, work.drive, rate);
+  const std::vector<double> w = relative_velocity(state, work, rate);
   std::vector<double> gap(rows.size());
   for (unsigned int r = 0; r < rows.size(); ++r)
   {

@@ -27,6 +27,10 @@ struct Opening
   double share(const Body<dim> &body, double dt) const;
 };
 
+/// H v of the rows of a step for these nodal velocities, one vector per body [m/s].
+std::vector<double>
+relative_velocity(const State &state, const Workspace &work, const std::vector<Eigen::VectorXd> &nodal);
+
 /**
  * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
  * [m/s].
