@@ -73,8 +73,9 @@ void carry(const std::string &name,
   double gap = 0., difference = 0., slide = 0., slid = 0.;
   for (unsigned int k = 0; k < contact.forces.size(); ++k)
   {
-    gap += contact.forces[k] * (at.gap_by(k, moves) + at.ray(k).by_motion * at.motion_by(moves));
-    slide += at.slide_by(k, moves)[0];
+    gap += contact.forces[k] *
+           (at.derivatives().gap_by(k, moves) + at.ray(k).by_motion * at.derivatives().motion_by(moves));
+    slide += at.derivatives().slide_by(k, moves)[0];
   }
   for (const double sign : {1., -1.})
   {
