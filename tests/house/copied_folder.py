@@ -31,7 +31,7 @@ def build(folder, environment):
                        ("small.cc", '#include "small.h"\nint small() { return 1; }\n')):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
             file.write(text)
-    for words in (("-S", folder, "-B", f"{folder}/build", "-DCMAKE_BUILD_TYPE=Release"), ("--build", f"{folder}/build")):
+    for words in (("-S", folder, "-B", f"{folder}/build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"), ("--build", f"{folder}/build")):
         done = subprocess.run([CMAKE, *words], env=environment, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(done.stdout + done.stderr)
