@@ -123,7 +123,9 @@ dealii::Tensor<1, 2> turned(const dealii::Tensor<1, 2> &v, const double angle)
 Errors in_frame(const std::string &scheme, const double dt)
 {
   const auto model = disk({turns, about, "Time/Scheme=" + scheme, "Bodies/disk/Angular velocity=-2",
-                           "Time/Theta=" + std::string(scheme == "moreau_jean" ? "0.5" : "0")},
+                           "Time/Theta=" + std::string(scheme == "moreau_jean" ? "0.5" : "0"),
+                           "Newton/Displacement tolerance=1e-9", "Newton/Residual tolerance=1e-10",
+                           "Newton/Energy tolerance=1e-18"},
                           dt);
   const dealii::Point<2> center(0.05, -0.1);
   const dealii::Tensor<1, 2> arm = first_place - center,

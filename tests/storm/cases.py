@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A scene with its runs, controls that are moved by 1e-9 cells, and the verdict on a run that must be near to another."""
 import dataclasses
+import math
 
 import changes
 from changes import Change
@@ -31,10 +32,15 @@ class Case:
         return self.program.run(scene, self.folder / name, **options)
 
     def control(self, which):
-        """The base with a body moved by 1e-9 cells."""
+        """The base with bodies moved by 1e-9 cells; number 2 with contacts that are solved a hundred times closer."""
         if which not in self.controls:
-            self.controls[which] = self.run(nudged(with_library(self.scene), which), f"control{which}")
+            scene = with_library(self.scene)
+            self.controls[which] = self.run(solved_closer(scene) if which == 2 else nudged(scene, which), f"control{which}")
         return self.controls[which]
+
+    def all_controls(self):
+        """Numbers of the controls that there are; rigid primaries are as near to each other as their contacts are solved."""
+        return (0, 1, 2) if self.scene.get("Model") == "bpm" and "Contact/Tolerance" in self.scene.values else (0, 1)
 
     def aggregates(self):
         """The aggregates that the base has made."""
@@ -50,19 +56,27 @@ def with_library(scene):
     return result
 
 
+def move_body(scene, name, way):
+    if f"Bodies/{name}/Vertices" not in scene.values:
+        scene.set(f"Bodies/{name}/Center", Change(shift=way).point(scene.point(f"Bodies/{name}/Center")))
+        return
+    for key in ("Center", "Vertices"):
+        path = f"Bodies/{name}/{key}"
+        if path in scene.values:
+            scene.values[path] = changes.value_of(path, scene.values[path], Change(shift=way), "mpm")
+
+
 def nudged(scene, which):
-    """The scene with its first or its last body moved by 1e-9 cells, another way for each."""
+    """The scene with all its bodies moved by 1e-9 cells, each another way, or with its last one alone."""
     result, by = scene.copy(), 1e-9 * spacing_of(scene)
     way = ((by, 0.6 * by), (-0.7 * by, by))[which]
     names = scene.names("Bodies")
     if names:
-        name = names[-which]
-        for key in ("Center", "Vertices"):
-            path = f"Bodies/{name}/{key}"
-            if path in result.values:
-                result.values[path] = changes.value_of(path, result.values[path], Change(shift=way), "mpm")
-        if f"Bodies/{name}/Vertices" not in result.values:
-            result.set(f"Bodies/{name}/Center", Change(shift=way).point(scene.point(f"Bodies/{name}/Center")))
+        for n, name in enumerate(names):
+            if which == 0:
+                move_body(result, name, (by * math.cos(0.54 + 2.4 * n), by * math.sin(0.54 + 2.4 * n)))
+            elif n == len(names) - 1:
+                move_body(result, name, way)
     elif scene.files.get("grains.csv"):
         lines = scene.files["grains.csv"].splitlines()
         x, y, *rest = lines[1 if which == 0 else -1].split(",")
@@ -71,6 +85,12 @@ def nudged(scene, which):
     else:
         for key in ("Packing/Lower", "Packing/Upper"):
             result.set(key, Change(shift=way).point(scene.point(key)))
+    return result
+
+
+def solved_closer(scene):
+    result = scene.copy()
+    result.set("Contact/Tolerance", 0.01 * scene.number("Contact/Tolerance"))
     return result
 
 
@@ -96,20 +116,23 @@ def with_step(scene, share):
 
 
 def disks_only(scene):
-    return all(scene.get(f"Bodies/{name}/Shape", "disk") == "disk" for name in scene.names("Bodies"))
+    rows = [line.split(",") for line in scene.files.get("grains.csv", "").splitlines()]
+    shapes = [row[rows[0].index("shape")] for row in rows[1:]] if rows and "shape" in rows[0] else []
+    shapes += [scene.get(f"Bodies/{name}/Shape", "disk") for name in scene.names("Bodies")]
+    return all(shape == "disk" for shape in shapes)
 
 
 def near(case, name, other, change=Change(), renamed=None, limits=None):
     """The verdict on a run that must be near to the base."""
     limits = limits or tolerances(case.scene)
     if other.code != case.base.code:
-        if any(case.control(which).code != case.base.code for which in (0, 1)):
+        if any(case.control(which).code != case.base.code for which in case.all_controls()):
             return Verdict(name, "bifurcation", "", f"exit code {other.code}")
         return Verdict(name, "fails", "ends differently", f"exit code {other.code}: {other.message[-200:]}")
     found = difference(case.scene, case.base, other, change, renamed)
     if found.over(limits) <= 1:
         return Verdict(name, "holds", "", str(found))
-    for which in (0, 1):
+    for which in case.all_controls():
         if case.control(which).code != case.base.code:
             return Verdict(name, "bifurcation", "", f"{found}; the control ends differently")
         control = difference(case.scene, case.base, case.control(which))

@@ -20,6 +20,8 @@ CAUSES = [
     r"would slide|slid as far|under that stress|bears the (load|stress|pressure|shear stress)",
     r"lie[s]? in each other|crosses|passed through|deep(er)? in",
 ]
+# A scene may be refused for what only the program can find out.
+REFUSALS = [r"the attraction of its \d+ primaries draws body '.*' together"]
 EMPTY = ("axial_strain", "packing_fraction")  # there is none without walls
 OVERLAP = 0.25       # cells, or mean diameters of primaries [what the parameters allow is 0.1 and 0.02]
 ENERGY = 1e-3        # of the largest energy
@@ -49,7 +51,7 @@ def end(run):
         return "message", run.message[:300]
     text = lines[0].removeprefix("softgrain: error: ").split("; the last good state")[0]
     if run.code == 2:
-        return "refused", text[:300]
+        return None if any(re.search(reason, text) for reason in REFUSALS) else ("refused", text[:300])
     return None if any(re.search(cause, text) for cause in CAUSES) else ("unclear end", text[:300])
 
 

@@ -100,7 +100,8 @@ def add_numerics(dice, scene, sizes, scheme, rigid_friction):
     if scheme != "quasi_static" and shape != "quadratic" and dice.random() < 0.2:
         scene.set("Material points/Grid update", dice.choice(["every step", "distortion"]))
         if dice.random() < 0.5:
-            scene.set("Material points/Transfer", "apic")
+            if shape == "bspline":
+                scene.set("Material points/Transfer", "apic")
         elif dice.random() < 0.5:
             scene.set("Material points/PIC fraction", dice.choice([0.05, 1.0]))
     if dice.random() < 0.1:

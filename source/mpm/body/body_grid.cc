@@ -5,7 +5,9 @@
 #include <softgrain/mpm/body/body_builder.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace softgrain::mpm
 {
@@ -18,6 +20,53 @@ dealii::Tensor<2, 2> unit()
   return one;
 }
 
+/// What points with APIC's matrices B give to the independent nodes beside their velocities: sum of m N B
+/// (x_i - x_p) with x_i the place of the independent node. A node that follows others has no such place of
+/// its own: with its place in x_i's stead a field that is linear would not stay what it is, and grows from
+/// step to step.
+class AffineMomentum
+{
+public:
+  explicit AffineMomentum(const BodyField<2> &field)
+      : field(field), origin(field.position(0)), sum{{zero(field), zero(field)}}
+  {
+  }
+
+  /// Adds m N of a point to a node. @return the velocity that is to be added to that of the point
+  dealii::Tensor<1, 2> add(const dealii::Tensor<2, 2> &affine,
+                           const dealii::Point<2> &place,
+                           const unsigned int node,
+                           const double mass)
+  {
+    for (unsigned int e = 0; e < 2; ++e)
+      for (unsigned int d = 0; d < 2; ++d)
+        sum[e][2 * node + d] += mass * affine[d][e];
+    return affine * (origin - place);
+  }
+  /// Adds it to the momentum of independent nodes.
+  void add_to(Eigen::VectorXd &momentum) const
+  {
+    Eigen::VectorXd restricted;
+    for (unsigned int e = 0; e < 2; ++e)
+    {
+      field.restrict(sum[e], restricted);
+      for (unsigned int i = 0; i < field.n_independent(); ++i)
+        momentum.segment<2>(2 * i) +=
+            (field.position(field.node_of_independent(i)) - origin)[e] * restricted.segment<2>(2 * i);
+    }
+  }
+
+private:
+  static Eigen::VectorXd zero(const BodyField<2> &field)
+  {
+    return Eigen::VectorXd::Zero(2 * field.n_nodes());
+  }
+
+  const BodyField<2> &field;
+  const dealii::Point<2> origin; ///< from which places are measured
+  std::array<Eigen::VectorXd, 2> sum;
+};
+
 /// Mass and velocity of the nodes; false when an independent node is left without mass, or
 /// without positive mass where @p positive ones are asked for.
 bool points_to_nodes(Body<2> &body, const bool positive)
@@ -28,6 +77,9 @@ bool points_to_nodes(Body<2> &body, const bool positive)
   const unsigned int n = field.nodes_per_cell();
   std::vector<double> mass(field.n_nodes(), 0.);
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes());
+  std::optional<AffineMomentum> turning;
+  if (affine)
+    turning.emplace(field);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const auto point = body.points[p];
@@ -40,7 +92,7 @@ bool points_to_nodes(Body<2> &body, const bool positive)
       if (moving)
         v = point.velocity();
       if (affine)
-        v += point.affine() * (field.position(i) - point.position());
+        v += turning->add(point.affine(), point.position(), i, m);
       for (unsigned int d = 0; d < 2; ++d)
         momentum[2 * i + d] += m * v[d];
     }
@@ -51,6 +103,8 @@ bool points_to_nodes(Body<2> &body, const bool positive)
   if (moving)
   {
     field.restrict(momentum, body.velocity);
+    if (affine)
+      turning->add_to(body.velocity);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       body.velocity.segment<2>(2 * i) /= body.mass[i];
   }

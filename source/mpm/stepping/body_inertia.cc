@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/body_inertia.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace softgrain::mpm
 {
 namespace
 {
 constexpr double torque = 30.; ///< torque that keeps a spin, over E A per radian
+
+/// Square of the time in which a wave goes from the middle of a round body to its rim [s^2].
+template <int dim>
+double square_of_crossing(const Body<dim> &body)
+{
+  const double ball = dim == 2 ? dealii::numbers::PI : 4. / 3. * dealii::numbers::PI;
+  const double radius = std::pow(body.rest_area / ball, 1. / dim);
+  return radius * radius * body.density / body.law->wave_modulus();
 }
+} // namespace
 
 template <int dim>
 void BodyInertia<dim>::begin(const Body<dim> &body,
@@ -19,11 +31,12 @@ void BodyInertia<dim>::begin(const Body<dim> &body,
 {
   theta = scheme.theta;
   dt = step;
-  keeps = keeps_spin;
+  const double beyond = keeps_spin ? dt * dt - square_of_crossing(body) : 0.;
+  keeps = beyond > 0.;
   rotation = whole_rotation(body);
   half_turn.setZero();
   holding.setZero();
-  weight = keeps ? torque * dt * dt * body.law->young_modulus() * body.rest_area : 0.;
+  weight = keeps ? torque * beyond * body.law->young_modulus() * body.rest_area : 0.;
   note_load(body, load);
 }
 

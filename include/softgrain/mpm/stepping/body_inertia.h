@@ -18,7 +18,9 @@ template <int dim>
 class BodyInertia final : public BodyTerms<dim>
 {
 public:
-  /// @param keeps_spin a round body without friction, whose spin nothing but a load can change
+  /// @param keeps_spin a round body without friction: its spin is held in steps that are longer than a wave
+  /// takes from its middle to its rim. Such steps resolve no hit, and as the cut cells of a rim press askew,
+  /// grains that are squeezed slowly would turn on and on.
   /// @param load on the body, empty where there is none [N m^(dim-3)]
   void begin(const Body<dim> &body,
              const TimeScheme &scheme,

@@ -28,8 +28,7 @@ struct BodyStart
   const TimeScheme &scheme;
   const StepPlan &plan;
   /// A round body that nothing holds is the same when it is turned: without inertia, that it stays is a
-  /// choice of one of many equal answers; with inertia, nothing can change its spin but a load. The cut cells
-  /// of its rim do not know that.
+  /// choice of one of many equal answers. Steps with inertia that resolve no hit hold its spin, too.
   bool nothing_turns_it;
   const Eigen::VectorXd &load;     ///< on its nodes, empty where there is none [N/m]
   dealii::Tensor<1, 2> resistance; ///< what has resisted its motion at the end of the step before [N/m]
