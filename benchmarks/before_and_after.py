@@ -9,12 +9,10 @@ BEFORE and AFTER are programs, each in the build folder where its library is. Ev
 thread. The table has medians of processor time in seconds, and the median of the ratios after/before with the smallest and the largest.
 """
 import argparse
-import os
 import pathlib
-import resource
 import statistics
-import subprocess
-import sys
+
+from processor import seconds_of
 
 PARAMETERS = pathlib.Path(__file__).resolve().parents[1] / "parameters"
 SPARSE = {"Output/Fields every": 1, "Output/Snapshots every": 1, "Output/Number of field outputs": 1}
@@ -38,16 +36,6 @@ def command_of(program, case, folder):
     scene, changes = case
     words = [program, "run", PARAMETERS / scene, "--threads", 1, "--overwrite", "--output", folder]
     return words + [word for name, value in changes.items() for word in ("--set", f"{name}={value}")]
-
-
-def seconds_of(command):
-    """Processor seconds of a command; an end other than 0 ends the script."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, env={**os.environ, "OMP_NUM_THREADS": "1"})
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}: {(done.stdout + done.stderr)[-1500:]}")
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def main():

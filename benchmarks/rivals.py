@@ -12,9 +12,7 @@ reference/, which getfem_disk.py made with --fine 0.006.
 import argparse
 import csv
 import importlib.util
-import os
 import pathlib
-import resource
 import shutil
 import statistics
 import subprocess
@@ -25,6 +23,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "contrib/results"))
 
+from processor import seconds_of  # noqa: E402
 from running import PARAMETERS, softgrain  # noqa: E402
 from subgrid import mesh  # noqa: E402
 
@@ -45,13 +44,7 @@ class Case:
 
     def run(self):
         """Processor seconds of one run are added to the others."""
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        done = subprocess.run([str(word) for word in self.command], capture_output=True, text=True, check=False,
-                              env={**os.environ, "OMP_NUM_THREADS": "1"})
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        if done.returncode != 0:
-            sys.exit(f"{self.code}, {self.setting}: {(done.stdout + done.stderr)[-1500:]}")
-        self.seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        self.seconds.append(seconds_of(self.command))
 
     def errors(self):
         """Relative, at the ways of the scene."""

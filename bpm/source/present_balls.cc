@@ -40,14 +40,8 @@ double PresentBalls::attraction_of(const std::size_t pair) const
   if (laws.empty() || primaries.body[a] != primaries.body[b] || !laws[primaries.body[a]])
     return 0.;
   const BallDynamics::Vector &xa = primaries.position[a], &xb = primaries.position[b];
-  const double distance = std::hypot(xa[0] - xb[0], xa[1] - xb[1], xa[2] - xb[2]),
-               sum = primaries.radius[a] + primaries.radius[b];
-  const Attraction &law = *laws[primaries.body[a]];
-  if (distance >= law.range() * sum)
-    return 0.;
-  double size = 0.;
-  law.evaluate(1, &distance, &sum, &size, nullptr);
-  return size;
+  return attraction_at(*laws[primaries.body[a]], std::hypot(xa[0] - xb[0], xa[1] - xb[1], xa[2] - xb[2]),
+                       primaries.radius[a] + primaries.radius[b]);
 }
 
 std::size_t PresentBalls::deepest_row(const bool bodies_apart) const

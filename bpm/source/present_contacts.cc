@@ -50,12 +50,7 @@ double PresentContacts::attraction_of(const std::size_t pair) const
     return 0.;
   const double distance = std::hypot(primaries.position[a][0] - primaries.position[b][0],
                                      primaries.position[a][1] - primaries.position[b][1]);
-  const double sum = primaries.radius[a] + primaries.radius[b];
-  const Attraction &law = *laws[primaries.body[a]];
-  if (distance >= law.range() * sum)
-    return 0.;
-  double strength = 0.;
-  law.evaluate(1, &distance, &sum, &strength, nullptr);
-  return strength * dynamics.strength_of(a, b);
+  return attraction_at(*laws[primaries.body[a]], distance, primaries.radius[a] + primaries.radius[b]) *
+         dynamics.strength_of(a, b);
 }
 } // namespace softgrain::bpm

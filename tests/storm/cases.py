@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A scene with its runs, controls that are moved by 1e-9 cells, and the verdict on a run that must be near to another."""
 import dataclasses
-import math
 
 import changes
 from changes import Change
@@ -32,7 +31,7 @@ class Case:
         return self.program.run(scene, self.folder / name, **options)
 
     def control(self, which):
-        """The base with bodies moved by 1e-9 cells; number 2 with contacts that are solved a hundred times closer."""
+        """The base with a body moved by 1e-9 cells; number 2 with contacts that are solved a hundred times closer."""
         if which not in self.controls:
             scene = with_library(self.scene)
             self.controls[which] = self.run(solved_closer(scene) if which == 2 else nudged(scene, which), f"control{which}")
@@ -56,27 +55,19 @@ def with_library(scene):
     return result
 
 
-def move_body(scene, name, way):
-    if f"Bodies/{name}/Vertices" not in scene.values:
-        scene.set(f"Bodies/{name}/Center", Change(shift=way).point(scene.point(f"Bodies/{name}/Center")))
-        return
-    for key in ("Center", "Vertices"):
-        path = f"Bodies/{name}/{key}"
-        if path in scene.values:
-            scene.values[path] = changes.value_of(path, scene.values[path], Change(shift=way), "mpm")
-
-
 def nudged(scene, which):
-    """The scene with all its bodies moved by 1e-9 cells, each another way, or with its last one alone."""
+    """The scene with its first or its last body moved by 1e-9 cells, another way for each."""
     result, by = scene.copy(), 1e-9 * spacing_of(scene)
     way = ((by, 0.6 * by), (-0.7 * by, by))[which]
     names = scene.names("Bodies")
     if names:
-        for n, name in enumerate(names):
-            if which == 0:
-                move_body(result, name, (by * math.cos(0.54 + 2.4 * n), by * math.sin(0.54 + 2.4 * n)))
-            elif n == len(names) - 1:
-                move_body(result, name, way)
+        name = names[-which]
+        for key in ("Center", "Vertices"):
+            path = f"Bodies/{name}/{key}"
+            if path in result.values:
+                result.values[path] = changes.value_of(path, result.values[path], Change(shift=way), "mpm")
+        if f"Bodies/{name}/Vertices" not in result.values:
+            result.set(f"Bodies/{name}/Center", Change(shift=way).point(scene.point(f"Bodies/{name}/Center")))
     elif scene.files.get("grains.csv"):
         lines = scene.files["grains.csv"].splitlines()
         x, y, *rest = lines[1 if which == 0 else -1].split(",")
@@ -115,11 +106,19 @@ def with_step(scene, share):
     return result
 
 
-def disks_only(scene):
+def shapes_of(scene):
+    """Shapes of the bodies that a scene or its table names."""
     rows = [line.split(",") for line in scene.files.get("grains.csv", "").splitlines()]
     shapes = [row[rows[0].index("shape")] for row in rows[1:]] if rows and "shape" in rows[0] else []
-    shapes += [scene.get(f"Bodies/{name}/Shape", "disk") for name in scene.names("Bodies")]
-    return all(shape == "disk" for shape in shapes)
+    return shapes + [scene.get(f"Bodies/{name}/Shape", "disk") for name in scene.names("Bodies")]
+
+
+def disks_only(scene):
+    return all(shape == "disk" for shape in shapes_of(scene))
+
+
+def has_disks(scene):
+    return "disk" in shapes_of(scene) or ("Packing/Number" in scene.values and "disk" in scene.get("Packing/Shapes", "disk"))
 
 
 def near(case, name, other, change=Change(), renamed=None, limits=None):

@@ -79,11 +79,8 @@ class Difference:
         return f"places by {self.place:.1e} cells, speeds by {self.speed:.1e}, forces by {self.force:.1e}, {self.where}"
 
 
-def difference(scene, first, second, change=Change(), renamed=None, last=None):
-    """
-    How far the second run is from the first in the changed frame, in snapshots up to number `last`; `renamed` gives bodies of
-    the first other names.
-    """
+def difference(scene, first, second, change=Change(), renamed=None):
+    """How far the second run is from the first in the changed frame; `renamed` gives bodies of the first other names."""
     cell, worst = spacing_of(scene), Difference()
     one, other = first.snapshots(), second.snapshots()
     names = renamed or {}
@@ -93,8 +90,6 @@ def difference(scene, first, second, change=Change(), renamed=None, last=None):
     forces = [abs(f) for a in one for f in by_name(a, "walls", "normal_force_N_per_m").values()]
     largest = max([*forces, 1e-300])
     for index, (a, b) in enumerate(zip(one, other)):
-        if last is not None and index > last:
-            break
         if abs(a["time_s"] - b["time_s"]) > 1e-9 * end:
             return Difference(float("inf"), where=f"snapshot {index} at another time")
         for group, array, turn in (("bodies", "center_m", change.point),

@@ -11,7 +11,7 @@ import re
 import shutil
 
 import changes
-from cases import STEPS, Verdict, disks_only, near, tolerances, with_library, with_step
+from cases import STEPS, Verdict, disks_only, has_disks, near, tolerances, with_library, with_step
 from changes import Change
 from checks import spacing_of
 from compare import difference, same_bits
@@ -144,7 +144,8 @@ class LittleFriction(Relation):
                     scene.set(f"{section}/{name}/Friction", 1e-9)
         limits = [max(pair) for pair in zip((1e-4, 1e-3, 1e-2), tolerances(scene))]
         found = near(case, self.name, case.run(scene, "friction"), limits=limits)
-        if found.verdict == "fails" and scene.get("Time/Scheme") in ("moreau_jean", "newmark"):
+        held = has_disks(scene) and scene.get("Time/Scheme") in ("moreau_jean", "newmark")
+        if found.verdict == "fails" and held:
             return self.with_shorter_steps(case, scene, limits) or found
         return found
 
@@ -212,13 +213,11 @@ class HalfStep(Relation):
     With half the step little changes, or less with every halving.
 
     Steps with inertia are up to twenty CFL steps, which resolve no impact: there the differences need not fall yet. They are
-    halved on until a step is short against an impact; then they must fall. Where a move by 1e-9 cells has grown a hundredfold, so
-    has the error of every step before: what comes after is not asked.
+    halved on until a step is short against an impact; then they must fall.
     """
     name = "half step"
     small, shrinks = 0.02, 0.8  # cells; a difference over the one before
     lost = 0.25  # cells; runs that are further apart are others altogether, and come nearer by chance
-    grown = 1e-7  # cells
 
     def applies(self, scene):
         return any(path in scene.values for path in STEPS)
@@ -233,15 +232,8 @@ class HalfStep(Relation):
             places.append(found.place)
             if name == "half" and found.place <= self.small:
                 return Verdict(self.name, "holds", "", str(found))
-        last = self.last_that_is_told(case)
-        if last is not None and not self.falls(places):
-            if last == 0:
-                return Verdict(self.name, "bifurcation", "", f"grows a hundredfold at once; {found}")
-            places = [difference(case.scene, *pair, last=last).place for pair in zip(runs, runs[1:])]
-            if places[0] <= self.small:
-                return Verdict(self.name, "holds", "", f"up to snapshot {last}, where a move has grown a hundredfold")
         if not self.falls(places) and case.scene.get("Time/Scheme") != "quasi_static":
-            self.halve_on(case, runs[-1], places, last)
+            self.halve_on(case, runs[-1], places)
         seen = f"by {places[0]:.2g} cells, with half of that by " + ", ".join(f"{place:.2g}" for place in places[1:])
         if self.falls(places):
             return Verdict(self.name, "holds", "", seen)
@@ -251,24 +243,16 @@ class HalfStep(Relation):
                 return Verdict(self.name, "bifurcation", "", seen)
         return Verdict(self.name, "fails", "does not converge", f"{seen} ({found.where})")
 
-    def last_that_is_told(self, case):
-        """The last snapshot before a move of a body by 1e-9 cells has grown a hundredfold; None: it never does."""
-        for index in range(len(case.base.snapshots())):
-            if any(case.control(which).code == case.base.code and
-                   difference(case.scene, case.base, case.control(which), last=index).place > self.grown for which in (0, 1)):
-                return max(0, index - 1)
-        return None
-
     def falls(self, places):
         return places[-1] <= self.shrinks * min(places[0], places[-2]) and (len(places) == 2 or places[-1] < self.lost)
 
-    def halve_on(self, case, run, places, last):
+    def halve_on(self, case, run, places):
         """Adds differences with still shorter steps, up to the first that falls; a run that does not end ends this."""
         for n, name in enumerate(("eighth", "sixteenth", "thirty-second"), 3):
             shorter = case.run(with_step(case.scene, 0.5**n), name, limit=2 * 2**n)
             if shorter.code != case.base.code:
                 return
-            places.append(difference(case.scene, run, shorter, last=last).place)
+            places.append(difference(case.scene, run, shorter).place)
             if self.falls(places):
                 return
             run = shorter

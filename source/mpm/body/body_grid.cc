@@ -20,10 +20,9 @@ dealii::Tensor<2, 2> unit()
   return one;
 }
 
-/// What points with APIC's matrices B give to the independent nodes beside their velocities: sum of m N B
-/// (x_i - x_p) with x_i the place of the independent node. A node that follows others has no such place of
-/// its own: with its place in x_i's stead a field that is linear would not stay what it is, and grows from
-/// step to step.
+/// The momentum of the matrices B that points have with APIC. An independent node at x_i gets the sum of
+/// m N B (x_i - x_p) over the points. N includes what the nodes that follow this one pass on to it. Their own
+/// places must not stand for x_i: a linear field of velocities would change with every transfer, and grow.
 class AffineMomentum
 {
 public:
@@ -73,13 +72,13 @@ bool points_to_nodes(Body<2> &body, const bool positive)
 {
   const BodyField<2> &field = body.field;
   const bool moving = body.points.layout().has(PointSlot::velocity),
-             affine = body.points.layout().has(PointSlot::affine);
+             affine = moving && body.points.layout().has(PointSlot::affine);
   const unsigned int n = field.nodes_per_cell();
   std::vector<double> mass(field.n_nodes(), 0.);
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes());
-  std::optional<AffineMomentum> turning;
+  std::optional<AffineMomentum> of_matrices;
   if (affine)
-    turning.emplace(field);
+    of_matrices.emplace(field);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const auto point = body.points[p];
@@ -92,7 +91,7 @@ bool points_to_nodes(Body<2> &body, const bool positive)
       if (moving)
         v = point.velocity();
       if (affine)
-        v += turning->add(point.affine(), point.position(), i, m);
+        v += of_matrices->add(point.affine(), point.position(), i, m);
       for (unsigned int d = 0; d < 2; ++d)
         momentum[2 * i + d] += m * v[d];
     }
@@ -104,7 +103,7 @@ bool points_to_nodes(Body<2> &body, const bool positive)
   {
     field.restrict(momentum, body.velocity);
     if (affine)
-      turning->add_to(body.velocity);
+      of_matrices->add_to(body.velocity);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       body.velocity.segment<2>(2 * i) /= body.mass[i];
   }

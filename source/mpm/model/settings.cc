@@ -234,9 +234,10 @@ void check_shape_function(const Settings &settings)
     throw InputError(name + " is not allowed with 'Time/Scheme' = '" + settings.scheme.name + "'" + negative +
                      "'quasi_static', or another shape function");
   if (settings.affine_transfer && function->degree() < 2)
-    throw InputError("'Material points/Transfer' = 'apic' is not allowed with 'Shape function' = '" +
-                     settings.shape +
-                     "': a motion of rims grows with every transfer; choose 'bspline', or 'flip'");
+    throw InputError(
+        "'Material points/Transfer' = 'apic' is not allowed with 'Shape function' = '" + settings.shape +
+        "': velocities at the rim of a body would grow with every transfer; choose 'bspline', or "
+        "'flip'");
   if (settings.points_per_direction < function->least_points())
     throw InputError("'Material points/Points per direction' = '" +
                      std::to_string(settings.points_per_direction) +

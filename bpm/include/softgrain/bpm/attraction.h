@@ -53,6 +53,16 @@ public:
   virtual void
   evaluate(std::size_t n, const double *distance, const double *sum, double *force, double *energy) const = 0;
 };
+
+/// Attraction of one pair, 0 out of range. @param distance of their centres [m] @param sum of their radii [m]
+/// @return [N/m in 2D]
+inline double attraction_at(const Attraction &law, const double distance, const double sum)
+{
+  double force = 0.;
+  if (distance < law.range() * sum)
+    law.evaluate(1, &distance, &sum, &force, nullptr);
+  return force;
+}
 } // namespace softgrain::bpm
 
 namespace softgrain
